@@ -1,0 +1,31 @@
+# SPDX-FileCopyrightText: 2026 The clothfit authors
+# SPDX-License-Identifier: Apache-2.0
+
+# Warnings, instruction set and instrumentation that every target of clothfit shares.
+add_library(clothfit_options INTERFACE)
+target_compile_options(clothfit_options INTERFACE
+  -Wall -Wextra -Wconversion -Wshadow -Wno-sign-conversion
+  $<$<BOOL:${CLOTHFIT_WERROR}>:-Werror>
+  # Square roots and the like set no errno here, so they may be inlined. Nothing else of fast-math.
+  -fno-math-errno)
+if(CLOTHFIT_NATIVE)
+  target_compile_options(clothfit_options INTERFACE -march=native)
+endif()
+# Ceres and OpenCV were compiled for the baseline instruction set: Eigen must align as they do.
+target_compile_definitions(clothfit_options INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
+if(CLOTHFIT_SANITIZE)
+  target_compile_options(clothfit_options INTERFACE -fsanitize=${CLOTHFIT_SANITIZE}
+                                                    -fno-sanitize-recover=all)
+  target_link_options(clothfit_options INTERFACE -fsanitize=${CLOTHFIT_SANITIZE})
+endif()
+if(CLOTHFIT_COVERAGE)
+  target_compile_options(clothfit_options INTERFACE --coverage)
+  target_link_options(clothfit_options INTERFACE --coverage)
+endif()
+
+# clothfit_library(NAME SOURCES... ) : one static library for one folder.
+function(clothfit_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE clothfit_options)
+endfunction()
