@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 The clothfit authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# The short way to everything. What is configured, and how, stands in CMakePresets.json.
+
+PRESET ?= release
+# Compilers at once. Sources with automatic derivatives take about 1 GB each to compile.
+JOBS ?= $(shell nproc)
+BUILD := build/$(PRESET)
+
+# The tests and the fit run threads of their own; those of the BLAS would only get in their way.
+export OPENBLAS_NUM_THREADS ?= 1
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test test-deep build bench format format-check tidy clean packages configure
+
+help: ## Show this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+demo: configure ## Build the command and fit the small recording in data/demo
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target apps/clothfit
+	$(BUILD)/apps/clothfit fit data/demo -o build/demo-run --force
+
+test: build ## Build everything and run all tests and source checks
+	ctest --preset $(PRESET)
+
+test-deep: test ## The same under the sanitizers, then clang-tidy: many minutes
+	$(MAKE) --no-print-directory test PRESET=asan-ubsan
+	$(MAKE) --no-print-directory tidy
+
+build: configure ## Build everything (PRESET=release, JOBS=all cores)
+	cmake --build --preset $(PRESET) --parallel $(JOBS)
+
+bench: configure ## Build and run the benchmarks (BENCH_ARGS=--benchmark_filter=...)
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target tests/benchmarks/clothfit_benchmarks
+	$(BUILD)/tests/benchmarks/clothfit_benchmarks $(BENCH_ARGS)
+
+format: packages ## Lay out every tracked C++ file with clang-format
+	tools/format
+
+format-check: packages ## Fail where clang-format would change a file
+	tools/format --check
+
+tidy: configure ## Run clang-tidy over our sources: some minutes
+	run-clang-tidy -quiet -j $(JOBS) -p $(BUILD) -extra-arg=-Wno-error \
+	  '$(CURDIR)/(autodiff_sim|tracking|fitting|apps|tests)/'
+
+clean: ## Remove everything that was built
+	rm -rf build
+
+packages: ## Install the Debian packages of packages.txt that are missing
+	@tools/install_packages
+
+configure: packages
+	cmake --preset $(PRESET)
