@@ -139,9 +139,10 @@ void CheckRecording(const Recording& recording);
 
 enum class Overwrite { kRefuse, kAllow };
 
-// Checks the recording, then writes recording.yaml and, where there is something to write,
+// Checks the values, then writes recording.yaml and, where there is something to write,
 // cameras.yaml, markers.csv, tracks.csv, initial.csv and handles/*.csv, and copies a mesh. Numbers
-// are the shortest decimals that read back as the same doubles. Pictures are not written.
+// are the shortest decimals that read back as the same doubles. Pictures are not
+// written: whoever makes them puts them beside, before or after.
 // Throws InputError when the folder already holds a recording (unless allowed) or is not writable.
 void WriteRecording(const Recording& recording, const std::filesystem::path& folder,
                     Overwrite overwrite = Overwrite::kRefuse);

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracking/images.h"
+
+#include <fmt/format.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "autodiff_sim/error.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Camera& CameraAt(const Recording& recording, int camera) {
+  return recording.cameras.at(static_cast<size_t>(camera));
+}
+
+// Null where the recording has no pictures at all.
+const CameraFiles* FilesOf(const Recording& recording, int camera) {
+  if (recording.files.empty()) return nullptr;
+  return &recording.files.at(static_cast<size_t>(camera));
+}
+
+void CheckSize(const cv::Mat& picture, const Camera& camera, const fs::path& file) {
+  if (picture.cols == camera.width && picture.rows == camera.height) return;
+  throw InputError(file.string(),
+                   fmt::format("expected {} x {} px as in cameras.yaml, found {} x {}",
+                               camera.width, camera.height, picture.cols, picture.rows));
+}
+
+cv::Mat LoadPicture(const fs::path& file, int flags, const Camera& camera) {
+  cv::Mat picture;
+  try {
+    picture = cv::imread(file.string(), flags | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception& error) {
+    throw InputError(file.string(), "cannot be read as a picture (" + error.err + ")");
+  }
+  if (picture.empty()) {
+    throw InputError(file.string(), "cannot be read as a picture; it is damaged, cut off or none");
+  }
+  CheckSize(picture, camera, file);
+  return picture;
+}
+
+}  // namespace
+
+cv::Mat LoadImage(const Recording& recording, int camera, int frame) {
+  return ImageReader(recording, camera).Load(frame);
+}
+
+cv::Mat LoadMask(const Recording& recording, int camera, int frame) {
+  const CameraFiles* const files = FilesOf(recording, camera);
+  if (files == nullptr || files->masks.count(frame) == 0) return {};
+  const fs::path& file = files->masks.at(frame);
+  cv::Mat mask = LoadPicture(file, cv::IMREAD_GRAYSCALE, CameraAt(recording, camera));
+  double brightest = 0.0;
+  cv::minMaxLoc(mask, nullptr, &brightest);
+  constexpr double kThreshold = 127.0;
+  if (brightest > 0.0 && brightest <= kThreshold) {  // a mask of 0 and 1 would come out empty
+    throw InputError(
+        file.string(),
+        fmt::format("expected 0 = background and 255 = cloth, found at most {}", brightest));
+  }
+  cv::threshold(mask, mask, kThreshold, 255.0, cv::THRESH_BINARY);
+  return mask;
+}
+
+cv::Mat LoadBackground(const Recording& recording, int camera) {
+  const CameraFiles* const files = FilesOf(recording, camera);
+  if (files == nullptr || !files->background) return {};
+  return LoadPicture(*files->background, cv::IMREAD_COLOR, CameraAt(recording, camera));
+}
+
+ImageReader::ImageReader(const Recording& recording, int camera)
+    : recording_(recording), camera_(camera) {}
+ImageReader::~ImageReader() = default;
+ImageReader::ImageReader(ImageReader&&) noexcept = default;
+
+cv::Mat ImageReader::Load(int frame) {
+  const CameraFiles* const files = FilesOf(recording_, camera_);
+  if (files == nullptr) return {};
+  if (!files->images.empty()) {
+    const auto image = files->images.find(frame);
+    if (image == files->images.end()) return {};
+    return LoadPicture(image->second, cv::IMREAD_COLOR, CameraAt(recording_, camera_));
+  }
+  return files->video ? LoadFromVideo(frame) : cv::Mat();
+}
+
+cv::Mat ImageReader::LoadFromVideo(int frame) {
+  const fs::path& file = *FilesOf(recording_, camera_)->video;
+  // Seeking is inexact in many containers, so going back means starting anew.
+  if (video_ == nullptr || frame < next_frame_) {
+    video_ = std::make_unique<cv::VideoCapture>(file.string());
+    next_frame_ = 0;
+  }
+  if (!video_->isOpened()) throw InputError(file.string(), "cannot be read as a video");
+  const int count = cvRound(video_->get(cv::CAP_PROP_FRAME_COUNT));
+  if (count > recording_.frame_count) {
+    throw InputError(file.string(), fmt::format("expected at most {} frames as in recording.yaml, "
+                                                "found {}",
+                                                recording_.frame_count, count));
+  }
+  if (frame < 0 || frame >= count) return {};
+  for (; next_frame_ < frame; ++next_frame_) video_->grab();
+  cv::Mat picture;
+  ++next_frame_;
+  if (!video_->read(picture) || picture.empty()) {
+    throw InputError(file.string(), fmt::format("frame {} of {} cannot be read", frame, count));
+  }
+  CheckSize(picture, CameraAt(recording_, camera_), file);
+  return picture;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracking/initial_placement.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "tracking/thin_plate_spline.h"
+
+namespace clothfit {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+Points PlaceAt(const FlatPlacement& flat, const std::vector<Eigen::Vector2d>& uv) {
+  Points positions;
+  positions.reserve(uv.size());
+  for (const Eigen::Vector2d& point : uv) {
+    positions.emplace_back(flat.origin + point.x() * flat.u_axis + point.y() * flat.v_axis);
+  }
+  return positions;
+}
+
+Points PlaceAt(const PointPlacement& placement, const std::vector<Eigen::Vector2d>& uv) {
+  constexpr size_t kMaxPoints = 3000;  // seconds of dense algebra
+  if (placement.points.size() > kMaxPoints) {
+    throw InputError("cloth.initial.points", fmt::format("expected at most {} points, found {}",
+                                                         kMaxPoints, placement.points.size()));
+  }
+  Eigen::Matrix2Xd sites(2, placement.points.size());
+  Eigen::Matrix3Xd values(3, placement.points.size());
+  for (size_t i = 0; i < placement.points.size(); ++i) {
+    sites.col(static_cast<Eigen::Index>(i)) = placement.points[i].uv;
+    values.col(static_cast<Eigen::Index>(i)) = placement.points[i].position;
+  }
+  const ThinPlateSpline surface(sites, values);
+  Points positions;
+  positions.reserve(uv.size());
+  for (const Eigen::Vector2d& point : uv) positions.push_back(surface(point));
+  return positions;
+}
+
+Points PlaceAt(const MeshPlacement&, const std::vector<Eigen::Vector2d>&) {
+  throw std::logic_error("the initial positions of a mesh are its own vertices");
+}
+
+}  // namespace
+
+Points InitialPositions(const Recording& recording, const std::vector<Eigen::Vector2d>& uv) {
+  return std::visit([&](const auto& placement) { return PlaceAt(placement, uv); },
+                    recording.cloth.initial);
+}
+
+}  // namespace clothfit

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Checks of what was observed, and of a recording as a whole.
+#include <map>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "tracking/recording_validation.h"
+
+namespace clothfit {
+namespace {
+
+// Line of the i-th entry; where none is known, that at which WriteRecording would put it.
+int LineOf(const std::vector<int>& lines, size_t i) {
+  return i < lines.size() ? lines[i] : static_cast<int>(i) + 2;
+}
+
+void CheckMarkers(const Recording& recording, const std::vector<int>& lines) {
+  std::map<std::tuple<int, int>, int> line_of_key;
+  for (size_t i = 0; i < recording.markers.size(); ++i) {
+    const Marker& marker = recording.markers[i];
+    const int line = LineOf(lines, i);
+    const std::string place =
+        PlaceInRecording(recording, "markers.csv", fmt::format("line {}", line));
+    CheckFrame(recording, marker.frame, place);
+    CheckOnCloth(recording, marker.uv, place);
+    if (!marker.position.allFinite()) throw InputError(place, "expected finite x, y, z");
+    const auto [first, is_new] = line_of_key.try_emplace({marker.frame, marker.id}, line);
+    if (!is_new) {
+      throw InputError(place, fmt::format("frame {}, id {} appeared already on line {}",
+                                          marker.frame, marker.id, first->second));
+    }
+  }
+}
+
+void CheckTracks(const Recording& recording, const std::vector<int>& lines) {
+  std::map<std::tuple<int, int, int>, int> line_of_key;
+  for (size_t i = 0; i < recording.tracks.size(); ++i) {
+    const Track& track = recording.tracks[i];
+    const int line = LineOf(lines, i);
+    const std::string place =
+        PlaceInRecording(recording, "tracks.csv", fmt::format("line {}", line));
+    CheckFrame(recording, track.frame, place);
+    if (track.camera < 0 || static_cast<size_t>(track.camera) >= recording.cameras.size()) {
+      throw InputError(place, fmt::format("there is no camera number {}", track.camera));
+    }
+    CheckOnCloth(recording, track.uv, place);
+    if (!track.pixel.allFinite()) throw InputError(place, "expected finite x, y");
+    const auto [first, is_new] =
+        line_of_key.try_emplace({track.frame, track.camera, track.id}, line);
+    if (!is_new) {
+      throw InputError(
+          place, fmt::format("frame {}, camera {}, id {} appeared already on line {}", track.frame,
+                             recording.cameras[static_cast<size_t>(track.camera)].name, track.id,
+                             first->second));
+    }
+  }
+}
+
+bool HasPictures(const CameraFiles& files) {
+  return !files.images.empty() || !files.masks.empty() || files.video.has_value();
+}
+
+void CheckFiles(const Recording& recording) {
+  if (!recording.files.empty() && recording.files.size() != recording.cameras.size()) {
+    throw InputError(recording.path.string(),
+                     fmt::format("pictures of {} cameras, but cameras.yaml holds {}",
+                                 recording.files.size(), recording.cameras.size()));
+  }
+  for (const CameraFiles& files : recording.files) {
+    for (const auto& [frame, file] : files.images) CheckFrame(recording, frame, file.string());
+    for (const auto& [frame, file] : files.masks) CheckFrame(recording, frame, file.string());
+  }
+}
+
+}  // namespace
+
+void CheckObservations(const Recording& recording, const ObservationLines& lines) {
+  CheckFiles(recording);
+  CheckMarkers(recording, lines.markers);
+  CheckTracks(recording, lines.tracks);
+}
+
+void CheckHasObservation(const Recording& recording) {
+  for (const CameraFiles& files : recording.files) {
+    if (HasPictures(files)) return;
+  }
+  if (!recording.markers.empty() || !recording.tracks.empty()) return;
+  throw InputError(recording.path.string(),
+                   "there is no observation; expected images, videos, masks, tracks.csv or "
+                   "markers.csv");
+}
+
+void CheckValues(const Recording& recording, const ObservationLines& lines) {
+  CheckScene(recording);
+  CheckCloth(recording);
+  CheckHandles(recording);
+  CheckCameras(recording);
+  CheckNoiseAndSplits(recording);
+  CheckObservations(recording, lines);
+}
+
+void CheckRecording(const Recording& recording) {
+  CheckValues(recording, {});
+  CheckHasObservation(recording);
+}
+
+}  // namespace clothfit

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracking/picture_files.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a folder holds, in order of name; nothing when there is no such folder.
+std::vector<fs::path> SortedEntries(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  if (!fs::exists(folder)) return entries;
+  if (!fs::is_directory(folder)) throw InputError(folder.string(), "expected a folder");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().front() != '.') entries.push_back(entry.path());
+  }
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+size_t CameraNamed(const Recording& recording, const std::string& name, const fs::path& place) {
+  const std::optional<int> camera = FindCamera(recording, name);
+  if (camera) return static_cast<size_t>(*camera);
+  std::vector<std::string> names;
+  for (const Camera& known : recording.cameras) names.push_back(known.name);
+  throw InputError(place.string(),
+                   "'" + name + "' is no camera of cameras.yaml; " + Suggestion(name, names));
+}
+
+// The frame that a name such as 000042.png stands for.
+int FrameOfFile(const Recording& recording, const fs::path& file) {
+  const std::string stem = file.stem().string();
+  const bool is_numbered =
+      stem.size() == 6 &&
+      std::all_of(stem.begin(), stem.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  const std::optional<int> frame = is_numbered ? ParseInteger(stem) : std::nullopt;
+  if (!frame || file.extension() != ".png") {
+    throw InputError(file.string(), "expected a name of six digits such as 000042.png");
+  }
+  if (*frame >= recording.frame_count) {
+    throw InputError(file.string(),
+                     fmt::format("frame {} is outside 0..{}", *frame, recording.frame_count - 1));
+  }
+  return *frame;
+}
+
+// CAMERA/%06d.png below the folder, by frame.
+void ListFrames(const Recording& recording, const fs::path& folder,
+                std::map<int, fs::path> CameraFiles::*frames, std::vector<CameraFiles>* files) {
+  for (const fs::path& entry : SortedEntries(folder)) {
+    const size_t camera = CameraNamed(recording, entry.filename().string(), entry);
+    for (const fs::path& file : SortedEntries(entry)) {
+      ((*files)[camera].*frames)[FrameOfFile(recording, file)] = file;
+    }
+  }
+}
+
+// CAMERA.anything below the folder.
+void ListSingles(const Recording& recording, const fs::path& folder,
+                 std::optional<fs::path> CameraFiles::*single, std::vector<CameraFiles>* files) {
+  for (const fs::path& file : SortedEntries(folder)) {
+    std::optional<fs::path>& place =
+        (*files)[CameraNamed(recording, file.stem().string(), file)].*single;
+    if (place)
+      throw InputError(file.string(), "is the second for its camera beside " + place->string());
+    place = file;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> PictureFolders(const fs::path& recording_folder) {
+  std::vector<std::string> folders;
+  for (const char* name : {"images", "videos", "background", "masks"}) {
+    if (!SortedEntries(recording_folder / name).empty()) folders.emplace_back(name);
+  }
+  return folders;
+}
+
+std::vector<CameraFiles> ListPictures(const Recording& recording) {
+  std::vector<CameraFiles> files(recording.cameras.size());
+  ListFrames(recording, recording.path / "images", &CameraFiles::images, &files);
+  ListFrames(recording, recording.path / "masks", &CameraFiles::masks, &files);
+  ListSingles(recording, recording.path / "videos", &CameraFiles::video, &files);
+  ListSingles(recording, recording.path / "background", &CameraFiles::background, &files);
+  return files;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracking/recording.h"
+
+#include <algorithm>
+
+namespace clothfit {
+
+std::optional<int> FindCamera(const Recording& recording, const std::string& name) {
+  const auto found = std::find_if(recording.cameras.begin(), recording.cameras.end(),
+                                  [&](const Camera& camera) { return camera.name == name; });
+  if (found == recording.cameras.end()) return std::nullopt;
+  return static_cast<int>(found - recording.cameras.begin());
+}
+
+bool IsHeldOutFrame(const Recording& recording, int frame) {
+  const std::optional<Splits::FrameRange>& range = recording.splits.held_out_frames;
+  return range && frame >= range->first && frame <= range->last;
+}
+
+bool IsHeldOutCamera(const Recording& recording, int camera) {
+  const std::vector<std::string>& names = recording.splits.held_out_cameras;
+  const std::string& name = recording.cameras.at(static_cast<size_t>(camera)).name;
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace clothfit

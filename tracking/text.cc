@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracking/text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "autodiff_sim/error.h"
+
+namespace clothfit {
+namespace {
+
+// Reads the whole of the text as a number; from_chars knows no leading plus.
+template <class Number>
+std::optional<Number> ParseWhole(std::string_view text) {
+  text = TrimBlanks(text);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result result = std::from_chars(text.data(), end, value);
+  if (text.empty() || result.ec != std::errc() || result.ptr != end) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<double> ParseNumber(std::string_view text) {
+  const std::optional<double> value = ParseWhole<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<int> ParseInteger(std::string_view text) { return ParseWhole<int>(text); }
+
+std::string FormatNumber(double value) {
+  std::array<char, 32> buffer;
+  const std::to_chars_result result =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return std::string(buffer.data(), result.ptr);
+}
+
+std::string_view TrimBlanks(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+int EditDistance(std::string_view a, std::string_view b) {
+  const size_t width = b.size() + 1;
+  std::vector<int> table((a.size() + 1) * width);
+  for (size_t i = 0; i <= a.size(); ++i) {
+    for (size_t j = 0; j <= b.size(); ++j) {
+      int& distance = table[i * width + j];
+      if (i == 0 || j == 0) {
+        distance = static_cast<int>(i + j);
+        continue;
+      }
+      const int replaced = table[(i - 1) * width + j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      distance = std::min({table[(i - 1) * width + j] + 1, table[i * width + j - 1] + 1, replaced});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) distance = std::min(distance, table[(i - 2) * width + j - 2] + 1);
+    }
+  }
+  return table.back();
+}
+
+std::string Suggestion(std::string_view wrong, const std::vector<std::string>& right_names) {
+  const std::string* nearest = nullptr;
+  int nearest_distance = std::max(1, static_cast<int>(wrong.size()) / 2);  // farther is no likeness
+  for (const std::string& name : right_names) {
+    const int distance = EditDistance(wrong, name);
+    if (distance < nearest_distance || (distance == nearest_distance && nearest == nullptr)) {
+      nearest = &name;
+      nearest_distance = distance;
+    }
+  }
+  if (nearest != nullptr) return "did you mean '" + *nearest + "'?";
+  return "expected one of " + JoinNames(right_names);
+}
+
+std::string JoinNames(const std::vector<std::string>& names) {
+  std::string joined;
+  for (const std::string& name : names) joined += (joined.empty() ? "" : ", ") + name;
+  return joined;
+}
+
+std::string ReadTextFile(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) throw InputError(file.string(), "no such file");
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream) throw InputError(file.string(), "cannot be read");
+  return text;
+}
+
+void WriteTextFile(const std::filesystem::path& file, const std::string& text) {
+  std::error_code ignored;  // the stream below says whether it worked
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  if (!stream) throw InputError(file.string(), "cannot be written");
+}
+
+}  // namespace clothfit
