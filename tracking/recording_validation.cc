@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "autodiff_sim/error.h"
@@ -51,7 +51,7 @@ void CheckPlacement(const Recording& recording, const PointPlacement& placement)
   if (points.size() < 3) {
     throw InputError(place, fmt::format("expected at least 3 points, found {}", points.size()));
   }
-  Eigen::Matrix2Xd uv(2, points.size());
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   std::set<std::pair<double, double>> seen;
   for (size_t i = 0; i < points.size(); ++i) {
     const PlacedPoint& point = points[i];
@@ -62,16 +62,16 @@ void CheckPlacement(const Recording& recording, const PointPlacement& placement)
       throw InputError(point_place,
                        fmt::format("(u, v) = ({}, {}) appears twice", point.uv.x(), point.uv.y()));
     }
-    uv.col(static_cast<Eigen::Index>(i)) = point.uv;
+    mean += point.uv / double(points.size());
   }
-  // Smallest standard deviation of the points over any direction in (u, v).
-  const Eigen::Matrix2Xd centred = uv.colwise() - uv.rowwise().mean();
-  const Eigen::Matrix2d covariance = centred * centred.transpose() / double(points.size());
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
-  eigen.computeDirect(covariance, Eigen::EigenvaluesOnly);
-  const Eigen::Vector2d variances = eigen.eigenvalues();
-  constexpr double kCollinear = 1e-3;  // of the longest extent
-  if (variances[0] < kCollinear * kCollinear * variances[1]) {
+  // On one line the covariance has no determinant: the product of its two variances is zero.
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  for (const PlacedPoint& point : points) {
+    const Eigen::Vector2d centred = point.uv - mean;
+    covariance += centred * centred.transpose();
+  }
+  constexpr double kCollinear = 1e-3;  // standard deviation across, of that along
+  if (!(covariance.determinant() > std::pow(kCollinear * covariance.trace(), 2))) {
     throw InputError(place, "the points lie on one line in (u, v); expected some on either side");
   }
 }

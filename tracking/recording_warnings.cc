@@ -3,15 +3,12 @@
 //
 // What is allowed in a recording but worth knowing.
 #include <algorithm>
-#include <map>
 #include <set>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "tracking/initial_placement.h"
+#include "tracking/point_warnings.h"
 #include "tracking/recording_summary.h"
-#include "tracking/text.h"
 
 namespace clothfit {
 namespace {
