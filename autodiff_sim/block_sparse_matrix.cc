@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pattern and product of block-sparse matrices.
+#include "autodiff_sim/block_sparse_matrix.h"
+
+#include <algorithm>
+#include <set>
+
+namespace clothfit {
+
+int BlockPattern::Find(int row, int col) const {
+  const auto begin = column.begin() + row_begin[row], end = column.begin() + row_begin[row + 1];
+  const auto found = std::lower_bound(begin, end, col);
+  return found != end && *found == col ? static_cast<int>(found - column.begin()) : -1;
+}
+
+BlockPattern MakePattern(int num_particles, const std::vector<std::vector<int>>& cliques) {
+  std::vector<std::set<int>> neighbours(num_particles);
+  for (int i = 0; i < num_particles; ++i) neighbours[i].insert(i);
+  for (const std::vector<int>& clique : cliques) {
+    for (const int a : clique) neighbours[a].insert(clique.begin(), clique.end());
+  }
+  BlockPattern pattern;
+  pattern.row_begin.push_back(0);
+  for (const std::set<int>& row : neighbours) {
+    pattern.column.insert(pattern.column.end(), row.begin(), row.end());
+    pattern.row_begin.push_back(pattern.num_blocks());
+  }
+  return pattern;
+}
+
+template <int kColumns>
+void BlockSparseMatrix::AddProduct(const Lanes<kColumns>& x, double scale, Lanes<kColumns>* y) const {
+  using Row = Eigen::Matrix<double, 1, kColumns>;
+  const double* block = values_.data();
+  for (int row = 0; row < pattern_->num_rows(); ++row) {
+    Row sum0 = Row::Zero(), sum1 = Row::Zero(), sum2 = Row::Zero();
+    for (int k = pattern_->row_begin[row]; k < pattern_->row_begin[row + 1]; ++k, block += 9) {
+      const int col = 3 * pattern_->column[k];
+      const Row x0 = x.row(col), x1 = x.row(col + 1), x2 = x.row(col + 2);
+      sum0 += block[0] * x0 + block[1] * x1 + block[2] * x2;
+      sum1 += block[3] * x0 + block[4] * x1 + block[5] * x2;
+      sum2 += block[6] * x0 + block[7] * x1 + block[8] * x2;
+    }
+    y->row(3 * row) += scale * sum0;
+    y->row(3 * row + 1) += scale * sum1;
+    y->row(3 * row + 2) += scale * sum2;
+  }
+}
+
+template void BlockSparseMatrix::AddProduct<1>(const Lanes<1>&, double, Lanes<1>*) const;
+template void BlockSparseMatrix::AddProduct<kLanes>(const Lanes<kLanes>&, double, Lanes<kLanes>*) const;
+
+}  // namespace clothfit

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A square sparse matrix of 3 x 3 blocks, one block row a particle, with a symmetric pattern.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace clothfit {
+
+// Several columns worked on at once: a row of them fits the vector registers. Row-major, 3N x kLanes.
+constexpr int kLanes = 8;
+template <int kColumns>
+using Lanes = Eigen::Matrix<double, Eigen::Dynamic, kColumns,
+                            kColumns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+
+// The pattern, shared by all matrices of a simulation.
+struct BlockPattern {
+  std::vector<int> row_begin;  // num_rows + 1 offsets into `column`
+  std::vector<int> column;     // block columns, ascending within a row, the diagonal always present
+
+  int num_rows() const { return static_cast<int>(row_begin.size()) - 1; }
+  int num_blocks() const { return static_cast<int>(column.size()); }
+  // Index of the block at (row, column); -1 where the pattern has none.
+  int Find(int row, int col) const;
+};
+
+// The pattern in which every two particles of a clique are coupled.
+BlockPattern MakePattern(int num_particles, const std::vector<std::vector<int>>& cliques);
+
+class BlockSparseMatrix {
+ public:
+  explicit BlockSparseMatrix(const BlockPattern* pattern)
+      : pattern_(pattern), values_(9 * static_cast<std::size_t>(pattern->num_blocks()), 0.0) {}
+
+  const BlockPattern& pattern() const { return *pattern_; }
+  void SetZero() { std::fill(values_.begin(), values_.end(), 0.0); }
+
+  // The block with this index, 9 numbers, row after row.
+  double* block(int index) { return &values_[9 * static_cast<std::size_t>(index)]; }
+  const double* block(int index) const { return &values_[9 * static_cast<std::size_t>(index)]; }
+
+  // y += scale * A x.
+  template <int kColumns>
+  void AddProduct(const Lanes<kColumns>& x, double scale, Lanes<kColumns>* y) const;
+
+ private:
+  const BlockPattern* pattern_;
+  std::vector<double> values_;
+};
+
+extern template void BlockSparseMatrix::AddProduct<1>(const Lanes<1>&, double, Lanes<1>*) const;
+extern template void BlockSparseMatrix::AddProduct<kLanes>(const Lanes<kLanes>&, double,
+                                                           Lanes<kLanes>*) const;
+
+}  // namespace clothfit

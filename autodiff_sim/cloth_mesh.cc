@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Grids, validation, and the springs and hinges of a mesh.
+#include "autodiff_sim/cloth_mesh.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "autodiff_sim/error.h"
+
+namespace clothfit {
+namespace {
+
+using Edge = std::pair<int, int>;
+
+// The triangles at each undirected edge: the particle opposite to it, in the triangles' order.
+std::map<Edge, std::vector<int>> OppositeParticles(const ClothMesh& mesh) {
+  std::map<Edge, std::vector<int>> opposite;
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      opposite[std::minmax(a, b)].push_back(t[(k + 2) % 3]);
+    }
+  }
+  return opposite;
+}
+
+double SignedArea(const ClothMesh& mesh, const std::array<int, 3>& t) {
+  const Eigen::Vector2d a = mesh.uv[t[1]] - mesh.uv[t[0]];
+  const Eigen::Vector2d b = mesh.uv[t[2]] - mesh.uv[t[0]];
+  return 0.5 * (a.x() * b.y() - a.y() * b.x());
+}
+
+double EdgeLength(const ClothMesh& mesh, const Edge& edge) {
+  return (mesh.uv[edge.second] - mesh.uv[edge.first]).norm();
+}
+
+Hinge MakeHinge(const ClothMesh& mesh, const Edge& edge, const std::vector<int>& opposite) {
+  Hinge hinge;
+  hinge.edge = EdgeLength(mesh, edge);
+  double normals = 0.0;  // |N| is twice the triangle's area
+  for (const int particle : opposite) {
+    normals += 2.0 * std::abs(SignedArea(mesh, {edge.first, edge.second, particle}));
+  }
+  hinge.shape = hinge.edge * hinge.edge / normals;
+  // The first wing lies to the left of the edge, so that all hinges bend to the same side.
+  const bool first_left = SignedArea(mesh, {edge.first, edge.second, opposite[0]}) > 0.0;
+  hinge.nodes = {opposite[first_left ? 0 : 1], opposite[first_left ? 1 : 0], edge.first, edge.second};
+  return hinge;
+}
+
+// A grid's springs, cell by cell; a side that two cells share collects half a width from each.
+void AddGridSprings(const ClothMesh& mesh, ClothTopology* topology) {
+  const int nu = mesh.grid[0], nv = mesh.grid[1];
+  std::map<Edge, double> width;
+  for (int j = 0; j + 1 < nv; ++j) {
+    for (int i = 0; i + 1 < nu; ++i) {
+      const int a = i + j * nu, b = a + 1, c = a + nu, d = c + 1;
+      const double hu = EdgeLength(mesh, {a, b}), hv = EdgeLength(mesh, {a, c});
+      width[{a, b}] += 0.5 * hv;
+      width[{c, d}] += 0.5 * hv;
+      width[{a, c}] += 0.5 * hu;
+      width[{b, d}] += 0.5 * hu;
+      const double diagonal_weight = (hu * hu + hv * hv) / (2.0 * hu * hv);
+      for (const Edge& diagonal : {Edge{a, d}, Edge{b, c}}) {
+        const double length = EdgeLength(mesh, diagonal);
+        topology->shear.push_back({{diagonal.first, diagonal.second}, length, diagonal_weight});
+      }
+    }
+  }
+  for (const auto& [edge, w] : width) {
+    const double length = EdgeLength(mesh, edge);
+    topology->structural.push_back({{edge.first, edge.second}, length, w / length});
+  }
+}
+
+void AddMeshSprings(const ClothMesh& mesh, const std::map<Edge, std::vector<int>>& opposite,
+                    ClothTopology* topology) {
+  for (const auto& [edge, particles] : opposite) {
+    const Eigen::Vector2d d = mesh.uv[edge.second] - mesh.uv[edge.first];
+    double area = 0.0;
+    for (const int p : particles) area += std::abs(SignedArea(mesh, {edge.first, edge.second, p}));
+    const double length = d.norm(), weight = area / d.squaredNorm();
+    const double sin_2a = 2.0 * d.x() * d.y() / d.squaredNorm(), sin2 = sin_2a * sin_2a;
+    constexpr double kNegligible = 1e-12;
+    const std::array<int, 2> nodes = {edge.first, edge.second};
+    if (1.0 - sin2 > kNegligible) {
+      topology->structural.push_back({nodes, length, weight * (1.0 - sin2)});
+    }
+    // One diagonal a cell stands for the two of a grid's, and shear strain is half felt along it.
+    if (sin2 > kNegligible) topology->shear.push_back({nodes, length, 4.0 * weight * sin2});
+  }
+}
+
+}  // namespace
+
+ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution) {
+  const int nu = resolution[0], nv = resolution[1];
+  if (nu < 2 || nv < 2) {
+    throw InputError("cloth.resolution", "[" + std::to_string(nu) + ", " + std::to_string(nv) +
+                                             "]; expected at least 2 particles along each side");
+  }
+  ClothMesh mesh;
+  mesh.grid = resolution;
+  for (int j = 0; j < nv; ++j) {
+    for (int i = 0; i < nu; ++i) {
+      mesh.uv.emplace_back(size.x() * i / (nu - 1), size.y() * j / (nv - 1));
+    }
+  }
+  for (int j = 0; j + 1 < nv; ++j) {
+    for (int i = 0; i + 1 < nu; ++i) {
+      const int a = i + j * nu, b = a + 1, c = a + nu, d = c + 1;
+      if ((i + j) % 2 == 0) {
+        mesh.triangles.push_back({a, b, d});
+        mesh.triangles.push_back({a, d, c});
+      } else {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({b, d, c});
+      }
+    }
+  }
+  return mesh;
+}
+
+void ValidateMesh(const ClothMesh& mesh, const std::string& source) {
+  if (mesh.triangles.empty()) throw InputError(source, "the mesh has no triangle");
+  std::vector<bool> used(mesh.uv.size(), false);
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const std::string place = source + ": triangle " + std::to_string(k + 1);
+    for (const int node : mesh.triangles[k]) {
+      if (node < 0 || node >= mesh.num_particles()) {
+        throw InputError(place, "vertex " + std::to_string(node + 1) + " of " +
+                                    std::to_string(mesh.num_particles()) + "; expected a vertex that exists");
+      }
+      used[node] = true;
+    }
+    const double area = SignedArea(mesh, mesh.triangles[k]);
+    double longest = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      longest = std::max(longest, EdgeLength(mesh, {mesh.triangles[k][i], mesh.triangles[k][(i + 1) % 3]}));
+    }
+    constexpr double kThinnest = 1e-6;  // area over the longest side squared
+    if (std::abs(area) <= kThinnest * longest * longest) {
+      throw InputError(place, "degenerate: area " + std::to_string(area) + " m^2 in (u, v); expected an area above zero");
+    }
+    if (area < 0.0) {
+      throw InputError(place, "flipped: clockwise in (u, v); expected counter-clockwise like the others");
+    }
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) throw InputError(source, "vertex " + std::to_string(i + 1) + " belongs to no triangle");
+  }
+  for (const auto& [edge, particles] : OppositeParticles(mesh)) {
+    if (particles.size() > 2) {
+      throw InputError(source, "edge " + std::to_string(edge.first + 1) + "-" + std::to_string(edge.second + 1) +
+                                   " has " + std::to_string(particles.size()) + " triangles; expected at most 2");
+    }
+  }
+}
+
+ClothTopology BuildTopology(const ClothMesh& mesh) {
+  ClothTopology topology;
+  const std::map<Edge, std::vector<int>> opposite = OppositeParticles(mesh);
+  if (mesh.is_grid()) {
+    AddGridSprings(mesh, &topology);
+  } else {
+    AddMeshSprings(mesh, opposite, &topology);
+  }
+  for (const auto& [edge, particles] : opposite) {
+    topology.mean_edge += EdgeLength(mesh, edge) / static_cast<double>(opposite.size());
+    if (particles.size() == 2) topology.hinges.push_back(MakeHinge(mesh, edge, particles));
+  }
+  topology.areas.assign(mesh.uv.size(), 0.0);
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    for (const int node : t) topology.areas[node] += SignedArea(mesh, t) / 3.0;
+  }
+  return topology;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The cloth's material: a triangle mesh in cloth coordinates, and what the force terms read off it.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace clothfit {
+
+// A triangle mesh in cloth coordinates (u, v), metres, u along the warp and v along the weft. The
+// cloth at rest is this flat shape.
+struct ClothMesh {
+  std::vector<Eigen::Vector2d> uv;            // m, one per particle
+  std::vector<std::array<int, 3>> triangles;  // counter-clockwise in (u, v)
+  std::array<int, 2> grid = {0, 0};  // particles along u and v where the mesh is a grid, else 0
+
+  int num_particles() const { return static_cast<int>(uv.size()); }
+  bool is_grid() const { return grid[0] > 0; }
+};
+
+// A rectangular grid over [0, size[0]] x [0, size[1]] m with resolution[0] x resolution[1] particles,
+// at least 2 x 2; particle (i, j) has the index i + j * resolution[0]. Diagonals alternate, so that
+// neither bias direction is preferred.
+ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution);
+
+// Throws InputError, naming `source` and the triangle, where an index is out of range, a triangle is
+// degenerate in (u, v) or turned over, an edge has more than two triangles, or a particle has none.
+void ValidateMesh(const ClothMesh& mesh, const std::string& source);
+
+// A spring between two particles. Its spring constant is the membrane stiffness (N/m) times weight.
+struct Spring {
+  std::array<int, 2> nodes;
+  double rest_length;  // m
+  double weight;       // width that the spring stands for / its length, no unit
+};
+
+// Two triangles that share an edge: nodes[0], nodes[1] are the opposite particles and nodes[2],
+// nodes[3] the edge's, in the order of Bridson, Marino and Fedkiw 2003, fig. 1.
+struct Hinge {
+  std::array<int, 4> nodes;
+  double shape;  // |E|^2 / (|N1| + |N2|) at rest, no unit
+  double edge;   // |E| at rest, m
+};
+
+// What the force terms read off the mesh, found once.
+struct ClothTopology {
+  std::vector<Spring> structural;        // along warp and weft
+  std::vector<Spring> shear;             // along the bias
+  std::vector<Hinge> hinges;             // one per inner edge
+  std::vector<double> areas;             // m^2, a third of the triangles around each particle
+  double mean_edge = 0.0;                // m
+};
+
+// On a grid: structural springs along the cells' sides and shear springs along both diagonals of each
+// cell, with weights that make a cell's membrane stiffness and shear modulus those of the parameters,
+// whatever the resolution. On any other mesh every edge is a spring weighted by its area (Van Gelder
+// 1998) and shared between structural and shear by cos^2 and sin^2 of twice its angle to the warp.
+ClothTopology BuildTopology(const ClothMesh& mesh);
+
+}  // namespace clothfit

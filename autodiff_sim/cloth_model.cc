@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Assembly over all terms.
+#include "autodiff_sim/cloth_model.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace clothfit {
+
+StepFormula MakeStepFormula(Integrator integrator, double step, double previous_step) {
+  const double w = previous_step > 0.0 ? step / previous_step : 0.0;
+  constexpr double kLargestRatio = 2.0 + 1e-9;  // zero-stable up to 1 + sqrt(2)
+  if (integrator == Integrator::kBackwardEuler || previous_step <= 0.0 || w > kLargestRatio) {
+    return {1.0, 0.0, step};
+  }
+  const double d = 1.0 + 2.0 * w;
+  return {(1.0 + w) * (1.0 + w) / d, -w * w / d, step * (1.0 + w) / d};
+}
+
+ClothModel::ClothModel(ClothMesh mesh, const World& world,
+                       std::vector<std::unique_ptr<ForceBatch>> (*make_batches)(const TermContext&),
+                       const std::vector<SurfacePoint>& handles)
+    : mesh_(std::move(mesh)), topology_(BuildTopology(mesh_)), world_(world) {
+  batches_ = make_batches({mesh_, topology_, world_, nullptr});
+  std::vector<TermInfo> infos;
+  std::vector<std::vector<int>> cliques;
+  for (const std::array<int, 3>& t : mesh_.triangles) cliques.emplace_back(t.begin(), t.end());
+  for (const std::unique_ptr<ForceBatch>& batch : batches_) {
+    infos.push_back(batch->info());
+    const std::vector<std::vector<int>> more = batch->Cliques();
+    cliques.insert(cliques.end(), more.begin(), more.end());
+    memory_size_ += batch->memory_size();
+  }
+  parameters_ = MakeParameterTable(infos);
+  pattern_ = MakePattern(mesh_.num_particles(), cliques);
+  std::vector<HandleTarget> targets;
+  for (const SurfacePoint& point : handles) targets.push_back({point, Eigen::Vector3d::Zero()});
+  const std::vector<std::vector<int>> extra = HandleConstraints(targets).ExtraCliques(pattern_);
+  if (!extra.empty()) {
+    cliques.insert(cliques.end(), extra.begin(), extra.end());
+    pattern_ = MakePattern(mesh_.num_particles(), cliques);
+  }
+  for (const std::unique_ptr<ForceBatch>& batch : batches_) batch->Bind(&pattern_);
+}
+
+void ClothModel::BeginStep(const StepInputs& inputs) {
+  const TermContext context = {mesh_, topology_, world_, &inputs};
+  for (const std::unique_ptr<ForceBatch>& batch : batches_) batch->BeginStep(context);
+}
+
+// Calls function(batch, point, first parameter, first memory, is off) for every term.
+template <class Function>
+void ClothModel::ForEachBatch(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
+                              const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
+                              const Function& function) const {
+  int first_parameter = kArealDensity + 1, first_memory = 0;
+  for (const std::unique_ptr<ForceBatch>& batch : batches_) {
+    const std::vector<Parameter>& own = batch->info().parameters;
+    bool off = batch->memory_size() == 0;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      off = off && parameters[first_parameter + static_cast<int>(i)] == own[i].off;
+    }
+    const BatchPoint point = {time, x.data(), v.data(), parameters[kArealDensity],
+                              parameters.data() + first_parameter, memory.data() + first_memory};
+    function(*batch, point, first_parameter, first_memory, off && !own.empty());
+    first_parameter += static_cast<int>(own.size());
+    first_memory += batch->memory_size();
+  }
+}
+
+void ClothModel::Forces(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
+                        const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
+                        Eigen::VectorXd* force, Eigen::VectorXd* new_memory) const {
+  force->setZero(x.size());
+  new_memory->resize(memory.size());
+  ForEachBatch(time, x, v, parameters, memory,
+               [&](const ForceBatch& batch, const BatchPoint& point, int, int first_memory, bool off) {
+                 if (!off) batch.AddForces(point, force->data(), new_memory->data() + first_memory);
+               });
+}
+
+void ClothModel::AddMass(double areal_density, BlockSparseMatrix* a) const {
+  for (int i = 0; i < mesh_.num_particles(); ++i) {
+    double* block = a->block(pattern_.Find(i, i));
+    for (int k = 0; k < 3; ++k) block[4 * k] += areal_density * topology_.areas[i];
+  }
+}
+
+void ClothModel::StepJacobian(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
+                              const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
+                              double gamma, BlockSparseMatrix* a) const {
+  a->SetZero();
+  AddMass(parameters[kArealDensity], a);
+  ForEachBatch(time, x, v, parameters, memory,
+               [&](const ForceBatch& batch, const BatchPoint& point, int, int, bool off) {
+                 if (!off) batch.AddStepJacobian(point, gamma, a);
+               });
+}
+
+void ClothModel::Linearize(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
+                           const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
+                           double gamma, const std::vector<bool>& wanted, Linearization* out) const {
+  out->step_jacobian->SetZero();
+  out->stiffness->SetZero();
+  out->by_parameter.setZero(x.size(), parameters.size());
+  out->by_input.clear();
+  out->with_memory.clear();
+  AddMass(parameters[kArealDensity], out->step_jacobian);
+  ForEachBatch(time, x, v, parameters, memory,
+               [&](const ForceBatch& batch, const BatchPoint& point, int first_parameter, int first_memory, bool off) {
+                 const auto begin = wanted.begin() + first_parameter;
+                 const auto end = begin + static_cast<long>(batch.info().parameters.size());
+                 if (off && std::find(begin, end, true) == end) return;
+                 batch.Linearize(point, gamma, first_parameter, first_memory, out);
+               });
+}
+
+}  // namespace clothfit

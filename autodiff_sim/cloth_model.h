@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The equation of one implicit step, whose unknown is the velocity at its end:
+//   r(v) = M (v - v_hat) - gamma f(x_hat + gamma v, v) = 0,
+// with x_hat, v_hat and gamma from backward Euler (x_hat = x_n, gamma = h) or from BDF2 with the ratio
+// w = h / previous h (Hairer, Norsett and Wanner 1993, III.5):
+//   x_hat = (1 + w)^2 / (1 + 2 w) x_n - w^2 / (1 + 2 w) x_(n-1),  gamma = h (1 + w) / (1 + 2 w).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "autodiff_sim/block_sparse_matrix.h"
+#include "autodiff_sim/force_batch.h"
+#include "autodiff_sim/handle_constraints.h"
+#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/state.h"
+
+namespace clothfit {
+
+enum class Integrator { kBackwardEuler, kBdf2 };
+
+// One formula for positions and velocities: y_hat = now * y_n + before * y_(n-1).
+struct StepFormula {
+  double now = 1.0, before = 0.0, gamma = 0.0;
+};
+// Backward Euler where there is no step before, or where this one is more than twice as long.
+StepFormula MakeStepFormula(Integrator integrator, double step, double previous_step);
+
+// The cloth as the solver sees it: its forces and masses.
+class ClothModel {
+ public:
+  // Finds pattern and elements. `handles` are all points that may ever be held.
+  ClothModel(ClothMesh mesh, const World& world, std::vector<std::unique_ptr<ForceBatch>> (*make_batches)(const TermContext&),
+             const std::vector<SurfacePoint>& handles);
+
+  const ClothMesh& mesh() const { return mesh_; }
+  const ClothTopology& topology() const { return topology_; }
+  const BlockPattern& pattern() const { return pattern_; }
+  const std::vector<NamedParameter>& parameters() const { return parameters_; }
+  int memory_size() const { return memory_size_; }
+
+  void BeginStep(const StepInputs& inputs);
+
+  // The forces (N) at a point, 3N; `new_memory` gets the memory there.
+  void Forces(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& parameters,
+              const Eigen::VectorXd& memory, Eigen::VectorXd* force, Eigen::VectorXd* new_memory) const;
+  // a = M - gamma (df/dv + gamma df/dx).
+  void StepJacobian(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& parameters,
+                    const Eigen::VectorXd& memory, double gamma, BlockSparseMatrix* a) const;
+  // The same and all other first derivatives. A term that is off is left out unless one of its
+  // parameters is wanted (one entry a parameter).
+  void Linearize(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& parameters,
+                 const Eigen::VectorXd& memory, double gamma, const std::vector<bool>& wanted, Linearization* out) const;
+
+ private:
+  template <class Function>
+  void ForEachBatch(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& parameters,
+                    const Eigen::VectorXd& memory, const Function& function) const;
+  void AddMass(double areal_density, BlockSparseMatrix* a) const;
+
+  ClothMesh mesh_;
+  ClothTopology topology_;
+  World world_;
+  std::vector<std::unique_ptr<ForceBatch>> batches_;
+  std::vector<NamedParameter> parameters_;
+  BlockPattern pattern_;
+  int memory_size_ = 0;
+};
+
+}  // namespace clothfit

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// All parameters of a simulation under their full names, term.parameter, in one order.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "autodiff_sim/force_batch.h"
+
+namespace clothfit {
+
+struct NamedParameter {
+  std::string name;  // term.parameter
+  std::string term;
+  Parameter parameter;
+};
+
+// The areal density of the cloth, cloth.areal_density, comes first: it belongs to no force.
+constexpr int kArealDensity = 0;
+
+// The parameters of these terms, in the terms' order, after cloth.areal_density.
+std::vector<NamedParameter> MakeParameterTable(const std::vector<TermInfo>& terms);
+
+// The table of clothfit's own terms.
+std::vector<NamedParameter> MakeParameterTable();
+// What clothfit's own terms say of themselves, in the list's order.
+std::vector<TermInfo> AllTerms();
+
+// Index of the parameter with this full name; -1 where there is none.
+int FindParameter(const std::vector<NamedParameter>& table, const std::string& name);
+
+// Every parameter's initial value.
+Eigen::VectorXd InitialValues(const std::vector<NamedParameter>& table);
+
+}  // namespace clothfit

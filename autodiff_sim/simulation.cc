@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Steps, and the shorter ones that a failed step is tried as.
+#include "autodiff_sim/simulation.h"
+
+#include <cmath>
+#include <utility>
+
+#include "autodiff_sim/step_solver.h"
+#include "autodiff_sim/terms.h"
+
+namespace clothfit {
+
+StepReport& StepReport::operator+=(const StepReport& other) {
+  if (other.status != StepStatus::kConverged) status = other.status;
+  newton_iterations += other.newton_iterations;
+  linear_iterations += other.linear_iterations;
+  sensitivity_iterations += other.sensitivity_iterations;
+  jacobians += other.jacobians;
+  factorizations += other.factorizations;
+  halvings += other.halvings;
+  error = std::max(error, other.error);
+  return *this;
+}
+
+struct Simulation::Solver {
+  Solver(ClothModel* model, const SimulationOptions& options) : solver(model, options), last_constraints({}) {}
+
+  StepSolver solver;
+  HandleConstraints last_constraints;
+};
+
+Simulation::Simulation(std::unique_ptr<ClothModel> model, const SimulationOptions& options)
+    : model_(std::move(model)), options_(options), parameters_(InitialValues(model_->parameters())),
+      solver_(std::make_unique<Solver>(model_.get(), options_)) {}
+
+Simulation::Simulation(ClothMesh mesh, const World& world, const std::vector<SurfacePoint>& handles,
+                       const SimulationOptions& options)
+    : Simulation(WithTerms(Terms{}, std::move(mesh), world, handles, options)) {}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+State Simulation::MakeState(const Eigen::VectorXd& x) const {
+  State state;
+  state.x = x;
+  state.v = Eigen::VectorXd::Zero(x.size());
+  state.memory = Eigen::VectorXd::Zero(model_->memory_size());
+  state.previous_x = state.x;
+  state.previous_v = state.v;
+  return state;
+}
+
+void Simulation::Reset() { solver_->solver.Reset(); }
+
+// One step of exactly h; the state is untouched unless it converges.
+StepReport Simulation::TryStep(double h, const Drive& drive, State* state, Sensitivity* sensitivity) {
+  StepReport report;
+  const bool with_directions = sensitivity != nullptr;
+  const StepInputs inputs = drive(state->time + h, with_directions);
+  HandleConstraints constraints(inputs.handles);
+  if (!constraints.SamePoints(solver_->last_constraints)) solver_->solver.Reset();
+  solver_->last_constraints = constraints;
+  model_->BeginStep(inputs);
+  StepProblem problem;
+  problem.end_time = state->time + h;
+  problem.formula = MakeStepFormula(options_.integrator, h, state->previous_step);
+  problem.x_hat = problem.formula.now * state->x + problem.formula.before * state->previous_x;
+  problem.v_hat = problem.formula.now * state->v + problem.formula.before * state->previous_v;
+  problem.memory = state->memory;
+  problem.parameters = &parameters_;
+  problem.constraints = &constraints;
+  Eigen::VectorXd v = state->v;
+  if (problem.formula.before != 0.0) v += (h / state->previous_step) * (state->v - state->previous_v);
+  StepSolver& solver = solver_->solver;
+  if (!solver.Solve(problem, &v, &report)) {
+    report.status = StepStatus::kDiverged;
+    return report;
+  }
+  handle_forces_ = (solver.full_residual() - solver.reduced_residual()) / problem.formula.gamma;
+  const Eigen::VectorXd new_memory = solver.memory();
+  if (sensitivity != nullptr && !solver.Differentiate(problem, inputs, v, sensitivity, &report)) {
+    report.status = StepStatus::kSensitivityFailed;
+  }
+  state->previous_x = std::exchange(state->x, problem.x_hat + problem.formula.gamma * v);
+  state->previous_v = std::exchange(state->v, v);
+  state->memory = new_memory;
+  state->previous_step = h;
+  state->time += h;
+  return report;
+}
+
+StepReport Simulation::Advance(double h, const Drive& drive, State* state, Sensitivity* sensitivity) {
+  StepReport total;
+  // The parts still to do, each as its number of halvings; a part that fails becomes two.
+  std::vector<int> parts = {0};
+  const double start = state->time;
+  while (!parts.empty()) {
+    const int halvings = parts.back();
+    parts.pop_back();
+    StepReport report = TryStep(std::ldexp(h, -halvings), drive, state, sensitivity);
+    if (report.status == StepStatus::kDiverged && halvings < options_.max_halvings) {
+      solver_->solver.Reset();
+      report.status = StepStatus::kConverged;
+      report.error = 0.0;
+      report.halvings = 1;
+      parts.insert(parts.end(), {halvings + 1, halvings + 1});
+    }
+    total += report;
+    if (total.status != StepStatus::kConverged) return total;
+  }
+  state->time = start + h;  // not the sum of its parts, so that times do not drift
+  return total;
+}
+
+}  // namespace clothfit

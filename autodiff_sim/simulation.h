@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A cloth that moves by implicit steps, each solved to convergence and differentiated exactly.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "autodiff_sim/cloth_model.h"
+#include "autodiff_sim/state.h"
+#include "autodiff_sim/step_inputs.h"
+
+namespace clothfit {
+
+struct SimulationOptions {
+  Integrator integrator = Integrator::kBdf2;
+  // A step has converged when the estimated error of its positions is below this times the mean edge.
+  double tolerance = 1e-9;
+  int max_newton_iterations = 40;
+  int max_halvings = 8;  // a step that fails is tried as 2, 4, ... 2^max_halvings shorter ones
+  // Of the linear solves of the derivatives, relative to each right-hand side.
+  double sensitivity_tolerance = 1e-10;
+};
+
+enum class StepStatus {
+  kConverged,
+  kDiverged,           // no step length that was tried converges; the state is the last that did
+  kSensitivityFailed,  // the state is good, its derivatives could not be solved for and are unusable
+};
+
+// What it took. Counts add up over the parts of a step that was halved.
+struct StepReport {
+  StepStatus status = StepStatus::kConverged;
+  int newton_iterations = 0;
+  int linear_iterations = 0;       // of the forward solves
+  int sensitivity_iterations = 0;  // of the derivatives' solves, the slowest lanes of each step
+  int jacobians = 0;               // evaluated
+  int factorizations = 0;
+  int halvings = 0;
+  double error = 0.0;  // m, the largest estimated error of a position
+
+  StepReport& operator+=(const StepReport& other);
+};
+
+// Gives the inputs at a time (s). With directions it also fills StepInputs::directions.
+using Drive = std::function<StepInputs(double time, bool with_directions)>;
+
+class Simulation {
+ public:
+  // A simulation with clothfit's own terms. `handles` are all points that a drive may ever hold.
+  Simulation(ClothMesh mesh, const World& world, const std::vector<SurfacePoint>& handles,
+             const SimulationOptions& options = {});
+
+  // The same with another list of terms, e.g. Simulation::WithTerms(TypeList<Gravity, Mine>{}, ...).
+  template <class... List>
+  static Simulation WithTerms(TypeList<List...>, ClothMesh mesh, const World& world,
+                              const std::vector<SurfacePoint>& handles,
+                              const SimulationOptions& options = {}) {
+    return Simulation(
+        std::make_unique<ClothModel>(
+            std::move(mesh), world,
+            [](const TermContext& context) { return MakeForceBatches(TypeList<List...>{}, context); },
+            handles),
+        options);
+  }
+
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  const ClothModel& model() const { return *model_; }
+  const SimulationOptions& options() const { return options_; }
+
+  // All parameters in the order of model().parameters().
+  const Eigen::VectorXd& parameters() const { return parameters_; }
+  void SetParameters(const Eigen::VectorXd& values) { parameters_ = values; }
+
+  // The cloth at rest at these positions (3N, m).
+  State MakeState(const Eigen::VectorXd& x) const;
+
+  // Moves the state on by h seconds, and its derivatives where `sensitivity` is given. There is no way
+  // to get a derivative of a step that did not converge.
+  StepReport Advance(double h, const Drive& drive, State* state, Sensitivity* sensitivity = nullptr);
+
+  // The force (N, 3N) that a handle exerts on the cloth to hold it: the last step's residual at the
+  // held particles over gamma; zero elsewhere.
+  const Eigen::VectorXd& handle_forces() const { return handle_forces_; }
+
+  // Forgets the factor kept from earlier steps, so that what follows does not depend on them.
+  void Reset();
+
+ private:
+  struct Solver;
+  Simulation(std::unique_ptr<ClothModel> model, const SimulationOptions& options);
+  StepReport TryStep(double h, const Drive& drive, State* state, Sensitivity* sensitivity);
+
+  std::unique_ptr<ClothModel> model_;
+  SimulationOptions options_;
+  Eigen::VectorXd parameters_;
+  Eigen::VectorXd handle_forces_;
+  std::unique_ptr<Solver> solver_;
+};
+
+}  // namespace clothfit

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Solves one implicit step and differentiates it. Inside the simulation; nothing else includes it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "autodiff_sim/cloth_model.h"
+#include "autodiff_sim/gmres.h"
+#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/sparse_cholesky.h"
+
+namespace clothfit {
+
+// One step's known quantities: everything that the residual depends on but the velocity.
+struct StepProblem {
+  double end_time = 0.0;
+  double step = 0.0;
+  StepFormula formula;
+  Eigen::VectorXd x_hat, v_hat, memory;
+  const Eigen::VectorXd* parameters = nullptr;
+  const HandleConstraints* constraints = nullptr;
+};
+
+class StepSolver {
+ public:
+  StepSolver(ClothModel* model, const SimulationOptions& options);
+
+  // Newton's method from v on, with an exact Jacobian, GMRES preconditioned by a kept factor, and a line
+  // search on the preconditioned residual (the natural level function of Deuflhard 2004, sec. 3.3).
+  // Returns whether it converged.
+  bool Solve(const StepProblem& problem, Eigen::VectorXd* v, StepReport* report);
+
+  // Derivatives at the solved v, by the implicit function theorem: A dv = -dr at fixed v, with the exact
+  // Jacobian A of the residual. Advances every lane. Returns false where a linear solve fails.
+  bool Differentiate(const StepProblem& problem, const StepInputs& inputs, const Eigen::VectorXd& v,
+                     Sensitivity* sensitivity, StepReport* report);
+
+  // The residual (N s) at the last velocity tried, before and after the handles took up their part.
+  const Eigen::VectorXd& full_residual() const { return full_residual_; }
+  const Eigen::VectorXd& reduced_residual() const { return reduced_residual_; }
+  const Eigen::VectorXd& memory() const { return new_memory_; }
+  void Reset();
+
+ private:
+  // Residual at v, full and reduced, and the memory there.
+  const Eigen::VectorXd& Residual(const StepProblem& problem, const Eigen::VectorXd& v);
+  void AssembleJacobian(const StepProblem& problem, const Eigen::VectorXd& v, StepReport* report);
+  bool RefreshFactor(StepReport* report);
+  // The Newton direction; refreshes the factor when GMRES takes too long with it.
+  bool Direction(Eigen::VectorXd* d, StepReport* report);
+  // Moves v along d as far as the level function falls. Returns the step's share of d, 0 for none.
+  double LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double level, Eigen::VectorXd* v,
+                    Eigen::VectorXd* z);
+  Lanes<kLanes> RightHandSide(const StepProblem& problem, const Eigen::MatrixXd& parameter_directions,
+                              const StepInputs& inputs, const Eigen::VectorXd& v, int first_column,
+                              const StateLanes& lanes, const Lanes<kLanes>& dx_hat,
+                              const Lanes<kLanes>& dv_hat) const;
+  // Solves the reduced system for dv, from the guess in dv on.
+  bool SolveLanes(const StepProblem& problem, const Lanes<kLanes>& rhs, Lanes<kLanes>* dv, int* iterations,
+                  StepReport* report);
+  void AdvanceMemory(const Eigen::MatrixXd& parameter_directions, int first_column, StateLanes* lanes) const;
+
+  ClothModel* model_;
+  SimulationOptions options_;
+  double position_tolerance_;  // m
+  BlockSparseMatrix jacobian_, stiffness_;
+  SparseCholesky factor_;
+  bool factor_is_current_ = false;  // of jacobian_
+  double jacobian_gamma_ = 0.0;     // what jacobian_ was assembled for; 0 for none
+  Linearization linearization_;
+  Eigen::VectorXd full_residual_, reduced_residual_, force_, new_memory_;
+};
+
+}  // namespace clothfit

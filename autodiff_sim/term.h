@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The contract of a force term. Physics is written once, in one struct, templated on its scalar:
+//
+//   struct Example {
+//     static constexpr const char* kName = "example";            // its parameters are example.*
+//     static constexpr const char* kDoc = "what it is, in one line";
+//     static constexpr const char* kReference = "Author year, eq. n";
+//     static constexpr int kNodes = 2;                            // particles an element acts on
+//     static constexpr int kInputs = 0;                           // numbers from StepInputs an element
+//     static constexpr int kMemory = 0;                           // numbers an element remembers
+//     static constexpr bool kUsesDensity = false;                 // reads areal_density
+//     static constexpr bool kInternal = true;                     // no net force, no net moment
+//     static constexpr std::array<Parameter, 1> kParameters = {{...}};
+//     struct Element { std::array<int, kNodes> nodes; ... };
+//     static std::vector<Element> Elements(const TermContext&);
+//     template <class T>
+//     static void AddForce(const Element&, const ElementInput<Example, T>&, ElementOutput<Example, T>*);
+//   };
+//
+// AddForce gets an output whose forces are zero (N) and whose memory is last step's, adds the element's
+// forces, and writes the memory at the end of the step. With its parameters at `off` it adds nothing.
+// Branches are decided on plain values (Value()), and the force is continuous across them. Elements are
+// fixed for a simulation, or, where kInputs > 0, made anew for each step from its StepInputs. A term
+// that needs an input names its first row in StepInputs::directions as Element::first_input.
+//
+// Forces, not energies: drag and friction have none.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <ceres/jet.h>
+
+#include "autodiff_sim/cloth_mesh.h"
+#include "autodiff_sim/parameter.h"
+#include "autodiff_sim/step_inputs.h"
+
+namespace clothfit {
+
+template <class T>
+using Vector3 = Eigen::Matrix<T, 3, 1>;
+
+// The plain value of a scalar that may carry derivatives.
+inline double Value(double value) { return value; }
+template <class T, int N>
+double Value(const ceres::Jet<T, N>& value) {
+  return value.a;
+}
+
+// The world around the cloth.
+struct World {
+  Eigen::Vector3d gravity = {0.0, 0.0, -9.81};  // m/s^2
+  std::optional<double> ground_height;          // m; the ground is the plane z = height
+};
+
+// What an element list is made from. `inputs` is null for elements that are fixed for a simulation.
+struct TermContext {
+  const ClothMesh& mesh;
+  const ClothTopology& topology;
+  const World& world;
+  const StepInputs* inputs;
+};
+
+template <class Term, class T>
+struct ElementInput {
+  double time;  // s, at the end of the step
+  std::array<Vector3<T>, Term::kNodes> x;  // m
+  std::array<Vector3<T>, Term::kNodes> v;  // m/s
+  std::array<T, Term::kParameters.size()> parameter;
+  T areal_density;                        // kg/m^2
+  std::array<T, Term::kInputs> input;     // as the term's Element defines them
+};
+
+template <class Term, class T>
+struct ElementOutput {
+  std::array<Vector3<T>, Term::kNodes> force;  // N
+  std::array<T, Term::kMemory> memory;         // in: last step's; out: this step's
+};
+
+// A compile-time list of terms.
+template <class... Terms>
+struct TypeList {
+  static constexpr int kSize = sizeof...(Terms);
+};
+
+}  // namespace clothfit

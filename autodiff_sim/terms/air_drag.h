@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Air resistance of a triangle, Bhat et al. 2003 as in Hasler et al. 2007, sec. 3.1:
+//   f = -A (k_n |v_n|^2 / (1 + k_f |v_n|^2) v_n / |v_n| + k_t v_t),
+// v the triangle's mean velocity relative to the air, which is still, split along and across its
+// normal; each corner gets a third.
+#pragma once
+
+#include <cmath>
+
+#include "autodiff_sim/term.h"
+
+namespace clothfit {
+
+struct AirDrag {
+  static constexpr const char* kName = "air_drag";
+  static constexpr const char* kDoc = "resistance of still air, normal and tangential";
+  static constexpr const char* kReference = "Bhat et al. 2003; Hasler et al. 2007, sec. 3.1, f_air";
+  static constexpr int kNodes = 3;
+  static constexpr int kInputs = 0;
+  static constexpr int kMemory = 0;
+  static constexpr bool kUsesDensity = false;
+  static constexpr bool kInternal = false;
+  static constexpr std::array<Parameter, 3> kParameters = {{
+      {"normal", "kg/m^3", "k_n, quadratic drag along the normal", 1.0, 0.0, 1e-3, 20.0, Scale::kLog, 3.0},
+      {"saturation", "s^2/m^2", "k_f, weakens the quadratic drag at speed", 0.0, 0.0, 0.0, 10.0, Scale::kLinear, 0.3},
+      {"tangential", "kg/(m^2 s)", "k_t, linear drag along the surface", 0.02, 0.0, 1e-5, 2.0, Scale::kLog, 10.0},
+  }};
+
+  struct Element {
+    std::array<int, 3> nodes;
+  };
+
+  static std::vector<Element> Elements(const TermContext& context) {
+    std::vector<Element> elements;
+    for (const std::array<int, 3>& triangle : context.mesh.triangles) elements.push_back({triangle});
+    return elements;
+  }
+
+  template <class T>
+  static void AddForce(const Element&, const ElementInput<AirDrag, T>& in, ElementOutput<AirDrag, T>* out) {
+    using std::abs;
+    using std::sqrt;
+    const Vector3<T> side1 = in.x[1] - in.x[0], side2 = in.x[2] - in.x[0];
+    const Vector3<T> normal = side1.cross(side2);
+    const T twice_area = sqrt(normal.dot(normal));
+    const Vector3<T> velocity = (in.v[0] + in.v[1] + in.v[2]) * T(1.0 / 3.0);
+    const T speed = velocity.dot(normal) / twice_area;  // along the unit normal
+    const T quadratic = in.parameter[0] * abs(speed) / (T(1.0) + in.parameter[1] * speed * speed);
+    // f = -A (k_t v + (quadratic - k_t) speed n), a third to each corner.
+    const T along_normal = (quadratic - in.parameter[2]) * speed / twice_area;
+    const T share = twice_area * (-1.0 / 6.0);
+    for (int k = 0; k < 3; ++k) {
+      const T f = share * (in.parameter[2] * velocity[k] + along_normal * normal[k]);
+      for (int i = 0; i < 3; ++i) out->force[i][k] += f;
+    }
+  }
+};
+
+}  // namespace clothfit
