@@ -31,7 +31,8 @@ BlockPattern MakePattern(int num_particles, const std::vector<std::vector<int>>&
 }
 
 template <int kColumns>
-void BlockSparseMatrix::AddProduct(const Lanes<kColumns>& x, double scale, Lanes<kColumns>* y) const {
+void BlockSparseMatrix::AddProduct(const Lanes<kColumns>& x, double scale,
+                                   Lanes<kColumns>* y) const {
   using Row = Eigen::Matrix<double, 1, kColumns>;
   const double* block = values_.data();
   for (int row = 0; row < pattern_->num_rows(); ++row) {
@@ -50,6 +51,7 @@ void BlockSparseMatrix::AddProduct(const Lanes<kColumns>& x, double scale, Lanes
 }
 
 template void BlockSparseMatrix::AddProduct<1>(const Lanes<1>&, double, Lanes<1>*) const;
-template void BlockSparseMatrix::AddProduct<kLanes>(const Lanes<kLanes>&, double, Lanes<kLanes>*) const;
+template void BlockSparseMatrix::AddProduct<kLanes>(const Lanes<kLanes>&, double,
+                                                    Lanes<kLanes>*) const;
 
 }  // namespace clothfit

@@ -10,7 +10,8 @@
 
 namespace clothfit {
 
-// Several columns worked on at once: a row of them fits the vector registers. Row-major, 3N x kLanes.
+// Several columns worked on at once: a row of them fits the vector registers. Row-major, 3N x
+// kLanes.
 constexpr int kLanes = 8;
 template <int kColumns>
 using Lanes = Eigen::Matrix<double, Eigen::Dynamic, kColumns,

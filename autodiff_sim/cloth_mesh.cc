@@ -47,7 +47,8 @@ Hinge MakeHinge(const ClothMesh& mesh, const Edge& edge, const std::vector<int>&
   hinge.shape = hinge.edge * hinge.edge / normals;
   // The first wing lies to the left of the edge, so that all hinges bend to the same side.
   const bool first_left = SignedArea(mesh, {edge.first, edge.second, opposite[0]}) > 0.0;
-  hinge.nodes = {opposite[first_left ? 0 : 1], opposite[first_left ? 1 : 0], edge.first, edge.second};
+  hinge.nodes = {opposite[first_left ? 0 : 1], opposite[first_left ? 1 : 0], edge.first,
+                 edge.second};
   return hinge;
 }
 
@@ -132,30 +133,37 @@ void ValidateMesh(const ClothMesh& mesh, const std::string& source) {
     for (const int node : mesh.triangles[k]) {
       if (node < 0 || node >= mesh.num_particles()) {
         throw InputError(place, "vertex " + std::to_string(node + 1) + " of " +
-                                    std::to_string(mesh.num_particles()) + "; expected a vertex that exists");
+                                    std::to_string(mesh.num_particles()) +
+                                    "; expected a vertex that exists");
       }
       used[node] = true;
     }
     const double area = SignedArea(mesh, mesh.triangles[k]);
     double longest = 0.0;
     for (int i = 0; i < 3; ++i) {
-      longest = std::max(longest, EdgeLength(mesh, {mesh.triangles[k][i], mesh.triangles[k][(i + 1) % 3]}));
+      longest = std::max(longest,
+                         EdgeLength(mesh, {mesh.triangles[k][i], mesh.triangles[k][(i + 1) % 3]}));
     }
     constexpr double kThinnest = 1e-6;  // area over the longest side squared
     if (std::abs(area) <= kThinnest * longest * longest) {
-      throw InputError(place, "degenerate: area " + std::to_string(area) + " m^2 in (u, v); expected an area above zero");
+      throw InputError(place, "degenerate: area " + std::to_string(area) +
+                                  " m^2 in (u, v); expected an area above zero");
     }
     if (area < 0.0) {
-      throw InputError(place, "flipped: clockwise in (u, v); expected counter-clockwise like the others");
+      throw InputError(place,
+                       "flipped: clockwise in (u, v); expected counter-clockwise like the others");
     }
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) throw InputError(source, "vertex " + std::to_string(i + 1) + " belongs to no triangle");
+    if (!used[i])
+      throw InputError(source, "vertex " + std::to_string(i + 1) + " belongs to no triangle");
   }
   for (const auto& [edge, particles] : OppositeParticles(mesh)) {
     if (particles.size() > 2) {
-      throw InputError(source, "edge " + std::to_string(edge.first + 1) + "-" + std::to_string(edge.second + 1) +
-                                   " has " + std::to_string(particles.size()) + " triangles; expected at most 2");
+      throw InputError(source, "edge " + std::to_string(edge.first + 1) + "-" +
+                                   std::to_string(edge.second + 1) + " has " +
+                                   std::to_string(particles.size()) +
+                                   " triangles; expected at most 2");
     }
   }
 }

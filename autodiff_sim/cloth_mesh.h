@@ -23,13 +23,14 @@ struct ClothMesh {
   bool is_grid() const { return grid[0] > 0; }
 };
 
-// A rectangular grid over [0, size[0]] x [0, size[1]] m with resolution[0] x resolution[1] particles,
-// at least 2 x 2; particle (i, j) has the index i + j * resolution[0]. Diagonals alternate, so that
-// neither bias direction is preferred.
+// A rectangular grid over [0, size[0]] x [0, size[1]] m with resolution[0] x resolution[1]
+// particles, at least 2 x 2; particle (i, j) has the index i + j * resolution[0]. Diagonals
+// alternate, so that neither bias direction is preferred.
 ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution);
 
-// Throws InputError, naming `source` and the triangle, where an index is out of range, a triangle is
-// degenerate in (u, v) or turned over, an edge has more than two triangles, or a particle has none.
+// Throws InputError, naming `source` and the triangle, where an index is out of range, a triangle
+// is degenerate in (u, v) or turned over, an edge has more than two triangles, or a particle has
+// none.
 void ValidateMesh(const ClothMesh& mesh, const std::string& source);
 
 // A spring between two particles. Its spring constant is the membrane stiffness (N/m) times weight.
@@ -49,17 +50,18 @@ struct Hinge {
 
 // What the force terms read off the mesh, found once.
 struct ClothTopology {
-  std::vector<Spring> structural;        // along warp and weft
-  std::vector<Spring> shear;             // along the bias
-  std::vector<Hinge> hinges;             // one per inner edge
-  std::vector<double> areas;             // m^2, a third of the triangles around each particle
-  double mean_edge = 0.0;                // m
+  std::vector<Spring> structural;  // along warp and weft
+  std::vector<Spring> shear;       // along the bias
+  std::vector<Hinge> hinges;       // one per inner edge
+  std::vector<double> areas;       // m^2, a third of the triangles around each particle
+  double mean_edge = 0.0;          // m
 };
 
-// On a grid: structural springs along the cells' sides and shear springs along both diagonals of each
-// cell, with weights that make a cell's membrane stiffness and shear modulus those of the parameters,
-// whatever the resolution. On any other mesh every edge is a spring weighted by its area (Van Gelder
-// 1998) and shared between structural and shear by cos^2 and sin^2 of twice its angle to the warp.
+// On a grid: structural springs along the cells' sides and shear springs along both diagonals of
+// each cell, with weights that make a cell's membrane stiffness and shear modulus those of the
+// parameters, whatever the resolution. On any other mesh every edge is a spring weighted by its
+// area (Van Gelder 1998) and shared between structural and shear by cos^2 and sin^2 of twice its
+// angle to the warp.
 ClothTopology BuildTopology(const ClothMesh& mesh);
 
 }  // namespace clothfit

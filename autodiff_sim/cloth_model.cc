@@ -62,8 +62,12 @@ void ClothModel::ForEachBatch(double time, const Eigen::VectorXd& x, const Eigen
     for (std::size_t i = 0; i < own.size(); ++i) {
       off = off && parameters[first_parameter + static_cast<int>(i)] == own[i].off;
     }
-    const BatchPoint point = {time, x.data(), v.data(), parameters[kArealDensity],
-                              parameters.data() + first_parameter, memory.data() + first_memory};
+    const BatchPoint point = {time,
+                              x.data(),
+                              v.data(),
+                              parameters[kArealDensity],
+                              parameters.data() + first_parameter,
+                              memory.data() + first_memory};
     function(*batch, point, first_parameter, first_memory, off && !own.empty());
     first_parameter += static_cast<int>(own.size());
     first_memory += batch->memory_size();
@@ -75,10 +79,11 @@ void ClothModel::Forces(double time, const Eigen::VectorXd& x, const Eigen::Vect
                         Eigen::VectorXd* force, Eigen::VectorXd* new_memory) const {
   force->setZero(x.size());
   new_memory->resize(memory.size());
-  ForEachBatch(time, x, v, parameters, memory,
-               [&](const ForceBatch& batch, const BatchPoint& point, int, int first_memory, bool off) {
-                 if (!off) batch.AddForces(point, force->data(), new_memory->data() + first_memory);
-               });
+  ForEachBatch(
+      time, x, v, parameters, memory,
+      [&](const ForceBatch& batch, const BatchPoint& point, int, int first_memory, bool off) {
+        if (!off) batch.AddForces(point, force->data(), new_memory->data() + first_memory);
+      });
 }
 
 void ClothModel::AddMass(double areal_density, BlockSparseMatrix* a) const {
@@ -101,7 +106,8 @@ void ClothModel::StepJacobian(double time, const Eigen::VectorXd& x, const Eigen
 
 void ClothModel::Linearize(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
-                           double gamma, const std::vector<bool>& wanted, Linearization* out) const {
+                           double gamma, const std::vector<bool>& wanted,
+                           Linearization* out) const {
   out->step_jacobian->SetZero();
   out->stiffness->SetZero();
   out->by_parameter.setZero(x.size(), parameters.size());
@@ -109,7 +115,8 @@ void ClothModel::Linearize(double time, const Eigen::VectorXd& x, const Eigen::V
   out->with_memory.clear();
   AddMass(parameters[kArealDensity], out->step_jacobian);
   ForEachBatch(time, x, v, parameters, memory,
-               [&](const ForceBatch& batch, const BatchPoint& point, int first_parameter, int first_memory, bool off) {
+               [&](const ForceBatch& batch, const BatchPoint& point, int first_parameter,
+                   int first_memory, bool off) {
                  const auto begin = wanted.begin() + first_parameter;
                  const auto end = begin + static_cast<long>(batch.info().parameters.size());
                  if (off && std::find(begin, end, true) == end) return;

@@ -3,8 +3,8 @@
 //
 // The equation of one implicit step, whose unknown is the velocity at its end:
 //   r(v) = M (v - v_hat) - gamma f(x_hat + gamma v, v) = 0,
-// with x_hat, v_hat and gamma from backward Euler (x_hat = x_n, gamma = h) or from BDF2 with the ratio
-// w = h / previous h (Hairer, Norsett and Wanner 1993, III.5):
+// with x_hat, v_hat and gamma from backward Euler (x_hat = x_n, gamma = h) or from BDF2 with the
+// ratio w = h / previous h (Hairer, Norsett and Wanner 1993, III.5):
 //   x_hat = (1 + w)^2 / (1 + 2 w) x_n - w^2 / (1 + 2 w) x_(n-1),  gamma = h (1 + w) / (1 + 2 w).
 #pragma once
 
@@ -34,7 +34,8 @@ StepFormula MakeStepFormula(Integrator integrator, double step, double previous_
 class ClothModel {
  public:
   // Finds pattern and elements. `handles` are all points that may ever be held.
-  ClothModel(ClothMesh mesh, const World& world, std::vector<std::unique_ptr<ForceBatch>> (*make_batches)(const TermContext&),
+  ClothModel(ClothMesh mesh, const World& world,
+             std::vector<std::unique_ptr<ForceBatch>> (*make_batches)(const TermContext&),
              const std::vector<SurfacePoint>& handles);
 
   const ClothMesh& mesh() const { return mesh_; }
@@ -46,20 +47,24 @@ class ClothModel {
   void BeginStep(const StepInputs& inputs);
 
   // The forces (N) at a point, 3N; `new_memory` gets the memory there.
-  void Forces(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& parameters,
-              const Eigen::VectorXd& memory, Eigen::VectorXd* force, Eigen::VectorXd* new_memory) const;
+  void Forces(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
+              const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
+              Eigen::VectorXd* force, Eigen::VectorXd* new_memory) const;
   // a = M - gamma (df/dv + gamma df/dx).
-  void StepJacobian(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& parameters,
-                    const Eigen::VectorXd& memory, double gamma, BlockSparseMatrix* a) const;
+  void StepJacobian(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
+                    const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory, double gamma,
+                    BlockSparseMatrix* a) const;
   // The same and all other first derivatives. A term that is off is left out unless one of its
   // parameters is wanted (one entry a parameter).
-  void Linearize(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& parameters,
-                 const Eigen::VectorXd& memory, double gamma, const std::vector<bool>& wanted, Linearization* out) const;
+  void Linearize(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
+                 const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory, double gamma,
+                 const std::vector<bool>& wanted, Linearization* out) const;
 
  private:
   template <class Function>
-  void ForEachBatch(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& parameters,
-                    const Eigen::VectorXd& memory, const Function& function) const;
+  void ForEachBatch(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
+                    const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
+                    const Function& function) const;
   void AddMass(double areal_density, BlockSparseMatrix* a) const;
 
   ClothMesh mesh_;

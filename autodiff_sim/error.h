@@ -9,7 +9,7 @@
 
 namespace clothfit {
 
-// Input that cannot be used. Its text is one line that names the place (file, key or row), the value
+// Input that cannot be used. Its text is one line that names the place (file, key, row), the value
 // found there and what was expected. The command prints that line and exits with status 2.
 class InputError : public std::runtime_error {
  public:

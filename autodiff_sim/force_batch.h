@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// All elements of one term, behind an interface without templates: the solver sees batches, and each
-// term's derivatives are compiled once, in a translation unit of their own.
+// All elements of one term, behind an interface without templates: the solver sees batches, and
+// each term's derivatives are compiled once, in a translation unit of their own.
 #pragma once
 
 #include <memory>
@@ -42,8 +42,9 @@ struct InputDerivative {
   Eigen::Vector3d derivative;
 };
 
-// The local Jacobian of one element that remembers: rows are its forces (3 a node) and its new memory,
-// columns its velocities, positions (3 a node each), parameters, areal density and old memory.
+// The local Jacobian of one element that remembers: rows are its forces (3 a node) and its new
+// memory, columns its velocities, positions (3 a node each), parameters, areal density and old
+// memory.
 struct MemoryElement {
   std::vector<int> nodes;
   int first_parameter;  // index of the term's parameters among all
@@ -77,11 +78,12 @@ class ForceBatch {
   // force += the forces, N, 3N; the new memory is written to `memory`.
   virtual void AddForces(const BatchPoint& point, double* force, double* memory) const = 0;
   // a += -gamma d force / d velocity, where positions move by gamma times velocities.
-  virtual void AddStepJacobian(const BatchPoint& point, double gamma, BlockSparseMatrix* a) const = 0;
+  virtual void AddStepJacobian(const BatchPoint& point, double gamma,
+                               BlockSparseMatrix* a) const = 0;
   // Adds all first derivatives. The term's parameters begin at column `first_parameter` of
   // by_parameter, column 0 is the areal density; its memory begins at `first_memory`.
-  virtual void Linearize(const BatchPoint& point, double gamma, int first_parameter, int first_memory,
-                         Linearization* out) const = 0;
+  virtual void Linearize(const BatchPoint& point, double gamma, int first_parameter,
+                         int first_memory, Linearization* out) const = 0;
 };
 
 // One batch a term of the list, in the list's order.
@@ -89,7 +91,8 @@ template <class Term>
 std::unique_ptr<ForceBatch> MakeForceBatch(const TermContext& context);
 
 template <class... Terms>
-std::vector<std::unique_ptr<ForceBatch>> MakeForceBatches(TypeList<Terms...>, const TermContext& context) {
+std::vector<std::unique_ptr<ForceBatch>> MakeForceBatches(TypeList<Terms...>,
+                                                          const TermContext& context) {
   std::vector<std::unique_ptr<ForceBatch>> batches;
   (batches.push_back(MakeForceBatch<Terms>(context)), ...);
   return batches;
@@ -97,8 +100,13 @@ std::vector<std::unique_ptr<ForceBatch>> MakeForceBatches(TypeList<Terms...>, co
 
 template <class Term>
 TermInfo MakeTermInfo() {
-  return {Term::kName, Term::kDoc,      Term::kReference, Term::kNodes, Term::kMemory,
-          Term::kInternal, {Term::kParameters.begin(), Term::kParameters.end()}};
+  return {Term::kName,
+          Term::kDoc,
+          Term::kReference,
+          Term::kNodes,
+          Term::kMemory,
+          Term::kInternal,
+          {Term::kParameters.begin(), Term::kParameters.end()}};
 }
 
 template <class... Terms>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The implementation of MakeForceBatch, for the translation units that instantiate a term (terms/*.cc,
-// and tests that bring a term of their own).
+// The implementation of MakeForceBatch, for the translation units that instantiate a term
+// (terms/*.cc, and tests that bring a term of their own).
 #pragma once
 
 #include <utility>
@@ -97,7 +97,8 @@ class TermBatch final : public ForceBatch {
                  Linearization* result) const override {
     using Jet = ceres::Jet<double, Layout::kWidth>;
     ElementInput<Term, Jet> in = MakeInput<Jet>(point);
-    for (std::size_t i = 0; i < Term::kParameters.size(); ++i) in.parameter[i].v[Layout::kParameter + i] = 1.0;
+    for (std::size_t i = 0; i < Term::kParameters.size(); ++i)
+      in.parameter[i].v[Layout::kParameter + i] = 1.0;
     in.areal_density.v[Layout::kDensity] = 1.0;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       LoadNodes(point, elements_[e], &in);
@@ -129,7 +130,8 @@ class TermBatch final : public ForceBatch {
   ElementInput<Term, T> MakeInput(const BatchPoint& point) const {
     ElementInput<Term, T> in;
     in.time = point.time;
-    for (std::size_t i = 0; i < Term::kParameters.size(); ++i) in.parameter[i] = T(point.parameter[i]);
+    for (std::size_t i = 0; i < Term::kParameters.size(); ++i)
+      in.parameter[i] = T(point.parameter[i]);
     in.areal_density = T(point.areal_density);
     return in;
   }
@@ -160,14 +162,15 @@ class TermBatch final : public ForceBatch {
   }
 
   template <class Jet>
-  void ScatterBlocks(const ElementOutput<Term, Jet>& out, std::size_t e, int first_slot, double scale,
-                     BlockSparseMatrix* matrix) const {
+  void ScatterBlocks(const ElementOutput<Term, Jet>& out, std::size_t e, int first_slot,
+                     double scale, BlockSparseMatrix* matrix) const {
     const int* index = &blocks_[e * kNodes * kNodes];
     for (int a = 0; a < kNodes; ++a) {
       for (int b = 0; b < kNodes; ++b) {
         double* block = matrix->block(index[a * kNodes + b]);
         for (int p = 0; p < 3; ++p) {
-          for (int q = 0; q < 3; ++q) block[3 * p + q] += scale * out.force[a][p].v[first_slot + 3 * b + q];
+          for (int q = 0; q < 3; ++q)
+            block[3 * p + q] += scale * out.force[a][p].v[first_slot + 3 * b + q];
         }
       }
     }
@@ -190,9 +193,11 @@ class TermBatch final : public ForceBatch {
       }
       if constexpr (Term::kInputs > 0) {
         for (int i = 0; i < Term::kInputs; ++i) {
-          result->by_input.push_back({node, elements_[e].first_input + i,
-                                      {out.force[a][0].v[Layout::kInput + i], out.force[a][1].v[Layout::kInput + i],
-                                       out.force[a][2].v[Layout::kInput + i]}});
+          result->by_input.push_back(
+              {node,
+               elements_[e].first_input + i,
+               {out.force[a][0].v[Layout::kInput + i], out.force[a][1].v[Layout::kInput + i],
+                out.force[a][2].v[Layout::kInput + i]}});
         }
       }
     }
@@ -208,9 +213,11 @@ class TermBatch final : public ForceBatch {
     const int columns = Layout::kInput + Term::kMemory;  // inputs do not act through memory
     element.jacobian.resize(3 * kNodes + Term::kMemory, columns);
     for (int row = 0; row < element.jacobian.rows(); ++row) {
-      const Jet& value = row < 3 * kNodes ? out.force[row / 3][row % 3] : out.memory[row - 3 * kNodes];
+      const Jet& value =
+          row < 3 * kNodes ? out.force[row / 3][row % 3] : out.memory[row - 3 * kNodes];
       for (int c = 0; c < columns; ++c) {
-        element.jacobian(row, c) = value.v[c < Layout::kInput ? c : c - Layout::kInput + Layout::kMemory];
+        element.jacobian(row, c) =
+            value.v[c < Layout::kInput ? c : c - Layout::kInput + Layout::kMemory];
       }
     }
     result->with_memory.push_back(std::move(element));
@@ -224,7 +231,8 @@ class TermBatch final : public ForceBatch {
 
 template <class Term>
 std::unique_ptr<ForceBatch> MakeForceBatch(const TermContext& context) {
-  static_assert(Term::kInputs == 0 || Term::kMemory == 0, "an element that is made anew cannot remember");
+  static_assert(Term::kInputs == 0 || Term::kMemory == 0,
+                "an element that is made anew cannot remember");
   return std::make_unique<TermBatch<Term>>(context);
 }
 

@@ -113,7 +113,7 @@ GmresReport SolveGmres(const BlockSparseMatrix& a, SparseCholesky* preconditione
 
 template GmresReport SolveGmres<1>(const BlockSparseMatrix&, SparseCholesky*, const Lanes<1>&,
                                    const GmresOptions&, Lanes<1>*);
-template GmresReport SolveGmres<kLanes>(const BlockSparseMatrix&, SparseCholesky*, const Lanes<kLanes>&,
-                                        const GmresOptions&, Lanes<kLanes>*);
+template GmresReport SolveGmres<kLanes>(const BlockSparseMatrix&, SparseCholesky*,
+                                        const Lanes<kLanes>&, const GmresOptions&, Lanes<kLanes>*);
 
 }  // namespace clothfit

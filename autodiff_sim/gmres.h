@@ -27,8 +27,8 @@ template <int kColumns>
 GmresReport SolveGmres(const BlockSparseMatrix& a, SparseCholesky* preconditioner,
                        const Lanes<kColumns>& b, const GmresOptions& options, Lanes<kColumns>* x);
 
-extern template GmresReport SolveGmres<1>(const BlockSparseMatrix&, SparseCholesky*, const Lanes<1>&,
-                                          const GmresOptions&, Lanes<1>*);
+extern template GmresReport SolveGmres<1>(const BlockSparseMatrix&, SparseCholesky*,
+                                          const Lanes<1>&, const GmresOptions&, Lanes<1>*);
 extern template GmresReport SolveGmres<kLanes>(const BlockSparseMatrix&, SparseCholesky*,
                                                const Lanes<kLanes>&, const GmresOptions&,
                                                Lanes<kLanes>*);

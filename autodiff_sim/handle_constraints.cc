@@ -18,17 +18,21 @@ HandleConstraints::HandleConstraints(const std::vector<HandleTarget>& handles) {
     const std::size_t k = static_cast<std::size_t>(largest - point.weights.begin());
     Held held{point.nodes[k], 1.0 / *largest, {}, handles[h].position, 3 * static_cast<int>(h)};
     for (std::size_t j = 0; j < 3; ++j) {
-      if (j != k && point.weights[j] != 0.0) held.others.push_back({point.nodes[j], -point.weights[j] / *largest});
+      if (j != k && point.weights[j] != 0.0)
+        held.others.push_back({point.nodes[j], -point.weights[j] / *largest});
     }
     held_.push_back(std::move(held));
   }
   for (const Held& a : held_) {
     for (const Held& b : held_) {
       const bool twice = &a != &b && a.node == b.node;
-      const bool circular = std::any_of(b.others.begin(), b.others.end(), [&](const Share& s) { return s.node == a.node; });
+      const bool circular = std::any_of(b.others.begin(), b.others.end(),
+                                        [&](const Share& s) { return s.node == a.node; });
       if (twice || circular) {
-        throw InputError("handles", "two of them hold the same triangle of the cloth near particle " +
-                                        std::to_string(a.node) + "; expected handles further apart, or a finer cloth.resolution");
+        throw InputError("handles",
+                         "two of them hold the same triangle of the cloth near particle " +
+                             std::to_string(a.node) +
+                             "; expected handles further apart, or a finer cloth.resolution");
       }
     }
   }
@@ -47,17 +51,23 @@ std::vector<std::vector<int>> HandleConstraints::ExtraCliques(const BlockPattern
 }
 
 bool HandleConstraints::SamePoints(const HandleConstraints& other) const {
-  return std::equal(held_.begin(), held_.end(), other.held_.begin(), other.held_.end(), [](const Held& a, const Held& b) {
-    return a.node == b.node && std::equal(a.others.begin(), a.others.end(), b.others.begin(), b.others.end(),
-                                          [](const Share& s, const Share& t) { return s.node == t.node && s.factor == t.factor; });
-  });
+  return std::equal(held_.begin(), held_.end(), other.held_.begin(), other.held_.end(),
+                    [](const Held& a, const Held& b) {
+                      return a.node == b.node &&
+                             std::equal(a.others.begin(), a.others.end(), b.others.begin(),
+                                        b.others.end(), [](const Share& s, const Share& t) {
+                                          return s.node == t.node && s.factor == t.factor;
+                                        });
+                    });
 }
 
-void HandleConstraints::SetDependentVelocities(const Eigen::VectorXd& x_hat, double gamma, Eigen::VectorXd* v) const {
+void HandleConstraints::SetDependentVelocities(const Eigen::VectorXd& x_hat, double gamma,
+                                               Eigen::VectorXd* v) const {
   for (const Held& held : held_) {
     Eigen::Vector3d x = held.inverse_weight * held.position;
     for (const Share& share : held.others) {
-      x += share.factor * (x_hat.segment<3>(3 * share.node) + gamma * v->segment<3>(3 * share.node));
+      x +=
+          share.factor * (x_hat.segment<3>(3 * share.node) + gamma * v->segment<3>(3 * share.node));
     }
     v->segment<3>(3 * held.node) = (x - x_hat.segment<3>(3 * held.node)) / gamma;
   }
@@ -77,7 +87,8 @@ void HandleConstraints::ReduceMatrix(BlockSparseMatrix* a) const {
       }
     }
     for (const Share& share : held.others) {
-      for (int k = begin; k < end; ++k) add_block(pattern.Find(share.node, pattern.column[k]), share.factor, k);
+      for (int k = begin; k < end; ++k)
+        add_block(pattern.Find(share.node, pattern.column[k]), share.factor, k);
     }
     const double* diagonal = a->block(pattern.Find(held.node, held.node));
     const double scale = std::max(1e-12, (diagonal[0] + diagonal[4] + diagonal[8]) / 3.0);
@@ -94,13 +105,15 @@ void HandleConstraints::DependentVelocityDerivative(const StepInputs& inputs, in
                                                     const Lanes<kLanes>& dx_hat, double gamma,
                                                     Lanes<kLanes>* dv) const {
   dv->setZero(dx_hat.rows(), kLanes);
-  const int given = std::min<int>(kLanes, static_cast<int>(inputs.directions.cols()) - first_column);
+  const int given =
+      std::min<int>(kLanes, static_cast<int>(inputs.directions.cols()) - first_column);
   for (const Held& held : held_) {
     for (int k = 0; k < 3; ++k) {
       Eigen::Matrix<double, 1, kLanes> dx = -dx_hat.row(3 * held.node + k);
       for (const Share& share : held.others) dx += share.factor * dx_hat.row(3 * share.node + k);
       if (given > 0) {
-        dx.head(given) += held.inverse_weight * inputs.directions.row(held.input_row + k).segment(first_column, given);
+        dx.head(given) += held.inverse_weight *
+                          inputs.directions.row(held.input_row + k).segment(first_column, given);
       }
       dv->row(3 * held.node + k) = dx / gamma;
     }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Points of the cloth that are held: a particle, or a point inside a triangle. For each, the particle
-// with the largest weight depends on the others, x_k = p / w_k - sum_j w_j / w_k x_j, and leaves the
-// unknowns; the same substitution reduces residuals, matrices and derivatives.
+// Points of the cloth that are held: a particle, or a point inside a triangle. For each, the
+// particle with the largest weight depends on the others, x_k = p / w_k - sum_j w_j / w_k x_j, and
+// leaves the unknowns; the same substitution reduces residuals, matrices and derivatives.
 #pragma once
 
 #include <vector>
@@ -66,8 +66,9 @@ class HandleConstraints {
 
   // Derivative of the dependent velocities at fixed free velocities, in `lanes` columns from
   // first_column of inputs.directions on. Other rows are zero.
-  void DependentVelocityDerivative(const StepInputs& inputs, int first_column, const Lanes<kLanes>& dx_hat,
-                                   double gamma, Lanes<kLanes>* dv) const;
+  void DependentVelocityDerivative(const StepInputs& inputs, int first_column,
+                                   const Lanes<kLanes>& dx_hat, double gamma,
+                                   Lanes<kLanes>* dv) const;
 
  private:
   struct Share {

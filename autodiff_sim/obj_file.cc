@@ -67,11 +67,13 @@ class ObjReader {
   int Particle(const std::string& corner) {
     const std::size_t slash = corner.find('/');
     if (slash == std::string::npos || slash + 1 >= corner.size() || corner[slash + 1] == '/') {
-      throw InputError(Place(), "corner '" + corner + "' has no vt; expected v/vt with vt in metres");
+      throw InputError(Place(),
+                       "corner '" + corner + "' has no vt; expected v/vt with vt in metres");
     }
     const int v = Index(corner.substr(0, slash), vertices_.size());
     const int vt = Index(corner.substr(slash + 1), texture_.size());
-    const auto [entry, is_new] = particles_.emplace(std::make_pair(v, vt), cloth_.mesh.num_particles());
+    const auto [entry, is_new] =
+        particles_.emplace(std::make_pair(v, vt), cloth_.mesh.num_particles());
     if (is_new) {
       cloth_.mesh.uv.push_back(texture_[vt]);
       cloth_.positions.push_back(vertices_[v]);

@@ -18,8 +18,8 @@ struct ObjCloth {
   std::vector<Eigen::Vector3d> positions;  // m, world frame: the file's v, one per particle
 };
 
-// Reads v, vt and f; faces of more than three corners are fanned. A corner needs a vt, and a v has one
-// vt (a seam is two particles). Throws InputError with file and line; the mesh is validated.
+// Reads v, vt and f; faces of more than three corners are fanned. A corner needs a vt, and a v has
+// one vt (a seam is two particles). Throws InputError with file and line; the mesh is validated.
 ObjCloth ReadObj(const std::string& path);
 
 }  // namespace clothfit

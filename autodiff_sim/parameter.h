@@ -6,7 +6,8 @@
 
 namespace clothfit {
 
-// How a fit moves a parameter: by adding, or by multiplying (for what is positive and spans decades).
+// How a fit moves a parameter: by adding, or by multiplying (for what is positive and spans
+// decades).
 enum class Scale { kLinear, kLog };
 
 struct Parameter {

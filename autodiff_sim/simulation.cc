@@ -25,14 +25,17 @@ StepReport& StepReport::operator+=(const StepReport& other) {
 }
 
 struct Simulation::Solver {
-  Solver(ClothModel* model, const SimulationOptions& options) : solver(model, options), last_constraints({}) {}
+  Solver(ClothModel* model, const SimulationOptions& options)
+      : solver(model, options), last_constraints({}) {}
 
   StepSolver solver;
   HandleConstraints last_constraints;
 };
 
 Simulation::Simulation(std::unique_ptr<ClothModel> model, const SimulationOptions& options)
-    : model_(std::move(model)), options_(options), parameters_(InitialValues(model_->parameters())),
+    : model_(std::move(model)),
+      options_(options),
+      parameters_(InitialValues(model_->parameters())),
       solver_(std::make_unique<Solver>(model_.get(), options_)) {}
 
 Simulation::Simulation(ClothMesh mesh, const World& world, const std::vector<SurfacePoint>& handles,
@@ -56,7 +59,8 @@ State Simulation::MakeState(const Eigen::VectorXd& x) const {
 void Simulation::Reset() { solver_->solver.Reset(); }
 
 // One step of exactly h; the state is untouched unless it converges.
-StepReport Simulation::TryStep(double h, const Drive& drive, State* state, Sensitivity* sensitivity) {
+StepReport Simulation::TryStep(double h, const Drive& drive, State* state,
+                               Sensitivity* sensitivity) {
   StepReport report;
   const bool with_directions = sensitivity != nullptr;
   const StepInputs inputs = drive(state->time + h, with_directions);
@@ -73,7 +77,8 @@ StepReport Simulation::TryStep(double h, const Drive& drive, State* state, Sensi
   problem.parameters = &parameters_;
   problem.constraints = &constraints;
   Eigen::VectorXd v = state->v;
-  if (problem.formula.before != 0.0) v += (h / state->previous_step) * (state->v - state->previous_v);
+  if (problem.formula.before != 0.0)
+    v += (h / state->previous_step) * (state->v - state->previous_v);
   StepSolver& solver = solver_->solver;
   if (!solver.Solve(problem, &v, &report)) {
     report.status = StepStatus::kDiverged;
@@ -92,7 +97,8 @@ StepReport Simulation::TryStep(double h, const Drive& drive, State* state, Sensi
   return report;
 }
 
-StepReport Simulation::Advance(double h, const Drive& drive, State* state, Sensitivity* sensitivity) {
+StepReport Simulation::Advance(double h, const Drive& drive, State* state,
+                               Sensitivity* sensitivity) {
   StepReport total;
   // The parts still to do, each as its number of halvings; a part that fails becomes two.
   std::vector<int> parts = {0};

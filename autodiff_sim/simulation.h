@@ -18,7 +18,8 @@ namespace clothfit {
 
 struct SimulationOptions {
   Integrator integrator = Integrator::kBdf2;
-  // A step has converged when the estimated error of its positions is below this times the mean edge.
+  // A step has converged when the estimated error of its positions is below this times the mean
+  // edge.
   double tolerance = 1e-9;
   int max_newton_iterations = 40;
   int max_halvings = 8;  // a step that fails is tried as 2, 4, ... 2^max_halvings shorter ones
@@ -29,7 +30,8 @@ struct SimulationOptions {
 enum class StepStatus {
   kConverged,
   kDiverged,           // no step length that was tried converges; the state is the last that did
-  kSensitivityFailed,  // the state is good, its derivatives could not be solved for and are unusable
+  kSensitivityFailed,  // the state is good, its derivatives could not be solved for and are
+                       // unusable
 };
 
 // What it took. Counts add up over the parts of a step that was halved.
@@ -55,17 +57,19 @@ class Simulation {
   Simulation(ClothMesh mesh, const World& world, const std::vector<SurfacePoint>& handles,
              const SimulationOptions& options = {});
 
-  // The same with another list of terms, e.g. Simulation::WithTerms(TypeList<Gravity, Mine>{}, ...).
+  // The same with another list of terms, e.g. Simulation::WithTerms(TypeList<Gravity, Mine>{},
+  // ...).
   template <class... List>
   static Simulation WithTerms(TypeList<List...>, ClothMesh mesh, const World& world,
                               const std::vector<SurfacePoint>& handles,
                               const SimulationOptions& options = {}) {
-    return Simulation(
-        std::make_unique<ClothModel>(
-            std::move(mesh), world,
-            [](const TermContext& context) { return MakeForceBatches(TypeList<List...>{}, context); },
-            handles),
-        options);
+    return Simulation(std::make_unique<ClothModel>(
+                          std::move(mesh), world,
+                          [](const TermContext& context) {
+                            return MakeForceBatches(TypeList<List...>{}, context);
+                          },
+                          handles),
+                      options);
   }
 
   ~Simulation();
@@ -82,9 +86,10 @@ class Simulation {
   // The cloth at rest at these positions (3N, m).
   State MakeState(const Eigen::VectorXd& x) const;
 
-  // Moves the state on by h seconds, and its derivatives where `sensitivity` is given. There is no way
-  // to get a derivative of a step that did not converge.
-  StepReport Advance(double h, const Drive& drive, State* state, Sensitivity* sensitivity = nullptr);
+  // Moves the state on by h seconds, and its derivatives where `sensitivity` is given. There is no
+  // way to get a derivative of a step that did not converge.
+  StepReport Advance(double h, const Drive& drive, State* state,
+                     Sensitivity* sensitivity = nullptr);
 
   // The force (N, 3N) that a handle exerts on the cloth to hold it: the last step's residual at the
   // held particles over gamma; zero elsewhere.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // CHOLMOD does the ordering, the symbolic analysis and the factorisation. The triangular solves for
-// kLanes columns walk its supernodes here, all columns in one vector register: CHOLMOD's own take three
-// to five times as long for so few columns. They are tested against it.
+// kLanes columns walk its supernodes here, all columns in one vector register: CHOLMOD's own take
+// three to five times as long for so few columns. They are tested against it.
 #include "autodiff_sim/sparse_cholesky.h"
 
 #include <algorithm>
@@ -113,7 +113,8 @@ void SparseCholesky::Impl::SolveLower() {
   const int* rows = static_cast<const int*>(factor->s);
   const double* values = static_cast<const double*>(factor->x);
   for (std::size_t s = 0; s < factor->nsuper; ++s) {
-    const int first = super[s], width = super[s + 1] - first, height = row_begin[s + 1] - row_begin[s];
+    const int first = super[s], width = super[s + 1] - first,
+              height = row_begin[s + 1] - row_begin[s];
     const double* l = values + value_begin[s];
     const int* row = rows + row_begin[s];
     for (int j = 0; j < width; ++j) {
@@ -148,7 +149,8 @@ void SparseCholesky::Impl::SolveUpper() {
   const int* rows = static_cast<const int*>(factor->s);
   const double* values = static_cast<const double*>(factor->x);
   for (std::size_t s = factor->nsuper; s-- > 0;) {
-    const int first = super[s], width = super[s + 1] - first, height = row_begin[s + 1] - row_begin[s];
+    const int first = super[s], width = super[s + 1] - first,
+              height = row_begin[s + 1] - row_begin[s];
     const double* l = values + value_begin[s];
     const int* row = rows + row_begin[s];
     for (int i = width; i < height; ++i) gathered.row(i) = permuted.row(row[i]);

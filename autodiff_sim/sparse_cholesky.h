@@ -18,8 +18,8 @@ class SparseCholesky {
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  // Factors (A + A') / 2 + shift I, with the smallest shift of a fixed ladder, from 0 on, that makes it
-  // positive definite. Returns false where no shift does (NaN or infinity in A).
+  // Factors (A + A') / 2 + shift I, with the smallest shift of a fixed ladder, from 0 on, that
+  // makes it positive definite. Returns false where no shift does (NaN or infinity in A).
   bool Factorize(const BlockSparseMatrix& a);
   void Forget() { has_factor_ = false; }
   bool has_factor() const { return has_factor_; }

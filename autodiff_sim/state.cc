@@ -21,7 +21,8 @@ Sensitivity::Sensitivity(const State& state, const Eigen::MatrixXd& parameter_di
 
 namespace {
 
-Eigen::MatrixXd Gather(const std::vector<StateLanes>& lanes, int directions, Lanes<kLanes> StateLanes::*part) {
+Eigen::MatrixXd Gather(const std::vector<StateLanes>& lanes, int directions,
+                       Lanes<kLanes> StateLanes::*part) {
   if (lanes.empty()) return {};
   Eigen::MatrixXd all((lanes.front().*part).rows(), directions);
   for (int c = 0; c < directions; c += kLanes) {

@@ -15,12 +15,15 @@ constexpr int kTooManySensitivityIterations = 20;
 }  // namespace
 
 // -dr along the lanes at fixed free velocities: M dv_hat + gamma (K dx_hat + df) - dM (v - v_hat).
-Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem, const Eigen::MatrixXd& parameter_directions,
-                                        const StepInputs& inputs, const Eigen::VectorXd& v, int first_column,
-                                        const StateLanes& lanes, const Lanes<kLanes>& dx_hat,
+Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem,
+                                        const Eigen::MatrixXd& parameter_directions,
+                                        const StepInputs& inputs, const Eigen::VectorXd& v,
+                                        int first_column, const StateLanes& lanes,
+                                        const Lanes<kLanes>& dx_hat,
                                         const Lanes<kLanes>& dv_hat) const {
   const double gamma = problem.formula.gamma, density = (*problem.parameters)[kArealDensity];
-  const int count = std::min<int>(kLanes, static_cast<int>(parameter_directions.cols()) - first_column);
+  const int count =
+      std::min<int>(kLanes, static_cast<int>(parameter_directions.cols()) - first_column);
   Lanes<kLanes> rhs(dx_hat.rows(), kLanes);
   for (std::size_t i = 0; i < model_->topology().areas.size(); ++i) {
     const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
@@ -38,8 +41,8 @@ Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem, const Eigen:
     if (weight == 0.0) continue;
     for (std::size_t i = 0; i < model_->topology().areas.size(); ++i) {
       const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
-      rhs.col(c).segment<3>(row) -=
-          weight * model_->topology().areas[i] * (v.segment<3>(row) - problem.v_hat.segment<3>(row));
+      rhs.col(c).segment<3>(row) -= weight * model_->topology().areas[i] *
+                                    (v.segment<3>(row) - problem.v_hat.segment<3>(row));
     }
   }
   if (inputs.directions.size() > 0) {
@@ -51,7 +54,8 @@ Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem, const Eigen:
   for (const MemoryElement& e : linearization_.with_memory) {
     const int forces = 3 * static_cast<int>(e.nodes.size());
     const int memory = static_cast<int>(e.jacobian.rows()) - forces;
-    const Eigen::MatrixXd df = e.jacobian.topRightCorner(forces, memory) * lanes.memory.middleRows(e.first_memory, memory);
+    const Eigen::MatrixXd df =
+        e.jacobian.topRightCorner(forces, memory) * lanes.memory.middleRows(e.first_memory, memory);
     for (std::size_t n = 0; n < e.nodes.size(); ++n) {
       rhs.middleRows<3>(3 * e.nodes[n]) += gamma * df.middleRows<3>(3 * static_cast<int>(n));
     }
@@ -62,7 +66,8 @@ Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem, const Eigen:
 // The new memory along the lanes, once the new positions and velocities are known.
 void StepSolver::AdvanceMemory(const Eigen::MatrixXd& parameter_directions, int first_column,
                                StateLanes* lanes) const {
-  const int count = std::min<int>(kLanes, static_cast<int>(parameter_directions.cols()) - first_column);
+  const int count =
+      std::min<int>(kLanes, static_cast<int>(parameter_directions.cols()) - first_column);
   for (const MemoryElement& e : linearization_.with_memory) {
     const int nodes = static_cast<int>(e.nodes.size()), forces = 3 * nodes;
     const int memory = static_cast<int>(e.jacobian.rows()) - forces;
@@ -74,30 +79,34 @@ void StepSolver::AdvanceMemory(const Eigen::MatrixXd& parameter_directions, int 
     const int own = static_cast<int>(e.jacobian.cols()) - 2 * forces - 1 - memory;
     direction.block(2 * forces, 0, own, count) =
         parameter_directions.block(e.first_parameter, first_column, own, count);
-    direction.block(2 * forces + own, 0, 1, count) = parameter_directions.block(kArealDensity, first_column, 1, count);
+    direction.block(2 * forces + own, 0, 1, count) =
+        parameter_directions.block(kArealDensity, first_column, 1, count);
     direction.bottomRows(memory) = lanes->memory.middleRows(e.first_memory, memory);
     lanes->memory.middleRows(e.first_memory, memory) = e.jacobian.bottomRows(memory) * direction;
   }
 }
 
-bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inputs, const Eigen::VectorXd& v,
-                               Sensitivity* sensitivity, StepReport* report) {
+bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inputs,
+                               const Eigen::VectorXd& v, Sensitivity* sensitivity,
+                               StepReport* report) {
   const StepFormula& formula = problem.formula;
   const Eigen::MatrixXd& directions = sensitivity->parameters();
   std::vector<bool> wanted(static_cast<std::size_t>(directions.rows()));
   for (Eigen::Index p = 0; p < directions.rows(); ++p) wanted[p] = !directions.row(p).isZero(0.0);
-  model_->Linearize(problem.end_time, problem.x_hat + formula.gamma * v, v, *problem.parameters, problem.memory,
-                    formula.gamma, wanted, &linearization_);
+  model_->Linearize(problem.end_time, problem.x_hat + formula.gamma * v, v, *problem.parameters,
+                    problem.memory, formula.gamma, wanted, &linearization_);
   ++report->jacobians;
   // The right-hand sides need the Jacobian before the handles are taken out of it.
-  std::vector<Lanes<kLanes>> dx_hat(sensitivity->lanes().size()), rhs(dx_hat.size()), held(dx_hat.size());
+  std::vector<Lanes<kLanes>> dx_hat(sensitivity->lanes().size()), rhs(dx_hat.size()),
+      held(dx_hat.size());
   for (std::size_t b = 0; b < dx_hat.size(); ++b) {
     StateLanes& lanes = sensitivity->lanes()[b];
     const int first = static_cast<int>(b) * kLanes;
     dx_hat[b] = formula.now * lanes.x + formula.before * lanes.previous_x;
     const Lanes<kLanes> dv_hat = formula.now * lanes.v + formula.before * lanes.previous_v;
     rhs[b] = RightHandSide(problem, directions, inputs, v, first, lanes, dx_hat[b], dv_hat);
-    problem.constraints->DependentVelocityDerivative(inputs, first, dx_hat[b], formula.gamma, &held[b]);
+    problem.constraints->DependentVelocityDerivative(inputs, first, dx_hat[b], formula.gamma,
+                                                     &held[b]);
     if (!held[b].isZero(0.0)) jacobian_.AddProduct<kLanes>(held[b], -1.0, &rhs[b]);
     problem.constraints->ReduceResidual<kLanes>(&rhs[b]);
   }

@@ -35,9 +35,9 @@ struct StepInputs {
   std::vector<HandleTarget> handles;
   std::vector<PointTarget> points;
   std::vector<RayTarget> rays;
-  // Derivatives of the inputs with respect to the directions of a sensitivity: num_rows() x directions,
-  // the handles' positions first (3 rows each), then the points' (3), then the rays' direction and
-  // moment (6). Empty where the inputs depend on no direction.
+  // Derivatives of the inputs with respect to the directions of a sensitivity: num_rows() x
+  // directions, the handles' positions first (3 rows each), then the points' (3), then the rays'
+  // direction and moment (6). Empty where the inputs depend on no direction.
   Eigen::MatrixXd directions;
 
   int first_point_row() const { return 3 * static_cast<int>(handles.size()); }

@@ -22,8 +22,12 @@ constexpr double kShortestStep = 1e-4;
 }  // namespace
 
 StepSolver::StepSolver(ClothModel* model, const SimulationOptions& options)
-    : model_(model), options_(options), position_tolerance_(options.tolerance * model->topology().mean_edge),
-      jacobian_(&model->pattern()), stiffness_(&model->pattern()), factor_(&model->pattern()) {
+    : model_(model),
+      options_(options),
+      position_tolerance_(options.tolerance * model->topology().mean_edge),
+      jacobian_(&model->pattern()),
+      stiffness_(&model->pattern()),
+      factor_(&model->pattern()) {
   linearization_.step_jacobian = &jacobian_;
   linearization_.stiffness = &stiffness_;
 }
@@ -37,7 +41,8 @@ void StepSolver::Reset() {
 const Eigen::VectorXd& StepSolver::Residual(const StepProblem& problem, const Eigen::VectorXd& v) {
   const double gamma = problem.formula.gamma;
   const Eigen::VectorXd x = problem.x_hat + gamma * v;
-  model_->Forces(problem.end_time, x, v, *problem.parameters, problem.memory, &force_, &new_memory_);
+  model_->Forces(problem.end_time, x, v, *problem.parameters, problem.memory, &force_,
+                 &new_memory_);
   full_residual_ = -gamma * force_;
   const double density = (*problem.parameters)[kArealDensity];
   for (std::size_t i = 0; i < model_->topology().areas.size(); ++i) {
@@ -50,10 +55,11 @@ const Eigen::VectorXd& StepSolver::Residual(const StepProblem& problem, const Ei
   return reduced_residual_;
 }
 
-void StepSolver::AssembleJacobian(const StepProblem& problem, const Eigen::VectorXd& v, StepReport* report) {
+void StepSolver::AssembleJacobian(const StepProblem& problem, const Eigen::VectorXd& v,
+                                  StepReport* report) {
   const double gamma = problem.formula.gamma;
-  model_->StepJacobian(problem.end_time, problem.x_hat + gamma * v, v, *problem.parameters, problem.memory, gamma,
-                       &jacobian_);
+  model_->StepJacobian(problem.end_time, problem.x_hat + gamma * v, v, *problem.parameters,
+                       problem.memory, gamma, &jacobian_);
   problem.constraints->ReduceMatrix(&jacobian_);
   jacobian_gamma_ = gamma;
   factor_is_current_ = false;

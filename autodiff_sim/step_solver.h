@@ -28,13 +28,14 @@ class StepSolver {
  public:
   StepSolver(ClothModel* model, const SimulationOptions& options);
 
-  // Newton's method from v on, with an exact Jacobian, GMRES preconditioned by a kept factor, and a line
-  // search on the preconditioned residual (the natural level function of Deuflhard 2004, sec. 3.3).
-  // Returns whether it converged.
+  // Newton's method from v on, with an exact Jacobian, GMRES preconditioned by a kept factor, and a
+  // line search on the preconditioned residual (the natural level function of Deuflhard 2004,
+  // sec. 3.3). Returns whether it converged.
   bool Solve(const StepProblem& problem, Eigen::VectorXd* v, StepReport* report);
 
-  // Derivatives at the solved v, by the implicit function theorem: A dv = -dr at fixed v, with the exact
-  // Jacobian A of the residual. Advances every lane. Returns false where a linear solve fails.
+  // Derivatives at the solved v, by the implicit function theorem: A dv = -dr at fixed v, with the
+  // exact Jacobian A of the residual. Advances every lane. Returns false where a linear solve
+  // fails.
   bool Differentiate(const StepProblem& problem, const StepInputs& inputs, const Eigen::VectorXd& v,
                      Sensitivity* sensitivity, StepReport* report);
 
@@ -52,16 +53,17 @@ class StepSolver {
   // The Newton direction; refreshes the factor when GMRES takes too long with it.
   bool Direction(Eigen::VectorXd* d, StepReport* report);
   // Moves v along d as far as the level function falls. Returns the step's share of d, 0 for none.
-  double LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double level, Eigen::VectorXd* v,
-                    Eigen::VectorXd* z);
-  Lanes<kLanes> RightHandSide(const StepProblem& problem, const Eigen::MatrixXd& parameter_directions,
-                              const StepInputs& inputs, const Eigen::VectorXd& v, int first_column,
-                              const StateLanes& lanes, const Lanes<kLanes>& dx_hat,
-                              const Lanes<kLanes>& dv_hat) const;
+  double LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double level,
+                    Eigen::VectorXd* v, Eigen::VectorXd* z);
+  Lanes<kLanes> RightHandSide(const StepProblem& problem,
+                              const Eigen::MatrixXd& parameter_directions, const StepInputs& inputs,
+                              const Eigen::VectorXd& v, int first_column, const StateLanes& lanes,
+                              const Lanes<kLanes>& dx_hat, const Lanes<kLanes>& dv_hat) const;
   // Solves the reduced system for dv, from the guess in dv on.
-  bool SolveLanes(const StepProblem& problem, const Lanes<kLanes>& rhs, Lanes<kLanes>* dv, int* iterations,
-                  StepReport* report);
-  void AdvanceMemory(const Eigen::MatrixXd& parameter_directions, int first_column, StateLanes* lanes) const;
+  bool SolveLanes(const StepProblem& problem, const Lanes<kLanes>& rhs, Lanes<kLanes>* dv,
+                  int* iterations, StepReport* report);
+  void AdvanceMemory(const Eigen::MatrixXd& parameter_directions, int first_column,
+                     StateLanes* lanes) const;
 
   ClothModel* model_;
   SimulationOptions options_;

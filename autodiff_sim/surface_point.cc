@@ -58,7 +58,8 @@ SurfacePoint Locate(const ClothMesh& mesh, const Eigen::Vector2d& uv) {
 
 }  // namespace
 
-std::vector<SurfacePoint> LocateOnCloth(const ClothMesh& mesh, const std::vector<Eigen::Vector2d>& uv) {
+std::vector<SurfacePoint> LocateOnCloth(const ClothMesh& mesh,
+                                        const std::vector<Eigen::Vector2d>& uv) {
   std::vector<SurfacePoint> points;
   points.reserve(uv.size());
   for (const Eigen::Vector2d& p : uv) points.push_back(Locate(mesh, p));

@@ -24,9 +24,10 @@ struct SurfacePoint {
   }
 };
 
-// Finds the triangle that holds each (u, v), m; for a point outside (measured coordinates may be off by
-// a millimetre) the triangle that is nearest in (u, v), extrapolated. Weights within 1e-9 of 0 or 1 are
-// set to it, so that a point on a particle is that particle.
-std::vector<SurfacePoint> LocateOnCloth(const ClothMesh& mesh, const std::vector<Eigen::Vector2d>& uv);
+// Finds the triangle that holds each (u, v), m; for a point outside (measured coordinates may be
+// off by a millimetre) the triangle that is nearest in (u, v), extrapolated. Weights within 1e-9 of
+// 0 or 1 are set to it, so that a point on a particle is that particle.
+std::vector<SurfacePoint> LocateOnCloth(const ClothMesh& mesh,
+                                        const std::vector<Eigen::Vector2d>& uv);
 
 }  // namespace clothfit

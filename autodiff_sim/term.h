@@ -8,22 +8,24 @@
 //     static constexpr const char* kDoc = "what it is, in one line";
 //     static constexpr const char* kReference = "Author year, eq. n";
 //     static constexpr int kNodes = 2;                            // particles an element acts on
-//     static constexpr int kInputs = 0;                           // numbers from StepInputs an element
-//     static constexpr int kMemory = 0;                           // numbers an element remembers
-//     static constexpr bool kUsesDensity = false;                 // reads areal_density
+//     static constexpr int kInputs = 0;                           // numbers from StepInputs an
+//     element static constexpr int kMemory = 0;                           // numbers an element
+//     remembers static constexpr bool kUsesDensity = false;                 // reads areal_density
 //     static constexpr bool kInternal = true;                     // no net force, no net moment
 //     static constexpr std::array<Parameter, 1> kParameters = {{...}};
 //     struct Element { std::array<int, kNodes> nodes; ... };
 //     static std::vector<Element> Elements(const TermContext&);
 //     template <class T>
-//     static void AddForce(const Element&, const ElementInput<Example, T>&, ElementOutput<Example, T>*);
+//     static void AddForce(const Element&, const ElementInput<Example, T>&, ElementOutput<Example,
+//     T>*);
 //   };
 //
-// AddForce gets an output whose forces are zero (N) and whose memory is last step's, adds the element's
-// forces, and writes the memory at the end of the step. With its parameters at `off` it adds nothing.
-// Branches are decided on plain values (Value()), and the force is continuous across them. Elements are
-// fixed for a simulation, or, where kInputs > 0, made anew for each step from its StepInputs. A term
-// that needs an input names its first row in StepInputs::directions as Element::first_input.
+// AddForce gets an output whose forces are zero (N) and whose memory is last step's, adds the
+// element's forces, and writes the memory at the end of the step. With its parameters at `off` it
+// adds nothing. Branches are decided on plain values (Value()), and the force is continuous across
+// them. Elements are fixed for a simulation, or, where kInputs > 0, made anew for each step from
+// its StepInputs. A term that needs an input names its first row in StepInputs::directions as
+// Element::first_input.
 //
 // Forces, not energies: drag and friction have none.
 #pragma once
@@ -67,12 +69,12 @@ struct TermContext {
 
 template <class Term, class T>
 struct ElementInput {
-  double time;  // s, at the end of the step
+  double time;                             // s, at the end of the step
   std::array<Vector3<T>, Term::kNodes> x;  // m
   std::array<Vector3<T>, Term::kNodes> v;  // m/s
   std::array<T, Term::kParameters.size()> parameter;
-  T areal_density;                        // kg/m^2
-  std::array<T, Term::kInputs> input;     // as the term's Element defines them
+  T areal_density;                     // kg/m^2
+  std::array<T, Term::kInputs> input;  // as the term's Element defines them
 };
 
 template <class Term, class T>

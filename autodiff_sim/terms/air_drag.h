@@ -23,9 +23,12 @@ struct AirDrag {
   static constexpr bool kUsesDensity = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 3> kParameters = {{
-      {"normal", "kg/m^3", "k_n, quadratic drag along the normal", 1.0, 0.0, 1e-3, 20.0, Scale::kLog, 3.0},
-      {"saturation", "s^2/m^2", "k_f, weakens the quadratic drag at speed", 0.0, 0.0, 0.0, 10.0, Scale::kLinear, 0.3},
-      {"tangential", "kg/(m^2 s)", "k_t, linear drag along the surface", 0.02, 0.0, 1e-5, 2.0, Scale::kLog, 10.0},
+      {"normal", "kg/m^3", "k_n, quadratic drag along the normal", 1.0, 0.0, 1e-3, 20.0,
+       Scale::kLog, 3.0},
+      {"saturation", "s^2/m^2", "k_f, weakens the quadratic drag at speed", 0.0, 0.0, 0.0, 10.0,
+       Scale::kLinear, 0.3},
+      {"tangential", "kg/(m^2 s)", "k_t, linear drag along the surface", 0.02, 0.0, 1e-5, 2.0,
+       Scale::kLog, 10.0},
   }};
 
   struct Element {
@@ -34,12 +37,14 @@ struct AirDrag {
 
   static std::vector<Element> Elements(const TermContext& context) {
     std::vector<Element> elements;
-    for (const std::array<int, 3>& triangle : context.mesh.triangles) elements.push_back({triangle});
+    for (const std::array<int, 3>& triangle : context.mesh.triangles)
+      elements.push_back({triangle});
     return elements;
   }
 
   template <class T>
-  static void AddForce(const Element&, const ElementInput<AirDrag, T>& in, ElementOutput<AirDrag, T>* out) {
+  static void AddForce(const Element&, const ElementInput<AirDrag, T>& in,
+                       ElementOutput<AirDrag, T>* out) {
     using std::abs;
     using std::sqrt;
     const Vector3<T> side1 = in.x[1] - in.x[0], side2 = in.x[2] - in.x[0];

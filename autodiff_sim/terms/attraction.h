@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Attraction of a point of the surface to a tracked point or to a tracked ray, Hasler et al. 2007,
-// sec. 3 and 4.1. Each has a linear part, f ~ d, and a reciprocal part, f ~ 1 / d^2, bounded near zero
-// by the radius r: |f| = k d / (d^2 + r^2)^(3/2). The ray's force is perpendicular to the ray.
+// sec. 3 and 4.1. Each has a linear part, f ~ d, and a reciprocal part, f ~ 1 / d^2, bounded near
+// zero by the radius r: |f| = k d / (d^2 + r^2)^(3/2). The ray's force is perpendicular to the ray.
 #pragma once
 
 #include <cmath>
@@ -25,9 +25,11 @@ void AddAttraction(const std::array<double, 3>& weights, const T& linear, const 
 }
 
 template <class T>
-Vector3<T> SurfacePosition(const std::array<double, 3>& weights, const std::array<Vector3<T>, 3>& x) {
+Vector3<T> SurfacePosition(const std::array<double, 3>& weights,
+                           const std::array<Vector3<T>, 3>& x) {
   Vector3<T> p;
-  for (int k = 0; k < 3; ++k) p[k] = weights[0] * x[0][k] + weights[1] * x[1][k] + weights[2] * x[2][k];
+  for (int k = 0; k < 3; ++k)
+    p[k] = weights[0] * x[0][k] + weights[1] * x[1][k] + weights[2] * x[2][k];
   return p;
 }
 
@@ -42,8 +44,10 @@ struct PointAttraction {
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 3> kParameters = {{
       {"linear", "N/m", "force per distance", 0.0, 0.0, 0.0, 1e4, Scale::kLinear, 10.0},
-      {"reciprocal", "N m^2", "force times squared distance", 0.0, 0.0, 0.0, 1.0, Scale::kLinear, 1e-3},
-      {"radius", "m", "distance within which the reciprocal pull fades", 0.005, 0.005, 1e-4, 0.1, Scale::kLog, 2.0},
+      {"reciprocal", "N m^2", "force times squared distance", 0.0, 0.0, 0.0, 1.0, Scale::kLinear,
+       1e-3},
+      {"radius", "m", "distance within which the reciprocal pull fades", 0.005, 0.005, 1e-4, 0.1,
+       Scale::kLog, 2.0},
   }};
 
   struct Element {
@@ -59,7 +63,8 @@ struct PointAttraction {
     int row = context.inputs->first_point_row();
     for (const PointTarget& target : context.inputs->points) {
       const Eigen::Vector3d& p = target.position;
-      elements.push_back({target.on_cloth.nodes, target.on_cloth.weights, {p.x(), p.y(), p.z()}, row});
+      elements.push_back(
+          {target.on_cloth.nodes, target.on_cloth.weights, {p.x(), p.y(), p.z()}, row});
       row += kInputs;
     }
     return elements;
@@ -70,7 +75,8 @@ struct PointAttraction {
                        ElementOutput<PointAttraction, T>* out) {
     Vector3<T> offset = SurfacePosition<T>(element.weights, in.x);
     for (int k = 0; k < 3; ++k) offset[k] -= in.input[k];
-    AddAttraction<T>(element.weights, in.parameter[0], in.parameter[1], in.parameter[2], offset, &out->force);
+    AddAttraction<T>(element.weights, in.parameter[0], in.parameter[1], in.parameter[2], offset,
+                     &out->force);
   }
 };
 
@@ -85,8 +91,10 @@ struct RayAttraction {
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 3> kParameters = {{
       {"linear", "N/m", "force per distance", 0.0, 0.0, 0.0, 1e4, Scale::kLinear, 10.0},
-      {"reciprocal", "N m^2", "force times squared distance", 0.0, 0.0, 0.0, 1.0, Scale::kLinear, 1e-3},
-      {"radius", "m", "distance within which the reciprocal pull fades", 0.005, 0.005, 1e-4, 0.1, Scale::kLog, 2.0},
+      {"reciprocal", "N m^2", "force times squared distance", 0.0, 0.0, 0.0, 1.0, Scale::kLinear,
+       1e-3},
+      {"radius", "m", "distance within which the reciprocal pull fades", 0.005, 0.005, 1e-4, 0.1,
+       Scale::kLog, 2.0},
   }};
 
   struct Element {
@@ -102,7 +110,10 @@ struct RayAttraction {
     int row = context.inputs->first_ray_row();
     for (const RayTarget& ray : context.inputs->rays) {
       const Eigen::Vector3d &d = ray.direction, &m = ray.moment;
-      elements.push_back({ray.on_cloth.nodes, ray.on_cloth.weights, {d.x(), d.y(), d.z(), m.x(), m.y(), m.z()}, row});
+      elements.push_back({ray.on_cloth.nodes,
+                          ray.on_cloth.weights,
+                          {d.x(), d.y(), d.z(), m.x(), m.y(), m.z()},
+                          row});
       row += kInputs;
     }
     return elements;
@@ -116,7 +127,8 @@ struct RayAttraction {
     const Vector3<T> moment(in.input[3], in.input[4], in.input[5]);
     // Hasler 2007, sec. 4.1: v points from the ray to the point.
     const Vector3<T> from_ray = (moment - p.cross(direction)).cross(direction);
-    AddAttraction<T>(element.weights, in.parameter[0], in.parameter[1], in.parameter[2], from_ray, &out->force);
+    AddAttraction<T>(element.weights, in.parameter[0], in.parameter[1], in.parameter[2], from_ray,
+                     &out->force);
   }
 };
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bending between two triangles that share an edge, Bridson, Marino and Fedkiw 2003, sec. 4: the mode
-// u of four particles that changes the dihedral angle theta and nothing else,
+// Bending between two triangles that share an edge, Bridson, Marino and Fedkiw 2003, sec. 4: the
+// mode u of four particles that changes the dihedral angle theta and nothing else,
 //   f_i = (-k_e |E|^2 / (|N1| + |N2|) sin(theta / 2) - k_d |E| dtheta/dt) dtheta/dx_i,
 // their u_i being the angle's gradient with the sign of their theta. The factors of E and N are the
-// rest shape's, so that the elastic part has an energy, 2 k_e |E|^2 / (|N1| + |N2|) (1 - cos(theta / 2)).
-// On a grid k_e relates to the bending stiffness B of a plate, N m, by k_e = 4 B for bending along the
-// warp or the weft.
+// rest shape's, so that the elastic part has an energy, 2 k_e |E|^2 / (|N1| + |N2|) (1 - cos(theta
+// / 2)). On a grid k_e relates to the bending stiffness B of a plate, N m, by k_e = 4 B for bending
+// along the warp or the weft.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,8 @@ namespace clothfit {
 
 struct Bending {
   static constexpr const char* kName = "bending";
-  static constexpr const char* kDoc = "resistance to folding between neighbouring triangles, with damping";
+  static constexpr const char* kDoc =
+      "resistance to folding between neighbouring triangles, with damping";
   static constexpr const char* kReference = "Bridson, Marino and Fedkiw 2003, sec. 4";
   static constexpr int kNodes = 4;
   static constexpr int kInputs = 0;
@@ -26,12 +27,16 @@ struct Bending {
   static constexpr bool kUsesDensity = false;
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 2> kParameters = {{
-      {"stiffness", "N m", "k_e of the four-particle bending mode", 2e-5, 0.0, 1e-8, 1e-1, Scale::kLog, 10.0},
-      {"damping", "N s", "k_d of the four-particle bending mode", 1e-7, 0.0, 1e-10, 1e-2, Scale::kLog, 10.0},
+      {"stiffness", "N m", "k_e of the four-particle bending mode", 2e-5, 0.0, 1e-8, 1e-1,
+       Scale::kLog, 10.0},
+      {"damping", "N s", "k_d of the four-particle bending mode", 1e-7, 0.0, 1e-10, 1e-2,
+       Scale::kLog, 10.0},
   }};
   using Element = Hinge;
 
-  static std::vector<Element> Elements(const TermContext& context) { return context.topology.hinges; }
+  static std::vector<Element> Elements(const TermContext& context) {
+    return context.topology.hinges;
+  }
 
   template <class T>
   static void AddForce(const Element& element, const ElementInput<Bending, T>& in,
@@ -61,8 +66,8 @@ struct Bending {
       u[3][k] = t1 * g1 + t2 * g2;
       for (int i = 0; i < 4; ++i) rate += u[i][k] * in.v[i][k];
     }
-    const T moment = in.parameter[0] * element.shape * sin(theta * 0.5) -
-                     in.parameter[1] * element.edge * rate;
+    const T moment =
+        in.parameter[0] * element.shape * sin(theta * 0.5) - in.parameter[1] * element.edge * rate;
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < 3; ++k) out->force[i][k] += moment * u[i][k];
     }

@@ -18,7 +18,8 @@ struct Gravity {
   static constexpr bool kUsesDensity = true;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 1> kParameters = {{
-      {"scale", "1", "multiple of the recording's gravity", 1.0, 0.0, 0.0, 2.0, Scale::kLinear, 0.01},
+      {"scale", "1", "multiple of the recording's gravity", 1.0, 0.0, 0.0, 2.0, Scale::kLinear,
+       0.01},
   }};
 
   struct Element {

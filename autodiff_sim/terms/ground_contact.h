@@ -24,11 +24,14 @@ struct GroundContact {
   static constexpr bool kUsesDensity = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 5> kParameters = {{
-      {"stiffness", "Pa/m", "pressure of the ground per depth", 1e5, 0.0, 1e3, 1e8, Scale::kLog, 10.0},
+      {"stiffness", "Pa/m", "pressure of the ground per depth", 1e5, 0.0, 1e3, 1e8, Scale::kLog,
+       10.0},
       {"friction", "1", "Coulomb's coefficient mu", 0.4, 0.0, 0.0, 2.0, Scale::kLinear, 0.3},
-      {"damping", "Pa s/m^2", "damping of the push, per depth", 0.0, 0.0, 0.0, 1e6, Scale::kLinear, 1e3},
+      {"damping", "Pa s/m^2", "damping of the push, per depth", 0.0, 0.0, 0.0, 1e6, Scale::kLinear,
+       1e3},
       {"distance", "m", "gap at which contact begins", 0.002, 0.002, 1e-4, 0.02, Scale::kLog, 2.0},
-      {"slip_speed", "m/s", "speed below which friction sticks", 0.005, 0.005, 1e-5, 0.1, Scale::kLog, 3.0},
+      {"slip_speed", "m/s", "speed below which friction sticks", 0.005, 0.005, 1e-5, 0.1,
+       Scale::kLog, 3.0},
   }};
 
   struct Element {
@@ -54,8 +57,10 @@ struct GroundContact {
     const T depth = distance - (in.x[0].z() - element.height);
     if (Value(depth) <= 0.0) return;
     // The damping grows with the depth, so that it too sets in without a jump.
-    const T push = element.area * (in.parameter[0] * depth * depth / distance - in.parameter[2] * depth * in.v[0].z());
-    const T normal_force = Value(push) > 0.0 ? push : T(0.0);  // the ground does not hold the cloth down
+    const T push = element.area * (in.parameter[0] * depth * depth / distance -
+                                   in.parameter[2] * depth * in.v[0].z());
+    const T normal_force =
+        Value(push) > 0.0 ? push : T(0.0);  // the ground does not hold the cloth down
     const T &vx = in.v[0].x(), &vy = in.v[0].y();
     const T speed = sqrt(vx * vx + vy * vy + in.parameter[4] * in.parameter[4]);
     const T drag = in.parameter[1] * normal_force / speed;

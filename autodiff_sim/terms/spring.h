@@ -14,8 +14,9 @@
 namespace clothfit {
 
 template <class T>
-void AddSpringForce(const Spring& spring, const T& stiffness, const T& damping, const Vector3<T>& dx,
-                    const Vector3<T>& dv, Vector3<T>* force_a, Vector3<T>* force_b) {
+void AddSpringForce(const Spring& spring, const T& stiffness, const T& damping,
+                    const Vector3<T>& dx, const Vector3<T>& dv, Vector3<T>* force_a,
+                    Vector3<T>* force_b) {
   using std::sqrt;
   const T length2 = dx.dot(dx);
   const T length = sqrt(length2);
@@ -39,18 +40,21 @@ struct StretchSpring {
   static constexpr bool kUsesDensity = false;
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 2> kParameters = {{
-      {"stiffness", "N/m", "membrane stiffness along warp and weft", 200.0, 0.0, 1.0, 1e5, Scale::kLog, 10.0},
+      {"stiffness", "N/m", "membrane stiffness along warp and weft", 200.0, 0.0, 1.0, 1e5,
+       Scale::kLog, 10.0},
       {"damping", "N s/m", "damping of stretching", 0.02, 0.0, 1e-6, 10.0, Scale::kLog, 10.0},
   }};
   using Element = Spring;
 
-  static std::vector<Element> Elements(const TermContext& context) { return context.topology.structural; }
+  static std::vector<Element> Elements(const TermContext& context) {
+    return context.topology.structural;
+  }
 
   template <class T>
   static void AddForce(const Element& element, const ElementInput<StretchSpring, T>& in,
                        ElementOutput<StretchSpring, T>* out) {
-    AddSpringForce<T>(element, in.parameter[0], in.parameter[1], in.x[1] - in.x[0], in.v[1] - in.v[0],
-                      &out->force[0], &out->force[1]);
+    AddSpringForce<T>(element, in.parameter[0], in.parameter[1], in.x[1] - in.x[0],
+                      in.v[1] - in.v[0], &out->force[0], &out->force[1]);
   }
 };
 
@@ -69,13 +73,15 @@ struct ShearSpring {
   }};
   using Element = Spring;
 
-  static std::vector<Element> Elements(const TermContext& context) { return context.topology.shear; }
+  static std::vector<Element> Elements(const TermContext& context) {
+    return context.topology.shear;
+  }
 
   template <class T>
   static void AddForce(const Element& element, const ElementInput<ShearSpring, T>& in,
                        ElementOutput<ShearSpring, T>* out) {
-    AddSpringForce<T>(element, in.parameter[0], in.parameter[1], in.x[1] - in.x[0], in.v[1] - in.v[0],
-                      &out->force[0], &out->force[1]);
+    AddSpringForce<T>(element, in.parameter[0], in.parameter[1], in.x[1] - in.x[0],
+                      in.v[1] - in.v[0], &out->force[0], &out->force[1]);
   }
 };
 
