@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracking/text.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "test_folder.h"
+
+namespace clothfit {
+namespace {
+
+TEST(ParseNumber, ReadsDecimalsAndExponents) {
+  EXPECT_EQ(ParseNumber("1.5"), 1.5);
+  EXPECT_EQ(ParseNumber(" -2e-3 "), -2e-3);
+  EXPECT_EQ(ParseNumber("+4"), 4.0);
+  EXPECT_EQ(ParseNumber(".5"), 0.5);
+}
+
+TEST(ParseNumber, RefusesEverythingElse) {
+  for (const char* text :
+       {"", " ", "abc", "1.5x", "1,5", "nan", "inf", "-inf", "1e400", "0x10", "1 2", "+-1", "+"}) {
+    EXPECT_FALSE(ParseNumber(text)) << text;
+  }
+}
+
+TEST(ParseInteger, RefusesFractionsAndOverflow) {
+  EXPECT_EQ(ParseInteger("-7"), -7);
+  for (const char* text : {"1.0", "1e3", "", "99999999999", "a"}) {
+    EXPECT_FALSE(ParseInteger(text)) << text;
+  }
+}
+
+TEST(FormatNumber, ReadsBackAsTheSameDouble) {
+  std::mt19937_64 random(1);
+  int checked = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double value =
+        std::ldexp(static_cast<double>(random()), static_cast<int>(random() % 200) - 150);
+    ASSERT_EQ(ParseNumber(FormatNumber(value)), value);
+    ++checked;
+  }
+  EXPECT_EQ(checked, 2000);
+  EXPECT_EQ(FormatNumber(0.1), "0.1");
+  EXPECT_TRUE(std::signbit(*ParseNumber(FormatNumber(-0.0))));
+}
+
+TEST(EditDistance, CountsInsertionsDeletionsReplacementsAndSwaps) {
+  EXPECT_EQ(EditDistance("", ""), 0);
+  EXPECT_EQ(EditDistance("size", "size"), 0);
+  EXPECT_EQ(EditDistance("sze", "size"), 1);
+  EXPECT_EQ(EditDistance("sizes", "size"), 1);
+  EXPECT_EQ(EditDistance("sixe", "size"), 1);
+  EXPECT_EQ(EditDistance("szie", "size"), 1);
+  EXPECT_EQ(EditDistance("kitten", "sitting"), 3);
+  EXPECT_EQ(EditDistance("abc", ""), 3);
+}
+
+TEST(Suggestion, NamesTheNearestOrAll) {
+  const std::vector<std::string> names = {"size", "resolution", "initial"};
+  EXPECT_EQ(Suggestion("resolutoin", names), "did you mean 'resolution'?");
+  EXPECT_EQ(Suggestion("colour", names), "expected one of size, resolution, initial");
+}
+
+TEST(TextFile, ReportsWhatCannotBeReadOrWritten) {
+  const TestFolder folder;
+  EXPECT_THAT(InputErrorOf([&] { ReadTextFile(folder.path() / "none.txt"); }),
+              testing::HasSubstr("none.txt: no such file"));
+  folder.Write("file", "");
+  EXPECT_THAT(InputErrorOf([&] { WriteTextFile(folder.path() / "file" / "below.txt", "x"); }),
+              testing::HasSubstr("cannot be written"));
+  WriteTextFile(folder.path() / "a" / "b.txt", "text\n");
+  EXPECT_EQ(ReadTextFile(folder.path() / "a" / "b.txt"), "text\n");
+}
+
+}  // namespace
+}  // namespace clothfit
