@@ -4,9 +4,6 @@
 
 #include <stdexcept>
 
-#include <fmt/format.h>
-
-#include "autodiff_sim/error.h"
 #include "tracking/thin_plate_spline.h"
 
 namespace clothfit {
@@ -24,11 +21,6 @@ Points PlaceAt(const FlatPlacement& flat, const std::vector<Eigen::Vector2d>& uv
 }
 
 Points PlaceAt(const PointPlacement& placement, const std::vector<Eigen::Vector2d>& uv) {
-  constexpr size_t kMaxPoints = 3000;  // seconds of dense algebra
-  if (placement.points.size() > kMaxPoints) {
-    throw InputError("cloth.initial.points", fmt::format("expected at most {} points, found {}",
-                                                         kMaxPoints, placement.points.size()));
-  }
   Eigen::Matrix2Xd sites(2, placement.points.size());
   Eigen::Matrix3Xd values(3, placement.points.size());
   for (size_t i = 0; i < placement.points.size(); ++i) {

@@ -14,6 +14,8 @@
 namespace clothfit {
 namespace {
 
+constexpr double kStretch = 1.1;  // more than cloth is likely to stretch
+
 // A point of the cloth seen at one frame.
 struct SeenPoint {
   std::string label;
@@ -45,7 +47,6 @@ std::map<int, std::vector<SeenPoint>> SeenPoints(const Recording& recording) {
 
 // Points cannot be farther apart in space than on the cloth, but for stretch and noise.
 void WarnOfStretch(const Recording& recording, std::vector<std::string>* warnings) {
-  constexpr double kStretch = 1.1;
   constexpr size_t kMaxPoints = 100;  // in a frame; pairs of more would take long
   int frame_count = 0;
   double worst = 0.0;
@@ -133,6 +134,29 @@ void WarnOfInitialPlacement(const Recording& recording, std::vector<std::string>
   }
 }
 
+void WarnOfInitialStretch(const Recording& recording, std::vector<std::string>* warnings) {
+  const auto* placement = std::get_if<PointPlacement>(&recording.cloth.initial);
+  if (placement == nullptr) return;
+  const std::vector<PlacedPoint>& points = placement->points;
+  double worst = kStretch;
+  std::string worst_pair;
+  for (size_t i = 0; i < points.size(); ++i) {
+    for (size_t j = i + 1; j < points.size(); ++j) {
+      const double stretch =
+          (points[i].position - points[j].position).norm() / (points[i].uv - points[j].uv).norm();
+      if (stretch <= worst) continue;
+      worst = stretch;
+      worst_pair = fmt::format("(u, v) = ({}, {}) and ({}, {})", points[i].uv.x(), points[i].uv.y(),
+                               points[j].uv.x(), points[j].uv.y());
+    }
+  }
+  if (worst_pair.empty()) return;
+  warnings->push_back(fmt::format(
+      "the initial points are up to {:.0f} % farther apart than on the cloth: {}; the cloth starts "
+      "under tension",
+      100.0 * (worst - 1.0), worst_pair));
+}
+
 void WarnOfGround(const Recording& recording, std::vector<std::string>* warnings) {
   if (std::holds_alternative<MeshPlacement>(recording.cloth.initial)) return;
   if (!recording.ground_height) return;
@@ -154,6 +178,7 @@ void WarnOfPoints(const Recording& recording, std::vector<std::string>* warnings
   WarnOfStretch(recording, warnings);
   WarnOfJumps(recording, warnings);
   WarnOfInitialPlacement(recording, warnings);
+  WarnOfInitialStretch(recording, warnings);
   WarnOfGround(recording, warnings);
 }
 

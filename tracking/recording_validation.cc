@@ -48,8 +48,10 @@ void CheckPlacement(const Recording& recording, const FlatPlacement& flat) {
 void CheckPlacement(const Recording& recording, const PointPlacement& placement) {
   const std::string place = YamlPlace(recording, "cloth.initial.points");
   const std::vector<PlacedPoint>& points = placement.points;
-  if (points.size() < 3) {
-    throw InputError(place, fmt::format("expected at least 3 points, found {}", points.size()));
+  constexpr size_t kMaxPoints = 3000;  // a dense system is solved to interpolate them: seconds
+  if (points.size() < 3 || points.size() > kMaxPoints) {
+    throw InputError(place,
+                     fmt::format("expected 3..{} points, found {}", kMaxPoints, points.size()));
   }
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   std::set<std::pair<double, double>> seen;

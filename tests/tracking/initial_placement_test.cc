@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "test_folder.h"
-
 namespace clothfit {
 namespace {
 
@@ -40,15 +38,10 @@ TEST(InitialPositions, OfPointsGoThroughThem) {
   }
 }
 
-TEST(InitialPositions, RefusesAMeshAndTooManyPoints) {
+TEST(InitialPositions, RefusesAMesh) {
   Recording recording;
   recording.cloth.initial = MeshPlacement{"cloth.obj"};
   EXPECT_THROW(InitialPositions(recording, {{0, 0}}), std::logic_error);
-  recording.cloth.initial = PointPlacement{std::vector<PlacedPoint>(3001)};
-  EXPECT_THAT(InputErrorOf([&] {
-                InitialPositions(recording, {{0, 0}});
-              }),
-              testing::HasSubstr("expected at most 3000 points, found 3001"));
 }
 
 }  // namespace

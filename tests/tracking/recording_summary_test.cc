@@ -113,6 +113,13 @@ INSTANTIATE_TEST_SUITE_P(
         Oddity{"FarFromInitial",
                [](Recording* r) { std::get<FlatPlacement>(r->cloth.initial).origin.z() = 0.1; },
                "4 points at frame 0 are far from the initial placement (first: marker 0, 0.100 m)"},
+        Oddity{"StretchedInitial",
+               [](Recording* r) {
+                 r->cloth.initial = PointPlacement{
+                     {{{0, 0}, {0, 0, 0}}, {{1, 0}, {1.2, 0, 0}}, {{0, 1}, {0, 1, 0}}}};
+               },
+               "the initial points are up to 20 % farther apart than on the cloth: (u, v) = (0, 0) "
+               "and (1, 0)"},
         Oddity{"BelowGround", [](Recording* r) { r->ground_height = 0.05; },
                "the initial placement reaches 0.0500 m below the ground"},
         Oddity{"GapInPath", [](Recording* r) { (*r->handles[0].path)[1] = std::nullopt; },

@@ -120,9 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "    points: markers.csv\n",
                  "recording.yaml: cloth.initial.points: expected 'points' alone"},
         BadInput{"MeshBesideInitial", kYaml, "  initial:", "  mesh: markers.csv\n  initial:",
-                 "recording.yaml: cloth.mesh: expected either 'mesh' or 'initial', found both"},
-        BadInput{"MissingMesh", kYaml, "  initial:", "  mesh: cloth.obj\n  initial:",
-                 "recording.yaml: cloth.mesh: no such file"}),
+                 "recording.yaml: cloth.mesh: expected either 'mesh' or 'initial', found both"}),
     NameOf);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -269,20 +267,36 @@ TEST(ReadRecordingErrors, NoObservation) {
   EXPECT_NO_THROW(ReadRecording(folder.path()));
 }
 
-// The complete recording with an initial placement through these points.
-TestFiles WithInitialPoints(const std::string& rows) {
+// The complete recording with another initial placement.
+TestFiles WithInitial(const std::string& line) {
   TestFiles files = CompleteRecordingFiles();
   std::string& yaml = files["recording.yaml"];
   const size_t from = yaml.find("  initial:");
-  yaml.replace(from, yaml.find("handles:") - from, "  initial: {points: initial.csv}\n");
+  yaml.replace(from, yaml.find("handles:") - from, line);
+  return files;
+}
+
+TEST(ReadRecordingErrors, MissingMesh) {
+  EXPECT_THAT(ErrorOf(WithInitial("  mesh: cloth.obj\n")),
+              HasSubstr("recording.yaml: cloth.mesh: no such file"));
+}
+
+// The complete recording with an initial placement through these points.
+TestFiles WithInitialPoints(const std::string& rows) {
+  TestFiles files = WithInitial("  initial: {points: initial.csv}\n");
   files["initial.csv"] = "u,v,x,y,z\n" + rows;
   return files;
 }
 
 TEST(InitialPointErrors, TooFew) {
-  EXPECT_THAT(
-      ErrorOf(WithInitialPoints("0,0,0,0,0\n1,0,1,0,0\n")),
-      HasSubstr("recording.yaml: cloth.initial.points: expected at least 3 points, found 2"));
+  EXPECT_THAT(ErrorOf(WithInitialPoints("0,0,0,0,0\n1,0,1,0,0\n")),
+              HasSubstr("recording.yaml: cloth.initial.points: expected 3..3000 points, found 2"));
+}
+
+TEST(InitialPointErrors, TooMany) {
+  std::string rows;
+  for (int i = 0; i < 3001; ++i) rows += std::to_string(i * 1e-4) + ",0,0,0,0\n";
+  EXPECT_THAT(ErrorOf(WithInitialPoints(rows)), HasSubstr("expected 3..3000 points, found 3001"));
 }
 
 TEST(InitialPointErrors, Collinear) {
