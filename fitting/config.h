@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Everything that decides a fit, as one plain struct, and its YAML file. Defaults work with no
+// file.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "autodiff_sim/cloth_model.h"
+#include "tracking/recording.h"
+
+namespace clothfit {
+
+// What a fit does with one parameter.
+struct ParameterSetting {
+  double value = 0.0;  // start of the fit, or the value where it is fixed
+  bool free = false;
+  double lower = 0.0, upper = 0.0;
+  // The prior's centre, and one sigma: a factor above 1 for a parameter on a log scale, else an
+  // amount.
+  double prior = 0.0, prior_sigma = 1.0;
+};
+
+enum class LossKind { kNone, kHuber, kCauchy };
+
+struct FitConfig {
+  std::string recording;  // the folder; the config of a run can be used again as it is
+
+  // cloth
+  std::array<int, 2> resolution = {0, 0};  // particles along u and v; 0 = as the recording says
+
+  // simulation
+  double max_step = 1.0 / 120.0;  // s; a frame is divided into equal steps no longer than this
+  Integrator integrator = Integrator::kBdf2;
+  double tolerance = 1e-7;  // of a step, see SimulationOptions
+
+  // parameters, every one by its full name
+  std::map<std::string, ParameterSetting> parameters;
+
+  // initial state: offsets of the positions and velocities at frame 0 by polynomials in (u, v) that
+  // vanish at the handles; order -1 = none, 0 constant, 1 bilinear, 2 biquadratic
+  int initial_order = -1;
+  double initial_position_sigma = 0.005;  // m, prior of each coefficient
+  double initial_velocity_sigma = 0.1;    // m/s
+
+  // unknown handle paths: uniform cubic B-splines
+  double spline_spacing = 1.0 / 12.0;  // s between control points
+  double spline_acceleration = 20.0;   // m/s^2, one sigma of the prior on a path's acceleration
+
+  // observations
+  bool use_markers = true;
+  bool use_tracks = true;
+  LossKind loss = LossKind::kNone;
+  double loss_scale = 3.0;  // in sigmas
+  std::optional<std::array<int, 2>>
+      frames;  // inclusive range of frames to fit; all but held-out ones
+  // pull of the markers on the cloth while fitting, if attraction_point.linear is not 0: see
+  // docs/model.md
+  bool attract = false;
+
+  // strategy
+  double window = 1.0;      // s; windows hand state and information on; 0 = one window
+  bool polish = true;       // then fit all frames at once, open loop, from where the windows ended
+  int max_iterations = 30;  // of Levenberg-Marquardt, each window and the polish
+  double function_tolerance = 1e-6;  // relative change of the cost at which to stop
+
+  // Throws InputError, naming `place` and the key, where a value is out of range.
+  void Check(const std::string& place) const;
+};
+
+// Defaults for this recording: which parameters are free depends on what it has (ground or none, a
+// known areal density or none).
+FitConfig DefaultConfig(const Recording& recording);
+
+// Reads a config over the defaults: a file may name only what it changes. Throws InputError with
+// file, key, value and what was expected; an unknown key is answered with the nearest right one.
+void ReadConfig(const std::filesystem::path& file, FitConfig* config);
+// The recording that a config file names; empty where it names none.
+std::string ReadConfigRecording(const std::filesystem::path& file);
+
+// The complete config as YAML that reads back the same.
+std::string ConfigToYaml(const FitConfig& config);
+
+// Changes by the command line. `place` is the option, for messages.
+// SetParameter("--set", "air_drag.normal=0.8"), FreeParameter("--free", "gravity.scale"), ...;
+// a term's name stands for all of its parameters. SwitchOff puts a term at its off values and fixes
+// it.
+void SetParameter(const std::string& place, const std::string& assignment, FitConfig* config);
+void FreeParameters(const std::string& place, const std::string& name, bool free,
+                    FitConfig* config);
+void SwitchOff(const std::string& place, const std::string& term, FitConfig* config);
+
+}  // namespace clothfit

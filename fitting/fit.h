@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Fits a simulated cloth to a recording by Levenberg-Marquardt through the differentiated
+// simulation.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fitting/config.h"
+#include "fitting/free_parameters.h"
+#include "fitting/scene.h"
+
+namespace clothfit {
+
+enum class FitStatus {
+  kConverged,     // Levenberg-Marquardt stopped because nothing improves any more
+  kNotConverged,  // it used up its iterations
+  kInterrupted,   // the result is the best so far
+  kFailed,        // the simulation fails already at the start
+};
+std::string ToString(FitStatus status);
+
+// Where a fit stands; can be written to disk and gone on from.
+struct FitCheckpoint {
+  int next_window = 0;    // windows done so far; num_windows when only the polish is left
+  Eigen::VectorXd theta;  // best so far
+  // Information that the windows so far hand on: residuals information * (theta - mean).
+  Eigen::MatrixXd information;
+  Eigen::VectorXd mean;
+};
+
+struct FitProgress {
+  std::string stage;        // "window 3 of 12 (frames 241-360)", "all frames"
+  int iteration = 0;        // of this stage
+  double cost = 0.0;        // half the sum of squared residuals, this stage
+  double marker_rms = 0.0;  // m, of this stage's markers; 0 without any
+  double fraction = 0.0;    // of the whole fit, an estimate
+  int simulations = 0;
+};
+
+struct FitCallbacks {
+  std::function<void(const FitProgress&)> progress;
+  std::function<void(const FitCheckpoint&)> checkpoint;  // after every accepted step
+  std::function<void(const std::string&)> log;           // lines for the log
+  const std::atomic<bool>* stop = nullptr;               // set from outside to end early
+};
+
+// How well one simulation of all frames explains the observations. Open loop: only the handles
+// drive it.
+struct Evaluation {
+  bool complete = false;  // the simulation reached the last frame
+  int frames = 0;         // simulated
+  // Root mean square distance of markers (m) and tracks (px), over the fitted and the held-out
+  // frames; empty where there are none.
+  std::optional<double> marker_rms, held_out_marker_rms, track_rms, held_out_track_rms;
+};
+
+struct ParameterEstimate {
+  std::string name, unit;
+  double value = 0.0, start = 0.0;
+  bool free = false;
+  double lower95 = 0.0, upper95 = 0.0;  // where free
+  bool determined = true;               // by the data, rather than by its prior
+  bool at_bound = false;
+};
+
+struct FitResult {
+  FitStatus status = FitStatus::kFailed;
+  Eigen::VectorXd theta;
+  Eigen::VectorXd parameters;  // all physical ones, in the table's order
+  int iterations = 0;
+  int simulations = 0;            // of any length, counted in whole recordings, rounded up
+  double simulated_frames = 0.0;  // in all, with and without derivatives
+  double seconds = 0.0;
+  double cost_before = 0.0, cost_after = 0.0;  // all fitted frames, open loop, with priors
+  Evaluation before, after;
+  std::vector<ParameterEstimate>
+      estimates;  // every physical parameter, then the other free entries
+  // Plain statements on what the data leave open, one a line.
+  std::vector<std::string> statements;
+  double noise_factor = 1.0;  // residuals over their stated sigmas; above 1 it widens the intervals
+  StepReport steps;           // halvings and the like, summed over the last simulation
+};
+
+// Runs the fit. `resume` goes on from a checkpoint of the same scene and config.
+FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks = {},
+                 const FitCheckpoint* resume = nullptr);
+
+// One open-loop simulation of frames 0 to last_frame. observer(frame, state) is called for every
+// frame. Returns the number of frames reached, last_frame + 1 where all went well.
+int SimulateFrames(const Scene& scene, const FitConfig& config, const FreeParameters& free,
+                   const Eigen::VectorXd& theta, int last_frame,
+                   const std::function<void(int frame, const State& state)>& observer,
+                   StepReport* steps = nullptr);
+
+}  // namespace clothfit

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The vector that a fit moves: physical parameters (log scale where they are positive), control
+// points of unknown handle paths, and offsets of the initial state.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fitting/config.h"
+#include "fitting/scene.h"
+
+namespace clothfit {
+
+struct FreeEntry {
+  enum class Kind { kParameter, kHandle, kInitialPosition, kInitialVelocity };
+  Kind kind;
+  std::string name;  // term.parameter, handle.NAME.x[3], initial.position.z[2], ...
+  std::string unit;
+  bool is_log = false;
+  // Where it acts: index in the table of parameters; or handle, control point and coordinate; or
+  // polynomial and coordinate.
+  int index = 0, control = 0, axis = 0;
+  double lower, upper;        // in the vector's own scale
+  double prior, prior_sigma;  // in the vector's own scale
+};
+
+class FreeParameters {
+ public:
+  FreeParameters(const FitConfig& config, const Scene& scene,
+                 const std::vector<NamedParameter>& table);
+
+  int size() const { return static_cast<int>(entries_.size()); }
+  const std::vector<FreeEntry>& entries() const { return entries_; }
+
+  // The start: the config's values, control points at the handles' initial places, no offsets.
+  const Eigen::VectorXd& start() const { return start_; }
+
+  // All physical parameters, in the table's order, and their derivatives (all x size()).
+  Eigen::VectorXd Values(const Eigen::VectorXd& theta) const;
+  Eigen::MatrixXd ValueDirections(const Eigen::VectorXd& theta) const;
+
+  // Puts the unknown handles' control points into the scene's paths.
+  void ApplyToHandles(const Eigen::VectorXd& theta, std::vector<SceneHandle>* handles) const;
+  // d (position of handle h at a time) / d theta, 3 x size().
+  Eigen::MatrixXd HandleDirections(const std::vector<SceneHandle>& handles, int h,
+                                   double time) const;
+
+  // Initial positions and velocities (3N) and their derivatives (3N x size()).
+  void InitialState(const Eigen::VectorXd& theta, Eigen::VectorXd* x, Eigen::VectorXd* v) const;
+  void InitialDirections(Eigen::MatrixXd* dx, Eigen::MatrixXd* dv) const;
+
+  // Prior residuals (unit variance) and their constant Jacobian: each entry's own prior, and the
+  // smoothness of unknown paths.
+  Eigen::VectorXd PriorResiduals(const Eigen::VectorXd& theta) const;
+  const Eigen::MatrixXd& prior_jacobian() const { return prior_jacobian_; }
+
+  // The value in the entry's unit.
+  double UnitValue(int entry, double theta) const;
+
+ private:
+  void AddParameters(const FitConfig& config, const std::vector<NamedParameter>& table);
+  void AddHandles(const FitConfig& config, const Scene& scene);
+  void AddInitialState(const FitConfig& config, const Scene& scene);
+  void BuildPrior(const FitConfig& config, const Scene& scene);
+
+  std::vector<FreeEntry> entries_;
+  Eigen::VectorXd start_;
+  Eigen::VectorXd values_;   // all physical parameters; free ones are replaced
+  Eigen::VectorXd initial_;  // 3N, m
+  Eigen::MatrixXd modes_;    // N x polynomials
+  Eigen::MatrixXd prior_jacobian_;
+  Eigen::VectorXd prior_target_;  // residuals = jacobian * theta - target
+};
+
+}  // namespace clothfit
