@@ -95,7 +95,9 @@ cv::Mat ImageReader::LoadFromVideo(int frame) {
   const fs::path& file = *FilesOf(recording_, camera_)->video;
   // Seeking is inexact in many containers, so going back means starting anew.
   if (video_ == nullptr || frame < next_frame_) {
-    video_ = std::make_unique<cv::VideoCapture>(file.string());
+    // Not just any backend: some look for cameras on the bus and complain on the terminal.
+    video_ = std::make_unique<cv::VideoCapture>(file.string(), cv::CAP_FFMPEG);
+    if (!video_->isOpened()) video_->open(file.string(), cv::CAP_OPENCV_MJPEG);
     next_frame_ = 0;
   }
   if (!video_->isOpened()) throw InputError(file.string(), "cannot be read as a video");

@@ -25,7 +25,7 @@ fs::path FileNamed(const YamlValue& value, const Recording& recording) {
   if (leaves || *relative.begin() == "truth") {
     value.Fail(fmt::format("'{}' must lie inside the recording and not in truth/", value.Text()));
   }
-  const fs::path file = recording.path / relative;
+  fs::path file = recording.path / relative;
   if (!fs::is_regular_file(file)) value.Fail(fmt::format("no such file: {}", file.string()));
   return file;
 }

@@ -26,7 +26,7 @@ YamlValue YamlValue::Load(const std::filesystem::path& file) {
   } catch (const YAML::Exception& error) {
     throw InputError(file.string() + ": line " + std::to_string(error.mark.line + 1), error.msg);
   }
-  const YamlValue top(std::make_shared<const YAML::Node>(node), file.string(), "");
+  YamlValue top(std::make_shared<const YAML::Node>(node), file.string(), "");
   if (!node.IsMap()) top.Fail("expected a map of keys and values, found " + top.Found());
   return top;
 }
