@@ -71,7 +71,7 @@ std::string DescribeMarkers(const Recording& recording) {
     frames.insert(marker.frame);
     ids.insert(marker.id);
   }
-  return fmt::format("{} of {} points in {}", recording.markers.size(), ids.size(),
+  return fmt::format("{} positions of {} points in {}", recording.markers.size(), ids.size(),
                      Frames(frames, recording));
 }
 
@@ -85,7 +85,7 @@ std::string DescribeTracks(const Recording& recording) {
     cameras.insert(track.camera);
     features.emplace(track.camera, track.id);
   }
-  return fmt::format("{} of {} features of {} cameras in {}", recording.tracks.size(),
+  return fmt::format("{} positions of {} features of {} cameras in {}", recording.tracks.size(),
                      features.size(), cameras.size(), Frames(frames, recording));
 }
 

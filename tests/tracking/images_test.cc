@@ -37,7 +37,7 @@ cv::Mat Grey(int value, int width = kWidth) {
 }
 
 std::string WritePng(const TestFolder& folder, const std::string& name, const cv::Mat& picture) {
-  const std::string file = (folder.path() / name).string();
+  std::string file = (folder.path() / name).string();
   EXPECT_TRUE(cv::imwrite(file, picture));
   return file;
 }

@@ -47,18 +47,18 @@ TEST(DescribeRecording, NamesEverything) {
   for (const char* part :
        {"two-corner-lift", "10 at 30 Hz, 0.33 s", "(0, 0, -9.81) m/s^2", "z = 0 m",
         "1.4 x 1.2 m, 31 x 27 particles, 0.18 kg/m^2; initially flat",
-        "corner_a at (u, v) = (0, 0), path known in 3 of 10 frames (0..4) to 0.004 m, never "
-        "released",
+        "corner_a at (u, v) = (0, 0), path known in 3 of 10 frames (0..4) to 0.004 m",
+        "to 0.004 m, never released",
         "corner_b at (u, v) = (1.4, 0), path unknown, released after frame 7",
-        "3 of 2 points in 3 of 10 frames (0..2)",
-        "3 of 2 features of 2 cameras in 2 of 10 frames (0..5)",
+        "3 positions of 2 points in 3 of 10 frames (0..2)",
+        "3 positions of 2 features of 2 cameras in 2 of 10 frames (0..5)",
         "cam0, 64 x 48 px, with distortion, images in 2 of 10 frames (0..9), background\n",
         "cam1, 64 x 48 px, no distortion, masks in 1 of 10 frames (3..3), held out\n",
         "marker 0.003 m, track 0.6 px, silhouette 1.5 px", "frames 8..9, cameras cam1"}) {
     EXPECT_THAT(text, HasSubstr(part));
     ++checked;
   }
-  EXPECT_EQ(checked, 13);
+  EXPECT_EQ(checked, 14);
 }
 
 TEST(DescribeRecording, SaysWhatIsNotThere) {

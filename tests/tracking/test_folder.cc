@@ -22,7 +22,7 @@ TestFolder::~TestFolder() {
 }
 
 fs::path TestFolder::Write(const std::string& file, const std::string& text) const {
-  const fs::path path = path_ / file;
+  fs::path path = path_ / file;
   fs::create_directories(path.parent_path());
   std::ofstream(path, std::ios::binary) << text;
   return path;
@@ -36,7 +36,7 @@ std::string InputErrorOf(const std::function<void()>& call) {
   try {
     call();
   } catch (const InputError& error) {
-    const std::string text = error.what();
+    std::string text = error.what();
     EXPECT_EQ(text.find('\n'), std::string::npos) << "not one line: " << text;
     return text;
   }
