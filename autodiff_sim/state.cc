@@ -37,6 +37,19 @@ Eigen::MatrixXd Gather(const std::vector<StateLanes>& lanes, int directions,
 Eigen::MatrixXd Sensitivity::x() const { return Gather(lanes_, num_directions(), &StateLanes::x); }
 Eigen::MatrixXd Sensitivity::v() const { return Gather(lanes_, num_directions(), &StateLanes::v); }
 
+void Sensitivity::Move(const Eigen::VectorXd& amounts, State* state) const {
+  for (int c = 0; c < num_directions(); c += kLanes) {
+    const int count = std::min(kLanes, num_directions() - c);
+    const StateLanes& lane = lanes_[c / kLanes];
+    const Eigen::VectorXd part = amounts.segment(c, count);
+    state->x += lane.x.leftCols(count) * part;
+    state->v += lane.v.leftCols(count) * part;
+    state->memory += lane.memory.leftCols(count) * part;
+    state->previous_x += lane.previous_x.leftCols(count) * part;
+    state->previous_v += lane.previous_v.leftCols(count) * part;
+  }
+}
+
 void Sensitivity::SetInitial(const Eigen::MatrixXd& dx, const Eigen::MatrixXd& dv) {
   for (int c = 0; c < num_directions(); c += kLanes) {
     const int count = std::min(kLanes, num_directions() - c);

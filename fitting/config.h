@@ -81,19 +81,24 @@ FitConfig DefaultConfig(const Recording& recording);
 // Reads a config over the defaults: a file may name only what it changes. Throws InputError with
 // file, key, value and what was expected; an unknown key is answered with the nearest right one.
 void ReadConfig(const std::filesystem::path& file, FitConfig* config);
-// The recording that a config file names; empty where it names none.
+// The recording that a config file names, where a relative path starts at the file's folder; empty
+// where it names none.
 std::string ReadConfigRecording(const std::filesystem::path& file);
 
 // The complete config as YAML that reads back the same.
 std::string ConfigToYaml(const FitConfig& config);
 
+// One line a key in which they differ: "strategy.window (1, not 0.5)". Empty where they are equal.
+std::vector<std::string> ConfigDifferences(const FitConfig& config, const FitConfig& other);
+
 // Changes by the command line. `place` is the option, for messages.
 // SetParameter("--set", "air_drag.normal=0.8"), FreeParameter("--free", "gravity.scale"), ...;
 // a term's name stands for all of its parameters. SwitchOff puts a term at its off values and fixes
-// it.
+// it. A value may lie outside its bounds only where it is the off value.
 void SetParameter(const std::string& place, const std::string& assignment, FitConfig* config);
-void FreeParameters(const std::string& place, const std::string& name, bool free,
-                    FitConfig* config);
+void SetFree(const std::string& place, const std::string& name, bool free, FitConfig* config);
 void SwitchOff(const std::string& place, const std::string& term, FitConfig* config);
+// Lets the markers pull at the cloth while fitting, by 1 N/m where the pull is 0.
+void Attract(FitConfig* config);
 
 }  // namespace clothfit

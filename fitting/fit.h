@@ -37,12 +37,12 @@ struct FitCheckpoint {
 };
 
 struct FitProgress {
-  std::string stage;        // "window 3 of 12 (frames 241-360)", "all frames"
-  int iteration = 0;        // of this stage
-  double cost = 0.0;        // half the sum of squared residuals, this stage
-  double marker_rms = 0.0;  // m, of this stage's markers; 0 without any
-  double fraction = 0.0;    // of the whole fit, an estimate
-  int simulations = 0;
+  std::string stage;      // "window 3 of 12 (frames 241-360)", "all frames"
+  int iteration = 0;      // of this stage
+  double cost = 0.0;      // half the sum of squared residuals, this stage
+  double rms = 0.0;       // root mean square of this stage's residuals, in their sigmas
+  double fraction = 0.0;  // of the whole fit, an estimate
+  double simulated_frames = 0.0;
 };
 
 struct FitCallbacks {

@@ -57,6 +57,9 @@ class FreeParameters {
   // smoothness of unknown paths.
   Eigen::VectorXd PriorResiduals(const Eigen::VectorXd& theta) const;
   const Eigen::MatrixXd& prior_jacobian() const { return prior_jacobian_; }
+  // The same as information * (theta - mean), information upper triangular.
+  Eigen::MatrixXd PriorInformation() const;
+  Eigen::VectorXd PriorMean() const;
 
   // The value in the entry's unit.
   double UnitValue(int entry, double theta) const;
@@ -68,6 +71,7 @@ class FreeParameters {
   void BuildPrior(const FitConfig& config, const Scene& scene);
 
   std::vector<FreeEntry> entries_;
+  std::vector<double> starts_;
   Eigen::VectorXd start_;
   Eigen::VectorXd values_;   // all physical parameters; free ones are replaced
   Eigen::VectorXd initial_;  // 3N, m

@@ -4,7 +4,8 @@
 // A recording made ready for the simulation: mesh, handles, observations located on the cloth.
 #pragma once
 
-#include <memory>
+#include <array>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -68,14 +69,16 @@ struct Scene {
   std::vector<MarkerObservation> markers;  // by frame
   std::vector<TrackObservation> tracks;    // by frame
   int steps_per_frame = 1;
-  double step = 0.0;                                               // s
-  double marker_sigma = 0.0, track_sigma = 0.0, path_sigma = 0.0;  // m, px, m
-  std::vector<bool> is_fitted;  // one a frame: may its observations be fitted?
+  double step = 0.0;                             // s
+  double marker_sigma = 0.0, track_sigma = 0.0;  // m, px
+  std::vector<bool> is_fitted;                   // one a frame: may its observations be fitted?
   int last_fitted_frame = 0;
 
   double FrameTime(int frame) const { return frame / recording.frame_rate; }
   std::vector<SurfacePoint> HandlePoints() const;
   bool IsHeldOut(int frame) const;
+  // In a fitted frame and of a camera that is not held out.
+  bool IsFitted(const TrackObservation& track) const;
 };
 
 // Throws InputError where the recording or the config cannot be used.

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Errors over fitted and held-out observations.
+#include "fitting/evaluation.h"
+
+#include <cmath>
+
+namespace clothfit {
+namespace {
+
+// A root mean square that is empty until something is added.
+struct Rms {
+  double sum = 0.0;
+  int count = 0;
+  void Add(double squared) {
+    sum += squared;
+    ++count;
+  }
+  std::optional<double> Value() const {
+    if (count == 0) return std::nullopt;
+    return std::sqrt(sum / count);
+  }
+};
+
+}  // namespace
+
+Evaluation EvaluateScene(const Scene& scene, const FitConfig& config, const FreeParameters& free,
+                         const Eigen::VectorXd& theta) {
+  Rms markers, held_out_markers, tracks, held_out_tracks;
+  std::size_t marker = 0, track = 0;
+  Evaluation evaluation;
+  evaluation.frames = SimulateFrames(
+      scene, config, free, theta, scene.recording.frame_count - 1,
+      [&](int frame, const State& state) {
+        for (; marker < scene.markers.size() && scene.markers[marker].frame == frame; ++marker) {
+          const MarkerObservation& m = scene.markers[marker];
+          const double squared = (m.on_cloth.At(state.x) - m.position).squaredNorm();
+          if (scene.is_fitted[frame]) markers.Add(squared);
+          if (scene.IsHeldOut(frame)) held_out_markers.Add(squared);
+        }
+        for (; track < scene.tracks.size() && scene.tracks[track].frame == frame; ++track) {
+          const TrackObservation& t = scene.tracks[track];
+          const Camera& camera = scene.recording.cameras[t.camera];
+          const Eigen::Vector3d p = t.on_cloth.At(state.x);
+          if (!IsInFront(camera, p)) continue;
+          const double squared = (ProjectPoint(camera, p) - t.pixel).squaredNorm();
+          if (scene.IsFitted(t))
+            tracks.Add(squared);
+          else if (scene.IsHeldOut(frame) || scene.is_fitted[frame])
+            held_out_tracks.Add(squared);
+        }
+      });
+  evaluation.complete = evaluation.frames == scene.recording.frame_count;
+  evaluation.marker_rms = markers.Value();
+  evaluation.track_rms = tracks.Value();
+  // Open loop to the last frame or not at all: a part of the held-out frames would flatter.
+  if (evaluation.complete) {
+    evaluation.held_out_marker_rms = held_out_markers.Value();
+    evaluation.held_out_track_rms = held_out_tracks.Value();
+  }
+  return evaluation;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The fit: windows that hand state and information on, then all frames at once.
+#include "fitting/fit.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+
+#include "fitting/evaluation.h"
+#include "fitting/uncertainty.h"
+#include "fitting/window_cost.h"
+
+namespace clothfit {
+namespace {
+
+using Outcome = WindowSimulator::Outcome;
+
+class Fitter {
+ public:
+  Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks)
+      : scene_(scene),
+        config_(config),
+        callbacks_(callbacks),
+        free_(config, scene, MakeParameterTable()),
+        observations_(scene, config),
+        simulator_(scene, config, free_, false, callbacks.stop),
+        attracting_(scene, config, free_, config.attract, callbacks.stop) {
+    window_frames_ =
+        config.window > 0.0
+            ? std::max(1, static_cast<int>(std::lround(config.window * scene.recording.frame_rate)))
+            : std::max(1, scene.last_fitted_frame);
+    num_windows_ = (std::max(1, scene.last_fitted_frame) + window_frames_ - 1) / window_frames_;
+  }
+
+  FitResult Run(const FitCheckpoint* resume);
+
+ private:
+  // Levenberg-Marquardt on one window and what is known besides. Returns Ceres' summary.
+  ceres::Solver::Summary Minimise(WindowSimulator* simulator, const WindowStart& start, int first,
+                                  int last, const Eigen::MatrixXd& prior,
+                                  const Eigen::VectorXd& offset);
+  void RunWindows();
+  bool RunWindow(int window, WindowStart* start);
+  void Polish();
+  double Cost(const Eigen::VectorXd& theta);
+  void Log(const std::string& line) const {
+    if (callbacks_.log) callbacks_.log(line);
+  }
+  bool Stopped() const { return callbacks_.stop != nullptr && *callbacks_.stop; }
+  void Report(const ceres::IterationSummary& iteration, int rows);
+  void Finish(FitResult* result);
+  void FillEstimates(const Uncertainty& uncertainty, FitResult* result) const;
+
+  const Scene& scene_;
+  const FitConfig& config_;
+  const FitCallbacks& callbacks_;
+  FreeParameters free_;
+  ObservationResiduals observations_;
+  WindowSimulator simulator_, attracting_;
+  int window_frames_ = 0, num_windows_ = 0;
+  FitCheckpoint progress_;
+  std::string stage_;
+  double stage_begin_ = 0.0, stage_share_ = 0.0;  // of the whole fit's work
+  int iterations_ = 0;
+  bool converged_ = false;
+  double noise_ = 1.0;
+};
+
+// Reports iterations and ends the solver when the fit is stopped.
+class IterationReporter : public ceres::IterationCallback {
+ public:
+  explicit IterationReporter(std::function<void(const ceres::IterationSummary&)> report,
+                             const std::atomic<bool>* stop)
+      : report_(std::move(report)), stop_(stop) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    report_(summary);
+    return stop_ != nullptr && *stop_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                      : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  std::function<void(const ceres::IterationSummary&)> report_;
+  const std::atomic<bool>* stop_;
+};
+
+void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
+  if (iteration.step_is_successful && callbacks_.checkpoint) callbacks_.checkpoint(progress_);
+  if (!callbacks_.progress) return;
+  FitProgress progress;
+  progress.stage = stage_;
+  progress.iteration = iteration.iteration;
+  progress.cost = iteration.cost;
+  progress.rms = std::sqrt(2.0 * iteration.cost / std::max(1, rows));
+  constexpr double kExpectedIterations = 8.0;
+  progress.fraction =
+      stage_begin_ + stage_share_ * std::min(1.0, iteration.iteration / kExpectedIterations);
+  progress.simulated_frames = simulator_.simulated_frames() + attracting_.simulated_frames();
+  callbacks_.progress(progress);
+}
+
+ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const WindowStart& start,
+                                        int first, int last, const Eigen::MatrixXd& prior,
+                                        const Eigen::VectorXd& offset) {
+  ceres::Problem problem;
+  double* theta = progress_.theta.data();
+  WindowCost* cost = new WindowCost(simulator, &observations_, &start, free_.size(), first, last);
+  const int rows = cost->num_residuals();
+  problem.AddResidualBlock(cost, nullptr, theta);
+  problem.AddResidualBlock(new LinearCost(prior, offset), nullptr, theta);
+  for (int i = 0; i < free_.size(); ++i) {
+    const FreeEntry& entry = free_.entries()[i];
+    if (std::isfinite(entry.lower)) problem.SetParameterLowerBound(theta, i, entry.lower);
+    if (std::isfinite(entry.upper)) problem.SetParameterUpperBound(theta, i, entry.upper);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = config_.max_iterations;
+  options.function_tolerance = config_.function_tolerance;
+  options.parameter_tolerance = 1e-7;
+  options.initial_trust_region_radius = 100.0;
+  options.max_num_consecutive_invalid_steps = 20;  // a trial whose simulation diverges
+  options.logging_type = ceres::SILENT;
+  options.update_state_every_iteration = true;
+  IterationReporter reporter([&](const ceres::IterationSummary& s) { Report(s, rows); },
+                             callbacks_.stop);
+  options.callbacks.push_back(&reporter);
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  iterations_ += std::max(0, static_cast<int>(summary.iterations.size()) - 1);
+  Log(fmt::format("{}: cost {:.6g} -> {:.6g}, {} iterations, {}", stage_, summary.initial_cost,
+                  summary.final_cost, summary.iterations.size(), summary.message));
+  return summary;
+}
+
+bool Fitter::RunWindow(int window, WindowStart* start) {
+  const int last = std::min(start->frame + window_frames_, scene_.last_fitted_frame);
+  const int first = window == 0 ? 0 : start->frame + 1;
+  stage_ = fmt::format("window {} of {} (frames {}-{})", window + 1, num_windows_, first, last);
+  if (observations_.Count(first, last) > 0) {
+    Minimise(&attracting_, *start, first, last, progress_.information,
+             progress_.information * progress_.mean);
+  }
+  if (Stopped()) return false;
+  Eigen::VectorXd residuals;
+  RowMajorMatrix jacobian;
+  WindowStart end;
+  if (EvaluateWindow(&attracting_, observations_, *start, progress_.theta, first, last, &residuals,
+                     &jacobian, &end) != Outcome::kComplete) {
+    Log(stage_ + ": the simulation does not reach the end of the window; the windows end here");
+    return false;
+  }
+  // What this window knows of theta, at the size that its residuals really have.
+  const double noise2 = std::max(
+      1.0, residuals.squaredNorm() / std::max<double>(1.0, static_cast<double>(residuals.size())));
+  const Eigen::MatrixXd information = jacobian.transpose() * jacobian / noise2 +
+                                      progress_.information.transpose() * progress_.information;
+  progress_.information = information.llt().matrixU();
+  progress_.mean = progress_.theta;
+  progress_.next_window = window + 1;
+  *start = std::move(end);
+  return true;
+}
+
+void Fitter::RunWindows() {
+  WindowStart start = attracting_.FirstStart(progress_.mean);
+  const double total = scene_.last_fitted_frame * (config_.polish ? 2.5 : 1.0);
+  if (progress_.next_window > 0) {  // resumed: back to where the windows had come
+    Eigen::VectorXd residuals;
+    WindowStart end;
+    const int frame = std::min(progress_.next_window * window_frames_, scene_.last_fitted_frame);
+    if (EvaluateWindow(&attracting_, observations_, start, progress_.mean, 0, frame, &residuals,
+                       nullptr, &end) != Outcome::kComplete) {
+      return;
+    }
+    start = std::move(end);
+  }
+  for (int w = progress_.next_window; w < num_windows_ && !Stopped(); ++w) {
+    stage_begin_ = w * window_frames_ / total;
+    stage_share_ = window_frames_ / total;
+    if (!RunWindow(w, &start)) return;
+  }
+}
+
+double Fitter::Cost(const Eigen::VectorXd& theta) {
+  Eigen::VectorXd residuals;
+  const WindowStart start = simulator_.FirstStart(theta);
+  if (EvaluateWindow(&simulator_, observations_, start, theta, 0, scene_.last_fitted_frame,
+                     &residuals, nullptr) != Outcome::kComplete) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return 0.5 * (residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());
+}
+
+void Fitter::Polish() {
+  stage_ = fmt::format("all frames (0-{})", scene_.last_fitted_frame);
+  stage_begin_ = 1.0 - (stage_share_ = num_windows_ > 1 ? 0.6 : 1.0);
+  const Eigen::VectorXd reached = progress_.theta;
+  const double at_reached = Cost(reached), at_start = Cost(free_.start());
+  if (at_start < at_reached) {
+    Log("the windows' result explains all frames worse than the start does; going on from the "
+        "start");
+    progress_.theta = free_.start();
+  }
+  const WindowStart start = simulator_.FirstStart(progress_.theta);
+  const ceres::Solver::Summary summary =
+      Minimise(&simulator_, start, 0, scene_.last_fitted_frame, free_.prior_jacobian(),
+               -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
+  converged_ = summary.termination_type == ceres::CONVERGENCE;
+}
+
+FitResult Fitter::Run(const FitCheckpoint* resume) {
+  const auto begin = std::chrono::steady_clock::now();
+  FitResult result;
+  progress_.theta = free_.start();
+  progress_.information = free_.PriorInformation();
+  progress_.mean = free_.PriorMean();
+  result.before = EvaluateScene(scene_, config_, free_, free_.start());
+  result.cost_before = Cost(free_.start());
+  if (resume != nullptr) progress_ = *resume;
+  if (free_.size() > 0 && (scene_.markers.size() + scene_.tracks.size()) > 0) {
+    const bool in_windows = num_windows_ > 1 || !config_.polish || config_.attract;
+    if (in_windows && progress_.next_window < num_windows_) RunWindows();
+    if (config_.polish && !Stopped()) Polish();
+    if (!config_.polish) converged_ = progress_.next_window == num_windows_;
+  } else {
+    converged_ = true;
+  }
+  Finish(&result);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+void Fitter::Finish(FitResult* result) {
+  result->theta = progress_.theta;
+  result->parameters = free_.Values(result->theta);
+  result->iterations = iterations_;
+  // What follows is short and must be done even after an interruption.
+  WindowSimulator simulator(scene_, config_, free_, false, nullptr);
+  const WindowStart start = simulator.FirstStart(result->theta);
+  Eigen::VectorXd residuals;
+  RowMajorMatrix jacobian;
+  const Outcome outcome = EvaluateWindow(&simulator, observations_, start, result->theta, 0,
+                                         scene_.last_fitted_frame, &residuals, &jacobian);
+  result->steps = simulator.last_report();
+  Uncertainty uncertainty;
+  if (outcome == Outcome::kComplete) {
+    result->cost_after =
+        0.5 * (residuals.squaredNorm() + free_.PriorResiduals(result->theta).squaredNorm());
+    uncertainty = QuantifyUncertainty(free_, residuals, jacobian);
+  } else {
+    result->cost_after = std::numeric_limits<double>::infinity();
+    uncertainty.sigma =
+        Eigen::VectorXd::Constant(free_.size(), std::numeric_limits<double>::quiet_NaN());
+    uncertainty.determined.assign(static_cast<std::size_t>(free_.size()), false);
+    uncertainty.statements.push_back(
+        "the open-loop simulation of all fitted frames diverges at the result");
+  }
+  result->noise_factor = uncertainty.noise_factor;
+  result->statements = uncertainty.statements;
+  FillEstimates(uncertainty, result);
+  result->after = EvaluateScene(scene_, config_, free_, result->theta);
+  result->simulated_frames =
+      simulator_.simulated_frames() + attracting_.simulated_frames() + simulator.simulated_frames();
+  result->simulations =
+      static_cast<int>(std::ceil(result->simulated_frames / std::max(1, scene_.last_fitted_frame)));
+  result->status = Stopped()                            ? FitStatus::kInterrupted
+                   : !std::isfinite(result->cost_after) ? FitStatus::kFailed
+                   : converged_                         ? FitStatus::kConverged
+                                                        : FitStatus::kNotConverged;
+}
+
+void Fitter::FillEstimates(const Uncertainty& uncertainty, FitResult* result) const {
+  constexpr double kTwoSided95 = 1.959964;
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  const Eigen::VectorXd start_values = free_.Values(free_.start());
+  std::vector<ParameterEstimate> others;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    ParameterEstimate estimate;
+    estimate.name = table[i].name;
+    estimate.unit = table[i].parameter.unit;
+    estimate.value = estimate.lower95 = estimate.upper95 =
+        result->parameters[static_cast<Eigen::Index>(i)];
+    estimate.start = start_values[static_cast<Eigen::Index>(i)];
+    result->estimates.push_back(estimate);
+  }
+  for (int i = 0; i < free_.size(); ++i) {
+    const FreeEntry& entry = free_.entries()[i];
+    const bool physical = entry.kind == FreeEntry::Kind::kParameter;
+    ParameterEstimate& estimate = physical ? result->estimates[entry.index] : others.emplace_back();
+    const double theta = result->theta[i], width = kTwoSided95 * uncertainty.sigma[i];
+    estimate.name = entry.name;
+    estimate.unit = entry.unit;
+    estimate.free = true;
+    estimate.value = free_.UnitValue(i, theta);
+    estimate.start = free_.UnitValue(i, free_.start()[i]);
+    estimate.lower95 = free_.UnitValue(i, theta - width);
+    estimate.upper95 = free_.UnitValue(i, theta + width);
+    estimate.determined = uncertainty.determined[i];
+    const double margin = 1e-6 * (entry.upper - entry.lower);
+    estimate.at_bound =
+        std::isfinite(margin) && (theta <= entry.lower + margin || theta >= entry.upper - margin);
+  }
+  result->estimates.insert(result->estimates.end(), others.begin(), others.end());
+}
+
+}  // namespace
+
+std::string ToString(FitStatus status) {
+  switch (status) {
+    case FitStatus::kConverged:
+      return "converged";
+    case FitStatus::kNotConverged:
+      return "not converged";
+    case FitStatus::kInterrupted:
+      return "interrupted";
+    case FitStatus::kFailed:
+      return "failed";
+  }
+  return "unknown";
+}
+
+FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
+                 const FitCheckpoint* resume) {
+  return Fitter(scene, config, callbacks).Run(resume);
+}
+
+int SimulateFrames(const Scene& scene, const FitConfig& config, const FreeParameters& free,
+                   const Eigen::VectorXd& theta, int last_frame,
+                   const std::function<void(int frame, const State& state)>& observer,
+                   StepReport* steps) {
+  WindowSimulator simulator(scene, config, free, false, nullptr);
+  int frames = 0;
+  simulator.Run(simulator.FirstStart(theta), theta, last_frame, false,
+                [&](int frame, const State& state, const Sensitivity*) {
+                  observer(frame, state);
+                  ++frames;
+                });
+  if (steps != nullptr) *steps = simulator.last_report();
+  return frames;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a simulated frame leaves unexplained: markers in metres, tracks in pixels, over their
+// sigmas.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <ceres/loss_function.h>
+
+#include "fitting/scene.h"
+
+namespace clothfit {
+
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+class ObservationResiduals {
+ public:
+  ObservationResiduals(const Scene& scene, const FitConfig& config);
+
+  // Residuals of the fitted observations of one frame: 3 a marker, 2 a track.
+  int Count(int frame) const;
+  // Those of all frames in first..last.
+  int Count(int first, int last) const;
+
+  // Writes the frame's residuals from `row` on and, where `jacobian` is given, their derivatives
+  // along the sensitivity's directions. A robust loss rho acts on each observation: its residuals
+  // are scaled by sqrt(rho(s) / s), s their squared norm, so that the sum of squares is the sum of
+  // rho. Returns false where a tracked point lies behind its camera.
+  bool Evaluate(int frame, const State& state, const Sensitivity* sensitivity, int row,
+                Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const;
+
+ private:
+  template <int kRows>
+  void Store(const Eigen::Matrix<double, kRows, 1>& r,
+             const Eigen::Matrix<double, kRows, 3>& by_point, const SurfacePoint& point,
+             const Sensitivity* sensitivity, int row, Eigen::VectorXd* residuals,
+             RowMajorMatrix* jacobian) const;
+
+  const Scene& scene_;
+  std::unique_ptr<ceres::LossFunction> loss_;
+  std::vector<std::size_t> first_marker_, first_track_;  // by frame, one more than there are frames
+};
+
+}  // namespace clothfit

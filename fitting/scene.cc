@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From a recording to a scene.
+#include "fitting/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <variant>
+
+#include <ceres/cubic_interpolation.h>
+
+#include "autodiff_sim/error.h"
+#include "autodiff_sim/obj_file.h"
+#include "tracking/initial_placement.h"
+
+namespace clothfit {
+namespace {
+
+// Positions frame by frame, with gaps bridged linearly and the ends held.
+std::vector<Eigen::Vector3d> FillGaps(const HandleDescription::Path& path) {
+  std::vector<Eigen::Vector3d> filled(path.size());
+  int last = -1;
+  for (int f = 0; f < static_cast<int>(path.size()); ++f) {
+    if (!path[f]) continue;
+    for (int g = last + 1; g <= f; ++g) {
+      const double share = last < 0 ? 1.0 : static_cast<double>(g - last) / (f - last);
+      filled[g] = last < 0 ? *path[f] : (1.0 - share) * *path[last] + share * *path[f];
+    }
+    last = f;
+  }
+  for (int g = last + 1; last >= 0 && g < static_cast<int>(path.size()); ++g)
+    filled[g] = *path[last];
+  return filled;
+}
+
+void PlaceCloth(const Recording& recording, const FitConfig& config, Scene* scene) {
+  if (const MeshPlacement* mesh = std::get_if<MeshPlacement>(&recording.cloth.initial)) {
+    ObjCloth cloth = ReadObj(mesh->file.string());
+    scene->mesh = std::move(cloth.mesh);
+    scene->initial.resize(3 * scene->mesh.num_particles());
+    for (int i = 0; i < scene->mesh.num_particles(); ++i)
+      scene->initial.segment<3>(3 * i) = cloth.positions[i];
+    return;
+  }
+  std::array<int, 2> resolution = config.resolution;
+  for (int k = 0; k < 2; ++k) {
+    if (resolution[k] == 0) resolution[k] = recording.cloth.resolution[k];
+  }
+  scene->mesh = MakeGrid(recording.cloth.size, resolution);
+  const std::vector<Eigen::Vector3d> positions = InitialPositions(recording, scene->mesh.uv);
+  scene->initial.resize(3 * scene->mesh.num_particles());
+  for (int i = 0; i < scene->mesh.num_particles(); ++i)
+    scene->initial.segment<3>(3 * i) = positions[i];
+}
+
+void AddHandles(const Recording& recording, const FitConfig& config, Scene* scene) {
+  std::vector<Eigen::Vector2d> uv;
+  for (const HandleDescription& handle : recording.handles) uv.push_back(handle.uv);
+  const std::vector<SurfacePoint> points = LocateOnCloth(scene->mesh, uv);
+  const int controls = static_cast<int>(std::ceil(scene->FrameTime(recording.frame_count - 1) /
+                                                  config.spline_spacing)) +
+                       3;
+  for (std::size_t h = 0; h < points.size(); ++h) {
+    const HandleDescription& handle = recording.handles[h];
+    const bool known = handle.path && std::any_of(handle.path->begin(), handle.path->end(),
+                                                  [](const auto& p) { return p.has_value(); });
+    HandlePath path =
+        known ? HandlePath(*handle.path, recording.frame_rate)
+              : HandlePath(points[h].At(scene->initial), controls, config.spline_spacing);
+    const double released = handle.released_after ? scene->FrameTime(*handle.released_after)
+                                                  : std::numeric_limits<double>::infinity();
+    scene->handles.push_back({handle.name, points[h], std::move(path), released});
+  }
+}
+
+void AddObservations(const Recording& recording, const FitConfig& config, Scene* scene) {
+  std::vector<Eigen::Vector2d> uv;
+  if (config.use_markers) {
+    for (const Marker& m : recording.markers) uv.push_back(m.uv);
+    const std::vector<SurfacePoint> points = LocateOnCloth(scene->mesh, uv);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Marker& m = recording.markers[i];
+      scene->markers.push_back({m.frame, m.id, points[i], m.position});
+    }
+  }
+  if (config.use_tracks) {
+    uv.clear();
+    for (const Track& t : recording.tracks) uv.push_back(t.uv);
+    const std::vector<SurfacePoint> points = LocateOnCloth(scene->mesh, uv);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Track& t = recording.tracks[i];
+      scene->tracks.push_back({t.frame, t.camera, t.id, points[i], t.pixel});
+    }
+  }
+  const auto by_frame = [](const auto& a, const auto& b) { return a.frame < b.frame; };
+  std::stable_sort(scene->markers.begin(), scene->markers.end(), by_frame);
+  std::stable_sort(scene->tracks.begin(), scene->tracks.end(), by_frame);
+}
+
+void ChooseFrames(const Recording& recording, const FitConfig& config, Scene* scene) {
+  if (config.frames && ((*config.frames)[0] < 0 || (*config.frames)[1] >= recording.frame_count ||
+                        (*config.frames)[0] > (*config.frames)[1])) {
+    throw InputError("frames", "[" + std::to_string((*config.frames)[0]) + ", " +
+                                   std::to_string((*config.frames)[1]) +
+                                   "]; expected first <= last within 0 to " +
+                                   std::to_string(recording.frame_count - 1));
+  }
+  for (int f = 0; f < recording.frame_count; ++f) {
+    const bool chosen = !config.frames || (f >= (*config.frames)[0] && f <= (*config.frames)[1]);
+    scene->is_fitted.push_back(chosen && !scene->IsHeldOut(f));
+  }
+  for (const MarkerObservation& m : scene->markers) {
+    if (scene->is_fitted[m.frame])
+      scene->last_fitted_frame = std::max(scene->last_fitted_frame, m.frame);
+  }
+  for (const TrackObservation& t : scene->tracks) {
+    if (scene->IsFitted(t)) scene->last_fitted_frame = std::max(scene->last_fitted_frame, t.frame);
+  }
+}
+
+}  // namespace
+
+HandlePath::HandlePath(const HandleDescription::Path& path, double frame_rate)
+    : points_(FillGaps(path)), frame_rate_(frame_rate) {}
+
+HandlePath::HandlePath(const Eigen::Vector3d& start, int count, double spacing)
+    : points_(static_cast<std::size_t>(count), start), spacing_(spacing) {}
+
+void HandlePath::Weights(double time, int* first, std::array<double, 4>* weights) const {
+  const double s = std::max(0.0, time / spacing_);
+  *first = std::clamp(static_cast<int>(s), 0, num_controls() - 4);
+  const double t = std::min(s - *first, 1.0), r = 1.0 - t;
+  *weights = {r * r * r / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0,
+              (3.0 * r * r * r - 6.0 * r * r + 4.0) / 6.0, t * t * t / 6.0};
+}
+
+Eigen::Vector3d HandlePath::At(double time) const {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  if (is_known()) {
+    const ceres::Grid1D<double, 3> grid(points_.front().data(), 0,
+                                        static_cast<int>(points_.size()));
+    ceres::CubicInterpolator<ceres::Grid1D<double, 3>>(grid).Evaluate(time * frame_rate_,
+                                                                      position.data());
+    return position;
+  }
+  int first = 0;
+  std::array<double, 4> weights;
+  Weights(time, &first, &weights);
+  for (int k = 0; k < 4; ++k) position += weights[k] * points_[first + k];
+  return position;
+}
+
+std::vector<SurfacePoint> Scene::HandlePoints() const {
+  std::vector<SurfacePoint> points;
+  for (const SceneHandle& handle : handles) points.push_back(handle.on_cloth);
+  return points;
+}
+
+bool Scene::IsHeldOut(int frame) const {
+  const auto& range = recording.splits.held_out_frames;
+  return range && frame >= range->first && frame <= range->last;
+}
+
+bool Scene::IsFitted(const TrackObservation& track) const {
+  const std::vector<std::string>& held_out = recording.splits.held_out_cameras;
+  return is_fitted[track.frame] &&
+         std::find(held_out.begin(), held_out.end(), recording.cameras[track.camera].name) ==
+             held_out.end();
+}
+
+Scene MakeScene(const Recording& recording, const FitConfig& config) {
+  Scene scene;
+  scene.recording = recording;
+  scene.world.gravity = recording.gravity;
+  scene.world.ground_height = recording.ground_height;
+  scene.steps_per_frame = std::max(
+      1, static_cast<int>(std::ceil(1.0 / (recording.frame_rate * config.max_step) - 1e-9)));
+  scene.step = 1.0 / (recording.frame_rate * scene.steps_per_frame);
+  scene.marker_sigma = recording.noise.marker.value_or(kDefaultMarkerSigma);
+  scene.track_sigma = recording.noise.track.value_or(kDefaultTrackSigma);
+  PlaceCloth(recording, config, &scene);
+  AddHandles(recording, config, &scene);
+  AddObservations(recording, config, &scene);
+  ChooseFrames(recording, config, &scene);
+  return scene;
+}
+
+}  // namespace clothfit

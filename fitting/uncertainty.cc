@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Covariance, and undetermined directions in words.
+#include "fitting/uncertainty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <ceres/covariance.h>
+#include <ceres/problem.h>
+#include <fmt/format.h>
+
+#include "fitting/window_cost.h"
+
+namespace clothfit {
+namespace {
+
+// Ceres' covariance of the problem with constant Jacobians `data` and `prior`.
+Eigen::MatrixXd Covariance(const Eigen::MatrixXd& data, const Eigen::MatrixXd& prior) {
+  const int n = static_cast<int>(prior.cols());
+  std::vector<double> theta(static_cast<std::size_t>(n), 0.0);
+  ceres::Problem problem;
+  if (data.rows() > 0) {
+    problem.AddResidualBlock(new LinearCost(data, Eigen::VectorXd::Zero(data.rows())), nullptr,
+                             theta.data());
+  }
+  problem.AddResidualBlock(new LinearCost(prior, Eigen::VectorXd::Zero(prior.rows())), nullptr,
+                           theta.data());
+  ceres::Covariance::Options options;
+  options.algorithm_type = ceres::DENSE_SVD;
+  options.null_space_rank =
+      -1;  // what nothing determines gets no variance rather than an infinite one
+  ceres::Covariance covariance(options);
+  RowMajorMatrix result = RowMajorMatrix::Zero(n, n);
+  const std::vector<std::pair<const double*, const double*>> blocks = {
+      {theta.data(), theta.data()}};
+  if (!covariance.Compute(blocks, &problem)) return Eigen::MatrixXd::Constant(n, n, NAN);
+  covariance.GetCovarianceBlock(theta.data(), theta.data(), result.data());
+  return result;
+}
+
+// A sparse basis of the rows' span, by elimination with full pivoting: directions that can be said.
+Eigen::MatrixXd SparseBasis(Eigen::MatrixXd rows) {
+  for (Eigen::Index r = 0; r < rows.rows(); ++r) {
+    Eigen::Index i = 0, j = 0;
+    rows.bottomRows(rows.rows() - r).cwiseAbs().maxCoeff(&i, &j);
+    rows.row(r).swap(rows.row(r + i));
+    rows.row(r) /= rows(r, j);
+    for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+      if (k != r) rows.row(k) -= rows(k, j) * rows.row(r);
+    }
+  }
+  return rows;
+}
+
+// One undetermined direction in words. `direction` is in the free vector's scale, `share` in the
+// priors'.
+std::string Describe(const std::vector<FreeEntry>& entries, const Eigen::VectorXd& direction,
+                     const Eigen::VectorXd& share) {
+  constexpr double kNegligible = 0.05;
+  std::vector<int> parts;
+  for (int i = 0; i < direction.size(); ++i) {
+    if (std::abs(share[i]) > kNegligible * share.cwiseAbs().maxCoeff()) parts.push_back(i);
+  }
+  if (parts.size() == 1) {
+    return fmt::format("{} is not determined by the recording; it stays at its prior",
+                       entries[parts[0]].name);
+  }
+  double largest = 0.0;
+  for (const int i : parts) largest = std::max(largest, std::abs(direction[i]));
+  bool all_log = true, all_alike = true;
+  for (const int i : parts) {
+    all_log = all_log && entries[i].is_log;
+    all_alike = all_alike && std::abs(direction[i] / direction[parts[0]] - 1.0) < 0.2;
+  }
+  std::string names;
+  if (all_log && all_alike) {
+    for (const int i : parts) names += (names.empty() ? "" : ", ") + entries[i].name;
+    return fmt::format(
+        "only the ratios of {} are determined by the recording: all of them times one factor give "
+        "the same motion; that factor is held at the priors",
+        names);
+  }
+  for (const int i : parts) {
+    names += fmt::format("{}{:+.2f} {}{}", names.empty() ? "" : " ", direction[i] / largest,
+                         entries[i].is_log ? "log " : "", entries[i].name);
+  }
+  return fmt::format(
+      "the combination {} is not determined by the recording; it is held at the priors", names);
+}
+
+}  // namespace
+
+Uncertainty QuantifyUncertainty(const FreeParameters& free, const Eigen::VectorXd& residuals,
+                                const RowMajorMatrix& jacobian) {
+  Uncertainty result;
+  const int n = free.size();
+  const double spare = static_cast<double>(std::max<Eigen::Index>(1, residuals.size() - n));
+  result.noise_factor = std::max(1.0, std::sqrt(residuals.squaredNorm() / spare));
+  const Eigen::MatrixXd covariance =
+      Covariance(jacobian / result.noise_factor, free.prior_jacobian());
+  result.sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  std::vector<int> physical;
+  for (int i = 0; i < n; ++i) {
+    const FreeEntry& entry = free.entries()[i];
+    constexpr double kLearned = 0.5;  // of the prior's variance
+    result.determined.push_back(result.sigma[i] * result.sigma[i] <
+                                kLearned * entry.prior_sigma * entry.prior_sigma);
+    if (entry.kind == FreeEntry::Kind::kParameter) physical.push_back(i);
+  }
+  const int m = static_cast<int>(physical.size());
+  if (m == 0) return result;
+  // The marginal posterior covariance in units of the priors: eigenvalues 1 / (1 + s^2), s the
+  // singular values of the Jacobian with the other entries projected out.
+  Eigen::MatrixXd shrinkage(m, m);
+  std::vector<FreeEntry> entries;
+  for (int a = 0; a < m; ++a) {
+    entries.push_back(free.entries()[physical[a]]);
+    for (int b = 0; b < m; ++b) {
+      shrinkage(a, b) =
+          covariance(physical[a], physical[b]) /
+          (free.entries()[physical[a]].prior_sigma * free.entries()[physical[b]].prior_sigma);
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(shrinkage);
+  const int open = static_cast<int>((eigen.eigenvalues().array() > 0.5).count());  // s < 1
+  const Eigen::MatrixXd basis = SparseBasis(eigen.eigenvectors().rightCols(open).transpose());
+  for (int k = 0; k < open; ++k) {
+    Eigen::VectorXd direction = basis.row(k).transpose();
+    for (int a = 0; a < m; ++a) direction[a] *= entries[a].prior_sigma;
+    result.statements.push_back(Describe(entries, direction, basis.row(k).transpose()));
+  }
+  return result;
+}
+
+}  // namespace clothfit

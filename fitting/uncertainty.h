@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the data determine, and how well.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fitting/free_parameters.h"
+#include "fitting/observation_residuals.h"
+
+namespace clothfit {
+
+struct Uncertainty {
+  Eigen::VectorXd sigma;         // one a free entry, in the free vector's scale
+  std::vector<bool> determined;  // by the data: the posterior variance is below half of the prior's
+  double noise_factor = 1.0;  // residuals over stated sigmas, at least 1; the intervals contain it
+  std::vector<std::string> statements;  // the directions that the data leave to the prior, in words
+};
+
+// From the observations' residuals and Jacobian at the solution and the priors. The covariance is
+// Ceres', of the linearised problem. The undetermined directions are those of the physical
+// parameters along which the singular values of the Jacobian, in units of the priors' sigmas and
+// with every other free entry projected out, are below 1: there the prior knows more than the data.
+Uncertainty QuantifyUncertainty(const FreeParameters& free, const Eigen::VectorXd& residuals,
+                                const RowMajorMatrix& jacobian);
+
+}  // namespace clothfit

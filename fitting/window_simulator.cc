@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One stretch of simulation.
+#include "fitting/window_simulator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clothfit {
+namespace {
+
+SimulationOptions StepOptions(const FitConfig& config) {
+  SimulationOptions options;
+  options.integrator = config.integrator;
+  options.tolerance = config.tolerance;
+  return options;
+}
+
+}  // namespace
+
+WindowSimulator::WindowSimulator(const Scene& scene, const FitConfig& config,
+                                 const FreeParameters& free, bool attract,
+                                 const std::atomic<bool>* stop)
+    : scene_(scene),
+      free_(free),
+      attract_(attract),
+      stop_(stop),
+      simulation_(scene.mesh, scene.world, scene.HandlePoints(), StepOptions(config)),
+      handles_(scene.handles) {}
+
+WindowStart WindowSimulator::FirstStart(const Eigen::VectorXd& theta) const {
+  WindowStart start;
+  Eigen::VectorXd x, v;
+  free_.InitialState(theta, &x, &v);
+  start.state = simulation_.MakeState(x);
+  start.state.v = v;
+  start.theta = theta;
+  start.sensitivity = Sensitivity(start.state, free_.ValueDirections(theta));
+  Eigen::MatrixXd dx, dv;
+  free_.InitialDirections(&dx, &dv);
+  start.sensitivity.SetInitial(dx, dv);
+  return start;
+}
+
+StepInputs WindowSimulator::Inputs(double time, bool with_directions) const {
+  StepInputs inputs;
+  std::vector<int> held;
+  for (std::size_t h = 0; h < handles_.size(); ++h) {
+    // A hair's breadth, so that rounding does not decide about the frame of the release itself.
+    if (time > handles_[h].released_after + 1e-9) continue;
+    inputs.handles.push_back({handles_[h].on_cloth, handles_[h].path.At(time)});
+    held.push_back(static_cast<int>(h));
+  }
+  if (attract_) {
+    const int frame = static_cast<int>(std::ceil(time * scene_.recording.frame_rate - 1e-6));
+    const auto by_frame = [](const MarkerObservation& m, int f) { return m.frame < f; };
+    auto marker = std::lower_bound(scene_.markers.begin(), scene_.markers.end(), frame, by_frame);
+    for (; marker != scene_.markers.end() && marker->frame == frame && scene_.is_fitted[frame];
+         ++marker) {
+      inputs.points.push_back({marker->on_cloth, marker->position});
+    }
+  }
+  if (with_directions) {
+    bool any = false;
+    for (const int h : held) any = any || !handles_[h].path.is_known();
+    if (any) {
+      inputs.directions.setZero(inputs.num_rows(), free_.size());
+      for (std::size_t k = 0; k < held.size(); ++k) {
+        inputs.directions.middleRows<3>(3 * static_cast<Eigen::Index>(k)) =
+            free_.HandleDirections(handles_, held[k], time);
+      }
+    }
+  }
+  return inputs;
+}
+
+WindowSimulator::Outcome WindowSimulator::Run(const WindowStart& start,
+                                              const Eigen::VectorXd& theta, int last_frame,
+                                              bool derivatives, const Observer& observer,
+                                              WindowStart* end) {
+  report_ = {};
+  if (!theta.allFinite()) return Outcome::kDiverged;
+  simulation_.SetParameters(free_.Values(theta));
+  simulation_.Reset();  // the same numbers whatever was simulated before
+  free_.ApplyToHandles(theta, &handles_);
+  State state = start.state;
+  start.sensitivity.Move(theta - start.theta, &state);
+  Sensitivity sensitivity;
+  if (derivatives) {
+    sensitivity = start.sensitivity;
+    sensitivity.SetParameters(free_.ValueDirections(theta));
+  }
+  const Drive drive = [this](double time, bool with_directions) {
+    return Inputs(time, with_directions);
+  };
+  observer(start.frame, state, derivatives ? &sensitivity : nullptr);
+  for (int frame = start.frame + 1; frame <= last_frame; ++frame) {
+    if (stop_ != nullptr && *stop_) return Outcome::kStopped;
+    for (int k = 0; k < scene_.steps_per_frame; ++k) {
+      report_ +=
+          simulation_.Advance(scene_.step, drive, &state, derivatives ? &sensitivity : nullptr);
+      if (report_.status != StepStatus::kConverged || !state.x.allFinite())
+        return Outcome::kDiverged;
+    }
+    state.time = scene_.FrameTime(frame);
+    simulated_frames_ += 1.0;
+    observer(frame, state, derivatives ? &sensitivity : nullptr);
+  }
+  if (end != nullptr) *end = {last_frame, std::move(state), std::move(sensitivity), theta};
+  return Outcome::kComplete;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Simulates stretches of a scene for given free parameters, with derivatives.
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "autodiff_sim/simulation.h"
+#include "fitting/free_parameters.h"
+#include "fitting/scene.h"
+
+namespace clothfit {
+
+// A state at a frame, as a function of theta to first order around the theta it was reached with.
+struct WindowStart {
+  int frame = 0;
+  State state;
+  Sensitivity sensitivity;  // directions = the free vector
+  Eigen::VectorXd theta;
+};
+
+class WindowSimulator {
+ public:
+  enum class Outcome { kComplete, kDiverged, kStopped };
+  // Called for a window's every frame; `sensitivity` is null without derivatives.
+  using Observer =
+      std::function<void(int frame, const State& state, const Sensitivity* sensitivity)>;
+
+  // attract: fitted markers pull on the cloth with attraction_point.* while it is simulated.
+  WindowSimulator(const Scene& scene, const FitConfig& config, const FreeParameters& free,
+                  bool attract, const std::atomic<bool>* stop);
+
+  // The start of the recording.
+  WindowStart FirstStart(const Eigen::VectorXd& theta) const;
+
+  // Simulates the frames after start.frame up to last_frame, calling observer(start.frame, ...)
+  // first. `end`, where given, gets the state at last_frame to go on from (with derivatives only).
+  Outcome Run(const WindowStart& start, const Eigen::VectorXd& theta, int last_frame,
+              bool derivatives, const Observer& observer, WindowStart* end = nullptr);
+
+  const Simulation& simulation() const { return simulation_; }
+  double simulated_frames() const { return simulated_frames_; }
+  const StepReport& last_report() const { return report_; }
+
+ private:
+  StepInputs Inputs(double time, bool with_directions) const;
+
+  const Scene& scene_;
+  const FreeParameters& free_;
+  bool attract_;
+  const std::atomic<bool>* stop_;
+  Simulation simulation_;
+  std::vector<SceneHandle> handles_;
+  double simulated_frames_ = 0.0;
+  StepReport report_;
+};
+
+}  // namespace clothfit
