@@ -57,10 +57,13 @@ struct GroundContact {
     const T depth = distance - (in.x[0].z() - element.height);
     if (Value(depth) <= 0.0) return;
     // The damping grows with the depth, so that it too sets in without a jump.
-    const T push = element.area * (in.parameter[0] * depth * depth / distance -
-                                   in.parameter[2] * depth * in.v[0].z());
-    const T normal_force =
-        Value(push) > 0.0 ? push : T(0.0);  // the ground does not hold the cloth down
+    const T elastic = element.area * in.parameter[0] * depth * depth / distance;
+    const T viscous = -element.area * in.parameter[2] * depth * in.v[0].z();
+    // The ground does not hold the cloth down. Without stiffness the derivatives are those of
+    // switching it on, and damping by itself only brakes what sinks in.
+    const bool pushes = Value(elastic) + Value(viscous) >= 0.0;
+    const bool brakes = Value(elastic) > 0.0 || Value(in.v[0].z()) < 0.0;
+    const T normal_force = !pushes ? T(0.0) : brakes ? elastic + viscous : elastic;
     const T &vx = in.v[0].x(), &vy = in.v[0].y();
     const T speed = sqrt(vx * vx + vy * vy + in.parameter[4] * in.parameter[4]);
     const T drag = in.parameter[1] * normal_force / speed;

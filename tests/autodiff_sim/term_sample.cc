@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The scenes that force terms are sampled in.
+#include "tests/autodiff_sim/term_sample.h"
+
+#include <cmath>
+
+namespace clothfit {
+namespace {
+
+constexpr double kEdge = 0.02;  // m
+
+Eigen::Vector3d RandomVector(double size, std::mt19937* random) {
+  std::uniform_real_distribution<double> one(-size, size);
+  const double x = one(*random), y = one(*random), z = one(*random);
+  return {x, y, z};
+}
+
+// Folds the cloth about the line u = 2 edges by this angle.
+void Fold(double angle, const ClothMesh& mesh, Eigen::VectorXd* x) {
+  for (int i = 0; i < mesh.num_particles(); ++i) {
+    const double beyond = mesh.uv[i].x() - 2.0 * kEdge;
+    if (beyond <= 0.0) continue;
+    (*x)[3 * i] += beyond * (std::cos(angle) - 1.0);
+    (*x)[3 * i + 2] += beyond * std::sin(angle);
+  }
+}
+
+// Targets at a distance (m) from points of the surface as they lie in space.
+StepInputs Targets(const TermScene& scene, double distance, std::mt19937* random) {
+  StepInputs inputs;
+  const std::vector<Eigen::Vector2d> uv = {{0.013, 0.017}, {0.041, 0.033}, {0.02, 0.04}};
+  for (const SurfacePoint& on_cloth : LocateOnCloth(scene.mesh, uv)) {
+    const Eigen::Vector3d place = on_cloth.At(scene.x);
+    const Eigen::Vector3d away = RandomVector(1.0, random).normalized();
+    inputs.points.push_back({on_cloth, place + distance * away});
+    const Eigen::Vector3d direction = RandomVector(1.0, random).cross(away).normalized();
+    const Eigen::Vector3d on_ray = place + distance * away + 0.7 * direction;
+    inputs.rays.push_back({on_cloth, direction, on_ray.cross(direction)});
+  }
+  return inputs;
+}
+
+}  // namespace
+
+std::vector<TermScene> MakeTermScenes() {
+  struct Shape {
+    const char* name;
+    double noise;   // of the positions, edges
+    double fold;    // degrees
+    double height;  // m, of the cloth above the ground
+    double speed, distance;
+  };
+  // Noise of the heights stays below the contact distance where the cloth touches the ground.
+  constexpr std::array<Shape, 9> kShapes = {{{"flat, near", 0.0, 0.0, 0.5, 0.3, 1e-3},
+                                             {"wavy, slow", 0.02, 0.0, 0.5, 1e-4, 5e-3},
+                                             {"crumpled", 0.25, 0.0, 0.5, 1.0, 0.1},
+                                             {"folded by 90 degrees", 0.02, 90.0, 0.3, 0.5, 0.5},
+                                             {"folded by -90 degrees", 0.02, -90.0, 0.3, 0.5, 0.02},
+                                             {"folded by 170 degrees", 0.01, 170.0, 0.3, 3.0, 0.3},
+                                             {"sliding on the ground", 0.02, 0.0, 8e-4, 1.0, 0.05},
+                                             {"sticking to it", 0.02, 0.0, 8e-4, 1e-4, 0.01},
+                                             {"beneath it", 0.02, 0.0, -3e-3, 0.02, 2e-3}}};
+  std::vector<TermScene> scenes;
+  std::mt19937 random(20260);
+  for (const Shape& shape : kShapes) {
+    TermScene scene;
+    scene.name = shape.name;
+    scene.mesh = MakeGrid({4 * kEdge, 3 * kEdge}, {5, 4});
+    scene.topology = BuildTopology(scene.mesh);
+    scene.world.ground_height = 0.0;
+    scene.speed = shape.speed;
+    scene.x = LayFlat(scene.mesh, {0.1, -0.05, shape.height}, Eigen::Vector3d::UnitX(),
+                      Eigen::Vector3d::UnitY());
+    scene.v.resize(scene.x.size());
+    Fold(shape.fold * M_PI / 180.0, scene.mesh, &scene.x);
+    for (int i = 0; i < scene.mesh.num_particles(); ++i) {
+      scene.x.segment<3>(3 * i) += RandomVector(shape.noise * kEdge, &random);
+      scene.v.segment<3>(3 * i) = RandomVector(shape.speed, &random);
+    }
+    scene.inputs = Targets(scene, shape.distance, &random);
+    scenes.push_back(scene);
+  }
+  return scenes;
+}
+
+TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
+                const Eigen::Vector3d& shift) {
+  TermScene moved = scene;
+  moved.world.gravity = rotation * scene.world.gravity;
+  for (int i = 0; i < scene.mesh.num_particles(); ++i) {
+    moved.x.segment<3>(3 * i) = rotation * scene.x.segment<3>(3 * i) + shift;
+    moved.v.segment<3>(3 * i) = rotation * scene.v.segment<3>(3 * i);
+  }
+  for (PointTarget& target : moved.inputs.points)
+    target.position = rotation * target.position + shift;
+  for (RayTarget& ray : moved.inputs.rays) {
+    ray.direction = rotation * ray.direction;
+    ray.moment = rotation * ray.moment + shift.cross(ray.direction);
+  }
+  return moved;
+}
+
+}  // namespace clothfit

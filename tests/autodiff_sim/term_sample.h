@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Samples of any force term: its elements on a small cloth in many shapes, and what acts on them,
+// as one vector of numbers: x, v (3 a node each), parameters, areal density, inputs, memory.
+#pragma once
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include <ceres/jet.h>
+
+#include "autodiff_sim/term.h"
+#include "tests/support/scenes.h"
+
+namespace clothfit {
+
+// A cloth in one of several regimes, in its world.
+struct TermScene {
+  std::string name;
+  ClothMesh mesh;
+  ClothTopology topology;
+  World world;
+  StepInputs inputs;
+  Eigen::VectorXd x, v;
+  double speed;  // m/s, typical of v
+};
+
+// The same for every call: flat, wavy, crumpled and folded cloths; far above the ground, in touch
+// with it and beneath it; slow (sticking) and fast (sliding); targets near and far.
+std::vector<TermScene> MakeTermScenes();
+
+// The scene turned about the origin and moved: the cloth, the inputs and gravity, not the ground.
+TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
+                const Eigen::Vector3d& shift);
+
+template <class Term>
+struct TermLayout {
+  static constexpr int kX = 0;
+  static constexpr int kV = 3 * Term::kNodes;
+  static constexpr int kParameter = 6 * Term::kNodes;
+  static constexpr int kDensity = kParameter + static_cast<int>(Term::kParameters.size());
+  static constexpr int kInput = kDensity + 1;
+  static constexpr int kMemory = kInput + Term::kInputs;
+  static constexpr int kSize = kMemory + Term::kMemory;
+  static constexpr int kForces = 3 * Term::kNodes;
+  static constexpr int kOutputs = kForces + Term::kMemory;
+};
+
+template <class T>
+using VectorX = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+
+// All outputs of an element, forces then memory, from all its numbers.
+template <class Term, class T>
+VectorX<T> EvaluateTerm(const typename Term::Element& element, const VectorX<T>& numbers) {
+  using Layout = TermLayout<Term>;
+  ElementInput<Term, T> in;
+  ElementOutput<Term, T> out;
+  in.time = 0.25;
+  for (int n = 0; n < Term::kNodes; ++n) {
+    for (int k = 0; k < 3; ++k) {
+      in.x[n][k] = numbers[Layout::kX + 3 * n + k];
+      in.v[n][k] = numbers[Layout::kV + 3 * n + k];
+      out.force[n][k] = T(0.0);
+    }
+  }
+  for (int i = 0; i < Layout::kDensity - Layout::kParameter; ++i)
+    in.parameter[i] = numbers[Layout::kParameter + i];
+  in.areal_density = numbers[Layout::kDensity];
+  for (int i = 0; i < Term::kInputs; ++i) in.input[i] = numbers[Layout::kInput + i];
+  for (int i = 0; i < Term::kMemory; ++i) out.memory[i] = numbers[Layout::kMemory + i];
+  Term::template AddForce<T>(element, in, &out);
+  VectorX<T> result(Layout::kOutputs);
+  for (int i = 0; i < Layout::kForces; ++i) result[i] = out.force[i / 3][i % 3];
+  for (int i = 0; i < Term::kMemory; ++i) result[Layout::kForces + i] = out.memory[i];
+  return result;
+}
+
+// Column `column` of the Jacobian of EvaluateTerm, by Jets.
+template <class Term>
+Eigen::VectorXd DifferentiateTerm(const typename Term::Element& element,
+                                  const Eigen::VectorXd& numbers, int column) {
+  using Jet = ceres::Jet<double, 1>;
+  VectorX<Jet> jets(numbers.size());
+  for (int i = 0; i < numbers.size(); ++i) jets[i] = Jet(numbers[i]);
+  jets[column].v[0] = 1.0;
+  const VectorX<Jet> result = EvaluateTerm<Term, Jet>(element, jets);
+  Eigen::VectorXd derivative(result.size());
+  for (int i = 0; i < result.size(); ++i) derivative[i] = result[i].v[0];
+  return derivative;
+}
+
+// All numbers of an element in a scene, with these parameters and areal density.
+template <class Term>
+Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const TermScene& scene,
+                               const Eigen::VectorXd& parameters) {
+  using Layout = TermLayout<Term>;
+  Eigen::VectorXd numbers = Eigen::VectorXd::Zero(Layout::kSize);
+  for (int n = 0; n < Term::kNodes; ++n) {
+    numbers.segment<3>(Layout::kX + 3 * n) = scene.x.segment<3>(3 * element.nodes[n]);
+    numbers.segment<3>(Layout::kV + 3 * n) = scene.v.segment<3>(3 * element.nodes[n]);
+  }
+  numbers.segment(Layout::kParameter, parameters.size()) = parameters;
+  numbers[Layout::kDensity] = 0.15;
+  if constexpr (Term::kInputs > 0) {
+    for (int i = 0; i < Term::kInputs; ++i) numbers[Layout::kInput + i] = element.input[i];
+  }
+  for (int i = 0; i < Term::kMemory; ++i) numbers[Layout::kMemory + i] = 0.01 * (i + 1);
+  return numbers;
+}
+
+template <class Term>
+std::vector<typename Term::Element> SceneElements(const TermScene& scene) {
+  return Term::Elements({scene.mesh, scene.topology, scene.world, &scene.inputs});
+}
+
+// Parameters at random within their bounds: evenly for kLinear, evenly in the logarithm for kLog.
+template <class Term>
+Eigen::VectorXd RandomParameters(std::mt19937* random) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(Term::kParameters.size()));
+  for (int i = 0; i < values.size(); ++i) {
+    const Parameter& p = Term::kParameters[i];
+    const double share = std::uniform_real_distribution<double>(0.05, 0.95)(*random);
+    values[i] = p.scale == Scale::kLog ? p.lower * std::pow(p.upper / p.lower, share)
+                                       : p.lower + share * (p.upper - p.lower);
+  }
+  return values;
+}
+
+template <class Term>
+Eigen::VectorXd OffParameters() {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(Term::kParameters.size()));
+  for (int i = 0; i < values.size(); ++i) values[i] = Term::kParameters[i].off;
+  return values;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The scenes' geometry and motion.
+#include "tests/support/scenes.h"
+
+#include <cmath>
+
+namespace clothfit {
+
+Drive Scene::MakeDrive() const {
+  return [points = handles, path = path](double time, bool) {
+    StepInputs inputs;
+    if (points.empty()) return inputs;
+    const std::vector<Eigen::Vector3d> places = path(time);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      inputs.handles.push_back({points[i], places[i]});
+    return inputs;
+  };
+}
+
+Drive FreeDrive() {
+  return [](double, bool) { return StepInputs(); };
+}
+
+Eigen::VectorXd LayFlat(const ClothMesh& mesh, const Eigen::Vector3d& origin,
+                        const Eigen::Vector3d& along, const Eigen::Vector3d& across) {
+  Eigen::VectorXd x(3 * mesh.num_particles());
+  for (int i = 0; i < mesh.num_particles(); ++i) {
+    x.segment<3>(3 * i) = origin + mesh.uv[i].x() * along + mesh.uv[i].y() * across;
+  }
+  return x;
+}
+
+Scene SwingingCloth(int n, double side) {
+  Scene scene;
+  scene.mesh = MakeGrid({side, side}, {n, n});
+  const Eigen::Vector3d origin(0.0, 0.0, 1.5);
+  scene.x = LayFlat(scene.mesh, origin, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
+  scene.handles = LocateOnCloth(scene.mesh, {{0.0, 0.0}, {side, 0.0}});
+  scene.path = [origin, side](double time) {
+    const double phase = 2.0 * M_PI * time;
+    const Eigen::Vector3d sway(0.0, 0.05 * std::sin(phase), 0.02 * (1.0 - std::cos(phase)));
+    const Eigen::Vector3d corner = origin + Eigen::Vector3d(side, 0.0, 0.0);
+    return std::vector<Eigen::Vector3d>{origin + sway, corner + 0.8 * sway};
+  };
+  return scene;
+}
+
+Scene LiftedCloth(int n, double side) {
+  Scene scene;
+  scene.mesh = MakeGrid({side, side}, {n, n});
+  scene.world.ground_height = 0.0;
+  const Eigen::Vector3d origin(0.0, 0.0, 0.0017);  // where the ground about bears the weight
+  scene.x = LayFlat(scene.mesh, origin, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
+  scene.handles = LocateOnCloth(scene.mesh, {{0.0, 0.0}});
+  scene.path = [origin, side](double time) {
+    const double s = 0.5 * (1.0 - std::cos(M_PI * std::min(time, 1.0)));  // 0 to 1 in one second
+    const Eigen::Vector3d lifted(0.4 * side, 0.4 * side, 0.5 * side);
+    return std::vector<Eigen::Vector3d>{origin + s * lifted};
+  };
+  return scene;
+}
+
+}  // namespace clothfit
