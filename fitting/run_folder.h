@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fitting/fit.h"
@@ -17,9 +18,9 @@ class RunFolder {
  public:
   enum class Existing { kRefuse, kReplace, kResume };
 
-  // Makes the folder. Throws InputError where it exists and holds files (kRefuse), where it is not
-  // a run's (kReplace, kResume: nothing but a run's own files is ever replaced), or cannot be
-  // written.
+  // Makes the folder and begins its log, by which a run is known. Throws InputError where it exists
+  // and holds files (kRefuse), is not a run's (kReplace, kResume: nothing but a run's own files is
+  // ever replaced), holds a finished run (kResume), or cannot be written.
   RunFolder(const std::filesystem::path& folder, Existing existing);
   // An existing run, to read.
   static RunFolder Open(const std::filesystem::path& folder);
@@ -32,8 +33,8 @@ class RunFolder {
   void WriteCheckpoint(const FitCheckpoint& checkpoint) const;
   void WriteParameters(const FitResult& result) const;
   void WriteSummary(const Scene& scene, const FitConfig& config, const FitResult& result) const;
-  // trajectory.npy (float64, frames x particles x 3, m, world), mesh.obj and residuals.csv of one
-  // open-loop simulation of all frames.
+  // trajectory.npy (float64, frames x particles x 3, m, world), mesh.obj (vt in metres) and
+  // residuals.csv of one open-loop simulation from frame 0 on.
   void WriteTrajectory(const Scene& scene, const std::vector<Eigen::VectorXd>& positions) const;
   void AppendLog(const std::string& line) const;
   void RemoveCheckpoint() const;
@@ -42,7 +43,7 @@ class RunFolder {
   FitCheckpoint ReadCheckpoint() const;
   std::filesystem::path ConfigFile() const { return path_ / "config.yaml"; }
   // The free vector of a run's parameters.yaml, in the order of `free`.
-  Eigen::VectorXd ReadParameters(const FreeParameters& free, Eigen::VectorXd* all) const;
+  Eigen::VectorXd ReadParameters(const FreeParameters& free) const;
 
  private:
   explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The defaults of a fit, and what makes a config usable.
+#include "fitting/config.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/config_keys.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+// What a recording tells about in almost any case.
+constexpr const char* kFreeByDefault[] = {
+    "stretch.stiffness", "stretch.damping", "shear.stiffness", "shear.damping",
+    "bending.stiffness", "bending.damping", "air_drag.normal", "air_drag.tangential"};
+
+ParameterSetting DefaultSetting(const Parameter& parameter) {
+  ParameterSetting setting;
+  setting.value = setting.prior = parameter.initial;
+  setting.lower = parameter.lower;
+  setting.upper = parameter.upper;
+  setting.prior_sigma = parameter.prior_factor;
+  return setting;
+}
+
+void CheckPrior(const std::string& place, const Parameter& parameter,
+                const ParameterSetting& setting) {
+  const bool is_log = parameter.scale == Scale::kLog;
+  if (is_log && !(setting.lower > 0.0)) {
+    throw InputError(place + ".lower", fmt::format("{}: expected a number above 0 for a parameter "
+                                                   "on a logarithmic scale",
+                                                   setting.lower));
+  }
+  if (!(setting.lower < setting.upper)) {
+    throw InputError(place + ".upper", fmt::format("{}: expected a number above the lower bound {}",
+                                                   setting.upper, setting.lower));
+  }
+  if (is_log && !(setting.prior > 0.0)) {
+    throw InputError(place + ".prior", fmt::format("{}: expected a number above 0", setting.prior));
+  }
+  const double least = is_log ? 1.0 : 0.0;
+  if (!(setting.prior_sigma > least)) {
+    throw InputError(
+        place + ".prior_sigma",
+        fmt::format("{}: expected {} above {}", setting.prior_sigma,
+                    is_log ? "a factor (the scale is logarithmic)" : "an amount", least));
+  }
+}
+
+void CheckValue(const std::string& place, const Parameter& parameter,
+                const ParameterSetting& setting) {
+  const bool inside = setting.value >= setting.lower && setting.value <= setting.upper;
+  if (inside || (!setting.free && setting.value == parameter.off)) return;
+  const std::string off = setting.value == parameter.off
+                              ? " where it is free (this is its off value)"
+                              : fmt::format(" (or {}, off, where it is fixed)", parameter.off);
+  throw InputError(place + ".value",
+                   fmt::format("{} {}: expected {} to {}{}", setting.value, parameter.unit,
+                               setting.lower, setting.upper, off));
+}
+
+void CheckParameters(const std::string& place,
+                     const std::map<std::string, ParameterSetting>& settings) {
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  for (const NamedParameter& named : table) {
+    const auto found = settings.find(named.name);
+    const std::string key = place + ": parameters." + named.name;
+    if (found == settings.end()) throw InputError(key, "is missing");
+    CheckPrior(key, named.parameter, found->second);
+    CheckValue(key, named.parameter, found->second);
+  }
+  for (const auto& [name, setting] : settings) {
+    if (FindParameter(table, name) >= 0) continue;
+    throw InputError(place + ": parameters." + name, "no such parameter");
+  }
+}
+
+}  // namespace
+
+FitConfig DefaultConfig(const Recording& recording) {
+  FitConfig config;
+  config.recording = recording.path.string();
+  for (const NamedParameter& named : MakeParameterTable()) {
+    config.parameters[named.name] = DefaultSetting(named.parameter);
+  }
+  for (const char* name : kFreeByDefault) config.parameters.at(name).free = true;
+  config.parameters.at("ground.friction").free = recording.ground_height.has_value();
+  if (const std::optional<double>& known = recording.cloth.areal_density) {
+    ParameterSetting& density = config.parameters.at("cloth.areal_density");
+    density.value = density.prior = *known;
+    density.lower = std::min(density.lower, *known);
+    density.upper = std::max(density.upper, *known);
+  }
+  // Measured points place the cloth to within their noise; a flat placement is as it was laid out.
+  const bool is_measured = std::holds_alternative<PointPlacement>(recording.cloth.initial);
+  config.initial_order = is_measured ? 1 : -1;
+  return config;
+}
+
+void FitConfig::Check(const std::string& place) const {
+  for (const ConfigKey& key : ConfigKeys()) {
+    const std::string problem = key.problem(*this);
+    if (problem.empty()) continue;
+    throw InputError(place + ": " + key.full_name(), key.write(*this) + ": " + problem);
+  }
+  CheckParameters(place, parameters);
+  if (use_markers || use_tracks) return;
+  throw InputError(place + ": observations", "neither markers nor tracks: nothing to fit");
+}
+
+}  // namespace clothfit

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/config_keys.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+// The texts of an enumeration.
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+const Choices<bool> kYesOrNo = {{"true", true}, {"false", false}};
+const Choices<Integrator> kIntegrators = {{"bdf2", Integrator::kBdf2},
+                                          {"backward_euler", Integrator::kBackwardEuler}};
+const Choices<LossKind> kLosses = {
+    {"none", LossKind::kNone}, {"huber", LossKind::kHuber}, {"cauchy", LossKind::kCauchy}};
+
+template <class Value>
+std::vector<std::string> NamesOf(const Choices<Value>& choices) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : choices) names.push_back(name);
+  return names;
+}
+
+template <class Value>
+ConfigKey ChoiceKey(std::string section, std::string name, std::string doc,
+                    Value FitConfig::*member, const Choices<Value>& choices) {
+  ConfigKey key{std::move(section), std::move(name), std::move(doc), {}, {}, {}};
+  key.doc += "; " + fmt::format("{}", fmt::join(NamesOf(choices), ", "));
+  key.read = [member, choices](const YamlValue& yaml, FitConfig* config) {
+    const std::string text = yaml.Text();
+    for (const auto& [choice, value] : choices) {
+      if (choice == text) {
+        config->*member = value;
+        return;
+      }
+    }
+    yaml.Fail("'" + text + "': expected one of " + JoinNames(NamesOf(choices)));
+  };
+  key.write = [member, choices](const FitConfig& config) {
+    for (const auto& [choice, value] : choices) {
+      if (value == config.*member) return choice;
+    }
+    return std::string();
+  };
+  key.problem = [](const FitConfig&) { return std::string(); };
+  return key;
+}
+
+enum class Range { kAboveZero, kAtLeastZero };
+
+ConfigKey NumberKey(std::string section, std::string name, std::string doc,
+                    double FitConfig::*member, Range range) {
+  ConfigKey key{std::move(section), std::move(name), std::move(doc), {}, {}, {}};
+  key.read = [member](const YamlValue& yaml, FitConfig* config) {
+    config->*member = yaml.Number();
+  };
+  key.write = [member](const FitConfig& config) { return FormatNumber(config.*member); };
+  key.problem = [member, range](const FitConfig& config) {
+    const double value = config.*member;
+    if (range == Range::kAboveZero) return value > 0.0 ? "" : "expected a number above 0";
+    return value >= 0.0 ? "" : "expected 0 or more";
+  };
+  return key;
+}
+
+ConfigKey IntegerKey(std::string section, std::string name, std::string doc, int FitConfig::*member,
+                     int lowest, int highest) {
+  ConfigKey key{std::move(section), std::move(name), std::move(doc), {}, {}, {}};
+  key.read = [member](const YamlValue& yaml, FitConfig* config) {
+    config->*member = yaml.Integer();
+  };
+  key.write = [member](const FitConfig& config) { return std::to_string(config.*member); };
+  key.problem = [member, lowest, highest](const FitConfig& config) {
+    const int value = config.*member;
+    if (value >= lowest && value <= highest) return std::string();
+    return fmt::format("expected an integer from {} to {}", lowest, highest);
+  };
+  return key;
+}
+
+ConfigKey ResolutionKey() {
+  ConfigKey key{"cloth", "resolution", "particles along u and v; [0, 0]: as the recording says",
+                {},      {},           {}};
+  key.read = [](const YamlValue& yaml, FitConfig* config) {
+    const Eigen::Vector2i pair = yaml.IntegerPair();
+    config->resolution = {pair.x(), pair.y()};
+  };
+  key.write = [](const FitConfig& config) {
+    return fmt::format("[{}, {}]", config.resolution[0], config.resolution[1]);
+  };
+  key.problem = [](const FitConfig& config) {
+    const auto& [nu, nv] = config.resolution;
+    const bool is_default = nu == 0 && nv == 0;
+    constexpr int kMost = 1000;
+    if (is_default || (std::min(nu, nv) >= 2 && std::max(nu, nv) <= kMost)) return std::string();
+    return fmt::format("expected 2 to {} particles along u and v, or [0, 0]", kMost);
+  };
+  return key;
+}
+
+ConfigKey FramesKey() {
+  ConfigKey key{"observations",
+                "frames",
+                "first and last frame to fit; []: all that are not held out",
+                {},
+                {},
+                {}};
+  key.read = [](const YamlValue& yaml, FitConfig* config) {
+    config->frames.reset();
+    if (yaml.Items().empty()) return;
+    const Eigen::Vector2i pair = yaml.IntegerPair();
+    config->frames = std::array<int, 2>{pair.x(), pair.y()};
+  };
+  key.write = [](const FitConfig& config) {
+    return config.frames ? fmt::format("[{}, {}]", (*config.frames)[0], (*config.frames)[1])
+                         : std::string("[]");
+  };
+  key.problem = [](const FitConfig& config) {
+    const bool right =
+        !config.frames || ((*config.frames)[0] >= 0 && (*config.frames)[1] >= (*config.frames)[0]);
+    return right ? "" : "expected a first frame from 0 on and a last one not before it";
+  };
+  return key;
+}
+
+std::vector<ConfigKey> MakeConfigKeys() {
+  return {
+      ResolutionKey(),
+      NumberKey("simulation", "max_step", "s; frames are divided into equal steps, none longer",
+                &FitConfig::max_step, Range::kAboveZero),
+      ChoiceKey("simulation", "integrator", "how a step is made", &FitConfig::integrator,
+                kIntegrators),
+      NumberKey("simulation", "tolerance", "error of a step's positions, in mean edges",
+                &FitConfig::tolerance, Range::kAboveZero),
+      IntegerKey("initial_state", "order",
+                 "polynomial offsets of the state at frame 0; -1: none, 0: constant, 1: bilinear, "
+                 "2: biquadratic",
+                 &FitConfig::initial_order, -1, 2),
+      NumberKey("initial_state", "position_sigma", "m, prior of each offset of the positions",
+                &FitConfig::initial_position_sigma, Range::kAboveZero),
+      NumberKey("initial_state", "velocity_sigma", "m/s, prior of each offset of the velocities",
+                &FitConfig::initial_velocity_sigma, Range::kAboveZero),
+      NumberKey("handle_paths", "spline_spacing", "s between control points of an unknown path",
+                &FitConfig::spline_spacing, Range::kAboveZero),
+      NumberKey("handle_paths", "spline_acceleration",
+                "m/s^2, one sigma of an unknown path's acceleration",
+                &FitConfig::spline_acceleration, Range::kAboveZero),
+      ChoiceKey("observations", "markers", "fit the markers", &FitConfig::use_markers, kYesOrNo),
+      ChoiceKey("observations", "tracks", "fit the tracks", &FitConfig::use_tracks, kYesOrNo),
+      ChoiceKey("observations", "loss", "how outliers count", &FitConfig::loss, kLosses),
+      NumberKey("observations", "loss_scale", "sigmas from which an observation is an outlier",
+                &FitConfig::loss_scale, Range::kAboveZero),
+      FramesKey(),
+      ChoiceKey("observations", "attract",
+                "markers pull at the cloth by attraction_point.* while fitting",
+                &FitConfig::attract, kYesOrNo),
+      NumberKey("strategy", "window", "s fitted together before going on; 0: all frames at once",
+                &FitConfig::window, Range::kAtLeastZero),
+      ChoiceKey("strategy", "polish", "after the windows, fit all frames at once, open loop",
+                &FitConfig::polish, kYesOrNo),
+      IntegerKey("strategy", "max_iterations", "of each window and of the polish; 0: none",
+                 &FitConfig::max_iterations, 0, 10000),
+      NumberKey("strategy", "function_tolerance", "relative change of the cost at which to stop",
+                &FitConfig::function_tolerance, Range::kAboveZero),
+  };
+}
+
+}  // namespace
+
+const std::vector<ConfigKey>& ConfigKeys() {
+  static const std::vector<ConfigKey> keys = MakeConfigKeys();
+  return keys;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/fit_run.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "autodiff_sim/parameter_table.h"
+
+namespace clothfit {
+namespace {
+
+std::vector<Eigen::VectorXd> SimulatePositions(const Scene& scene, const FitConfig& config,
+                                               const FreeParameters& free,
+                                               const Eigen::VectorXd& theta, int last_frame) {
+  std::vector<Eigen::VectorXd> positions;
+  SimulateFrames(scene, config, free, theta, last_frame,
+                 [&](int, const State& state) { positions.push_back(state.x); });
+  return positions;
+}
+
+FitCallbacks WithRun(const FitCallbacks& callbacks, const RunFolder& run) {
+  FitCallbacks all = callbacks;
+  all.checkpoint = [&run, &callbacks](const FitCheckpoint& checkpoint) {
+    run.WriteCheckpoint(checkpoint);
+    if (callbacks.checkpoint) callbacks.checkpoint(checkpoint);
+  };
+  all.log = [&run, &callbacks](const std::string& line) {
+    run.AppendLog(line);
+    if (callbacks.log) callbacks.log(line);
+  };
+  return all;
+}
+
+std::optional<FitCheckpoint> ReadFittingCheckpoint(const RunFolder& run,
+                                                   const FreeParameters& free) {
+  if (!run.HasCheckpoint()) return std::nullopt;
+  FitCheckpoint checkpoint = run.ReadCheckpoint();
+  if (checkpoint.theta.size() == free.size()) return checkpoint;
+  throw InputError((run.path() / "checkpoint.json").string(),
+                   fmt::format("has {} free entries, the fit {}; was the recording changed since?",
+                               checkpoint.theta.size(), free.size()));
+}
+
+}  // namespace
+
+void CheckFittable(const Scene& scene) {
+  const bool any_marker =
+      std::any_of(scene.markers.begin(), scene.markers.end(),
+                  [&](const MarkerObservation& m) { return scene.is_fitted[m.frame]; });
+  const bool any_track = std::any_of(scene.tracks.begin(), scene.tracks.end(),
+                                     [&](const TrackObservation& t) { return scene.IsFitted(t); });
+  if (any_marker || any_track) return;
+  throw InputError(scene.recording.path.string(),
+                   "nothing to fit: expected markers or tracks in the frames that are fitted");
+}
+
+FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
+                     const FitCallbacks& callbacks, bool resume) {
+  const FreeParameters free(config, scene, MakeParameterTable());
+  const std::optional<FitCheckpoint> checkpoint =
+      resume ? ReadFittingCheckpoint(run, free) : std::nullopt;
+  if (resume) {
+    run.AppendLog(checkpoint ? "resumed from the checkpoint" : "resumed from the beginning");
+  }
+  run.WriteConfig(config);
+
+  FitResult result =
+      RunFit(scene, config, WithRun(callbacks, run), checkpoint ? &*checkpoint : nullptr);
+
+  run.WriteParameters(result);
+  run.WriteTrajectory(
+      scene, SimulatePositions(scene, config, free, result.theta, scene.recording.frame_count - 1));
+  run.WriteSummary(scene, config, result);
+  run.AppendLog("status: " + ToString(result.status));
+  const bool is_final =
+      result.status == FitStatus::kConverged || result.status == FitStatus::kFailed;
+  if (is_final) run.RemoveCheckpoint();
+  return result;
+}
+
+int SimulateIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
+                    int last_frame) {
+  const FreeParameters free(config, scene, MakeParameterTable());
+  run.WriteConfig(config);
+  const std::vector<Eigen::VectorXd> positions =
+      SimulatePositions(scene, config, free, free.start(), last_frame);
+  run.WriteTrajectory(scene, positions);
+  run.AppendLog(fmt::format("simulated {} frames", positions.size()));
+  return static_cast<int>(positions.size());
+}
+
+}  // namespace clothfit

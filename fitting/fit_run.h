@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Fits and simulations that leave a run folder.
+#pragma once
+
+#include "fitting/fit.h"
+#include "fitting/run_folder.h"
+
+namespace clothfit {
+
+// Throws InputError where the scene has nothing that a fit could go by.
+void CheckFittable(const Scene& scene);
+
+// RunFit with everything written into the run: config and log at once, the checkpoint after every
+// accepted step, the results at the end. The checkpoint stays behind where more can be had: after
+// an interruption, or when the iterations were used up. `callbacks` are called too. `resume` goes
+// on from the run's own checkpoint, or from the beginning where it has none yet.
+FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
+                     const FitCallbacks& callbacks, bool resume);
+
+// Simulates frames 0 to last_frame from the config's own values, open loop, and writes config,
+// trajectory, mesh and residuals. Returns the number of frames reached.
+int SimulateIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
+                    int last_frame);
+
+}  // namespace clothfit

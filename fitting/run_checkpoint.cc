@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where a fit stands, as checkpoint.json. Numbers are written so that the same doubles come back.
+#include <nlohmann/json.hpp>
+
+#include "autodiff_sim/error.h"
+#include "fitting/run_folder.h"
+#include "fitting/whole_file.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "clothfit-checkpoint/1";
+
+Json ToJson(const Eigen::VectorXd& vector) {
+  return std::vector<double>(vector.begin(), vector.end());
+}
+
+Json ToJson(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    rows.push_back(ToJson(Eigen::VectorXd(matrix.row(i))));
+  }
+  return rows;
+}
+
+Eigen::VectorXd ToVector(const Json& json) {
+  const std::vector<double> numbers = json.get<std::vector<double>>();
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                           static_cast<Eigen::Index>(numbers.size()));
+}
+
+// `columns`: of a matrix without rows.
+Eigen::MatrixXd ToMatrix(const Json& json, Eigen::Index columns) {
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(json.size()), columns);
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const Eigen::VectorXd row = ToVector(json.at(static_cast<size_t>(i)));
+    if (row.size() != columns) throw std::invalid_argument("rows of unequal length");
+    matrix.row(i) = row;
+  }
+  return matrix;
+}
+
+}  // namespace
+
+void RunFolder::WriteCheckpoint(const FitCheckpoint& checkpoint) const {
+  Json json;
+  json["format"] = kFormat;
+  json["next_window"] = checkpoint.next_window;
+  json["theta"] = ToJson(checkpoint.theta);
+  json["mean"] = ToJson(checkpoint.mean);
+  json["information"] = ToJson(checkpoint.information);
+  WriteWholeFile(path_ / "checkpoint.json", json.dump() + "\n");
+}
+
+FitCheckpoint RunFolder::ReadCheckpoint() const {
+  const std::filesystem::path file = path_ / "checkpoint.json";
+  const std::string text = ReadTextFile(file);
+  FitCheckpoint checkpoint;
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("format") != kFormat) throw std::invalid_argument("another format");
+    json.at("next_window").get_to(checkpoint.next_window);
+    checkpoint.theta = ToVector(json.at("theta"));
+    checkpoint.mean = ToVector(json.at("mean"));
+    checkpoint.information = ToMatrix(json.at("information"), checkpoint.mean.size());
+  } catch (const std::exception&) {
+    throw InputError(file.string(), std::string("damaged; expected a ") + kFormat);
+  }
+  return checkpoint;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How a fit went, as summary.json. What is not known is null.
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "fitting/run_folder.h"
+#include "fitting/version.h"
+#include "fitting/whole_file.h"
+
+namespace clothfit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json OrNull(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json FittedErrors(const Evaluation& evaluation) {
+  return {{"marker_rms_m", OrNull(evaluation.marker_rms)},
+          {"track_rms_px", OrNull(evaluation.track_rms)}};
+}
+
+Json HeldOutErrors(const Evaluation& evaluation) {
+  return {{"marker_rms_m", OrNull(evaluation.held_out_marker_rms)},
+          {"track_rms_px", OrNull(evaluation.held_out_track_rms)}};
+}
+
+Json Frames(const Scene& scene, const FitResult& result) {
+  const auto fitted = std::count(scene.is_fitted.begin(), scene.is_fitted.end(), true);
+  return {{"recorded", scene.recording.frame_count},
+          {"fitted", fitted},
+          {"simulated", result.after.frames}};
+}
+
+Json EstimateAsJson(const ParameterEstimate& estimate) {
+  Json json = {{"value", OrNull(estimate.value)},
+               {"start", OrNull(estimate.start)},
+               {"unit", estimate.unit},
+               {"free", estimate.free},
+               {"interval", nullptr},
+               {"determined", nullptr},
+               {"at_bound", nullptr}};
+  if (!estimate.free) return json;
+  json["interval"] = {OrNull(estimate.lower95), OrNull(estimate.upper95)};
+  json["determined"] = estimate.determined;
+  json["at_bound"] = estimate.at_bound;
+  return json;
+}
+
+}  // namespace
+
+void RunFolder::WriteSummary(const Scene& scene, const FitConfig& config,
+                             const FitResult& result) const {
+  Json json;
+  json["clothfit"] = Version();
+  json["recording"] = {{"name", scene.recording.name}, {"path", config.recording}};
+  json["status"] = ToString(result.status);
+  json["iterations"] = result.iterations;
+  json["simulations"] = result.simulations;
+  json["simulated_frames"] = result.simulated_frames;
+  json["seconds"] = result.seconds;
+  json["cost"] = {{"before", OrNull(result.cost_before)}, {"after", OrNull(result.cost_after)}};
+  json["fit"] = FittedErrors(result.after);
+  json["held_out"] = HeldOutErrors(result.after);
+  json["before"] = {{"fit", FittedErrors(result.before)},
+                    {"held_out", HeldOutErrors(result.before)}};
+  json["frames"] = Frames(scene, result);
+  json["halvings"] = result.steps.halvings;
+  json["noise_factor"] = OrNull(result.noise_factor);
+  json["statements"] = result.statements;
+  json["parameters"] = Json::object();
+  for (const ParameterEstimate& estimate : result.estimates) {
+    json["parameters"][estimate.name] = EstimateAsJson(estimate);
+  }
+  WriteWholeFile(path_ / "summary.json",
+                 json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace clothfit
