@@ -7,7 +7,7 @@
 // their u_i being the angle's gradient with the sign of their theta. The factors of E and N are the
 // rest shape's, so that the elastic part has an energy, 2 k_e |E|^2 / (|N1| + |N2|) (1 - cos(theta
 // / 2)). On a grid k_e relates to the bending stiffness B of a plate, N m, by k_e = 4 B for bending
-// along the warp or the weft.
+// along the warp or the weft, and k_e = 8/3 B along the bias of square cells.
 #pragma once
 
 #include <cmath>

@@ -51,6 +51,11 @@ struct TermLayout {
 template <class T>
 using VectorX = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
+inline Eigen::VectorXd Numbers(const std::vector<double>& numbers) {
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                           static_cast<Eigen::Index>(numbers.size()));
+}
+
 // All outputs of an element, forces then memory, from all its numbers.
 template <class Term, class T>
 VectorX<T> EvaluateTerm(const typename Term::Element& element, const VectorX<T>& numbers) {

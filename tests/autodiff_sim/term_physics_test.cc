@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The force terms against their formulas written another way: energies, angles, distances.
+#include <cmath>
+#include <functional>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "autodiff_sim/gradient_check.h"
+#include "autodiff_sim/terms.h"
+#include "tests/autodiff_sim/term_sample.h"
+
+namespace clothfit {
+namespace {
+
+// Checks f = -dE/dx at zero velocity over all scenes. energy(element, numbers) in joules.
+template <class Term, class Energy>
+void ExpectForceOfEnergy(const Eigen::VectorXd& parameters, const Energy& energy) {
+  using Layout = TermLayout<Term>;
+  int acting = 0;
+  for (TermScene scene : MakeTermScenes()) {
+    SCOPED_TRACE(scene.name);
+    scene.v.setZero();
+    for (const auto& element : SceneElements<Term>(scene)) {
+      const Eigen::VectorXd numbers = ElementNumbers<Term>(element, scene, parameters);
+      const Eigen::VectorXd force = EvaluateTerm<Term, double>(element, numbers);
+      const double largest = force.lpNorm<Eigen::Infinity>();
+      for (int i = 0; i < Layout::kForces; ++i) {
+        GradientCheckOptions options;
+        options.tolerance = 1e-7;
+        options.max_steps = 12;
+        const Difference d = RiddersDifference(
+            [&](double s, Eigen::VectorXd* f) {
+              Eigen::VectorXd moved = numbers;
+              moved[i] += s;
+              *f = Eigen::VectorXd::Constant(1, energy(element, moved));
+              return true;
+            },
+            1e-4, options);
+        // The energies' roundoff, up to 1e-16 J over a step of 1e-6 m.
+        EXPECT_NEAR(force[i], -d.derivative[0], 1e-7 * largest + 1e-10);
+      }
+      if (largest > 1e-6) ++acting;
+    }
+  }
+  EXPECT_GT(acting, 10);
+}
+
+template <int kNode>
+Eigen::Vector3d Node(const Eigen::VectorXd& numbers) {
+  return numbers.segment<3>(3 * kNode);
+}
+
+TEST(SpringPhysics, ForceIsThatOfTheEnergy) {
+  const Eigen::VectorXd parameters = Numbers({150.0, 0.0});
+  ExpectForceOfEnergy<StretchSpring>(parameters, [](const Spring& spring, const auto& numbers) {
+    const double length = (Node<1>(numbers) - Node<0>(numbers)).norm();
+    const double extension = length - spring.rest_length;
+    return 0.5 * 150.0 * spring.weight * extension * extension;
+  });
+}
+
+TEST(GravityPhysics, ForceIsThatOfTheEnergy) {
+  ExpectForceOfEnergy<Gravity>(Eigen::VectorXd::Constant(1, 1.0), [](const auto& e, const auto& n) {
+    return 0.15 * e.area * 9.81 * Node<0>(n).z();
+  });
+}
+
+TEST(GroundPhysics, PushIsThatOfTheEnergy) {
+  Eigen::VectorXd parameters(5);
+  parameters << 1e5, 0.0, 0.0, 0.002, 0.005;
+  ExpectForceOfEnergy<GroundContact>(parameters, [](const auto& e, const auto& n) {
+    const double depth = std::max(0.0, 0.002 - Node<0>(n).z());
+    return e.area * 1e5 * depth * depth * depth / (3.0 * 0.002);
+  });
+}
+
+// Half the quadratic energy, and the reciprocal pull's -k / sqrt(d^2 + r^2).
+double AttractionEnergy(double squared_distance) {
+  return 0.5 * 3.0 * squared_distance - 2e-3 / std::sqrt(squared_distance + 0.01 * 0.01);
+}
+
+TEST(AttractionPhysics, PointsPullWithTheEnergyOfTheDistance) {
+  const Eigen::VectorXd parameters = Numbers({3.0, 2e-3, 0.01});
+  ExpectForceOfEnergy<PointAttraction>(parameters, [](const auto& e, const auto& n) {
+    const Eigen::Vector3d place =
+        e.weights[0] * Node<0>(n) + e.weights[1] * Node<1>(n) + e.weights[2] * Node<2>(n);
+    return AttractionEnergy((place - Eigen::Vector3d(e.input.data())).squaredNorm());
+  });
+}
+
+// The distance of a point from a ray, from two points of the ray instead of Pluecker coordinates.
+TEST(AttractionPhysics, RaysPullWithTheEnergyOfTheDistance) {
+  const Eigen::VectorXd parameters = Numbers({3.0, 2e-3, 0.01});
+  ExpectForceOfEnergy<RayAttraction>(parameters, [](const auto& e, const auto& n) {
+    const Eigen::Vector3d place =
+        e.weights[0] * Node<0>(n) + e.weights[1] * Node<1>(n) + e.weights[2] * Node<2>(n);
+    const Eigen::Vector3d direction(e.input.data()), moment(e.input.data() + 3);
+    const Eigen::Vector3d on_ray = direction.cross(moment) + 0.3 * direction;
+    const Eigen::Vector3d along = direction * (place - on_ray).dot(direction);
+    return AttractionEnergy((place - on_ray - along).squaredNorm());
+  });
+}
+
+TEST(AttractionPhysics, RaysPullTowardsTheRayAndAcrossIt) {
+  int count = 0;
+  for (const TermScene& scene : MakeTermScenes()) {
+    for (const auto& element : SceneElements<RayAttraction>(scene)) {
+      const Eigen::VectorXd numbers = ElementNumbers<RayAttraction>(
+          element, scene, Numbers({1.0, 0.0, 0.01}));  // 1 N/m: the force is the distance
+      const Eigen::VectorXd force = EvaluateTerm<RayAttraction, double>(element, numbers);
+      const Eigen::Vector3d net = force.segment<3>(0) + force.segment<3>(3) + force.segment<3>(6);
+      const Eigen::Vector3d direction(element.input.data()), moment(element.input.data() + 3);
+      Eigen::Vector3d place = Eigen::Vector3d::Zero();
+      for (int n = 0; n < 3; ++n) place += element.weights[n] * numbers.segment<3>(3 * n);
+      EXPECT_NEAR(net.dot(direction), 0.0, 1e-14);
+      // place + net lies on the ray: its moment is the ray's.
+      const Eigen::Vector3d foot = place + net;
+      EXPECT_LE((foot.cross(direction) - moment).norm(), 1e-14);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 10);
+}
+
+// Bhat's formula, with the velocity split along and across the unit normal.
+TEST(AirDragPhysics, IsBhatsFormula) {
+  const Eigen::VectorXd k = Numbers({1.3, 0.2, 0.05});  // k_n, k_f, k_t
+  int count = 0;
+  for (const TermScene& scene : MakeTermScenes()) {
+    for (const auto& element : SceneElements<AirDrag>(scene)) {
+      const Eigen::VectorXd numbers = ElementNumbers<AirDrag>(element, scene, k);
+      const Eigen::Vector3d cross =
+          (Node<1>(numbers) - Node<0>(numbers)).cross(Node<2>(numbers) - Node<0>(numbers));
+      const Eigen::Vector3d normal = cross.normalized();
+      Eigen::Vector3d v = Eigen::Vector3d::Zero();
+      for (int n = 0; n < 3; ++n) v += numbers.segment<3>(9 + 3 * n) / 3.0;
+      const Eigen::Vector3d v_n = normal * v.dot(normal), v_t = v - v_n;
+      const double speed2 = v_n.squaredNorm();
+      const Eigen::Vector3d expected =
+          -0.5 * cross.norm() *
+          (k[0] * speed2 / (1.0 + k[1] * speed2) * v_n.normalized() + k[2] * v_t);
+      const Eigen::VectorXd force = EvaluateTerm<AirDrag, double>(element, numbers);
+      for (int n = 0; n < 3; ++n) {
+        EXPECT_LE((force.segment<3>(3 * n) - expected / 3.0).norm(), 1e-13 * expected.norm());
+        ++count;
+      }
+    }
+  }
+  EXPECT_GT(count, 100);
+}
+
+// Coulomb: sliding friction is mu times the push, against the motion.
+TEST(GroundPhysics, SlidingFrictionIsCoulombs) {
+  const GroundContact::Element element = {{0}, 1e-3, 0.0};
+  Eigen::VectorXd numbers = Eigen::VectorXd::Zero(TermLayout<GroundContact>::kSize);
+  numbers.head<6>() << 0.0, 0.0, 0.001, 3.0, -4.0, 0.0;
+  numbers.segment<5>(6) << 1e5, 0.4, 0.0, 0.002, 1e-3;
+  const Eigen::VectorXd f = EvaluateTerm<GroundContact, double>(element, numbers);
+  EXPECT_NEAR(f[2], 1e-3 * 1e5 * 1e-6 / 0.002, 1e-12);
+  // |v| / sqrt(|v|^2 + s^2) is 1 - 2e-8 at 5 m/s and s = 1 mm/s.
+  EXPECT_NEAR(f[0], -0.4 * f[2] * 0.6, 1e-7 * f[2]);
+  EXPECT_NEAR(f[1], 0.4 * f[2] * 0.8, 1e-7 * f[2]);
+}
+
+// The angle between the two triangles of a hinge, positive or negative, without the term's formula.
+double FoldAngle(const Eigen::VectorXd& n) {
+  const Eigen::Vector3d edge = (Node<3>(n) - Node<2>(n)).normalized();
+  Eigen::Vector3d wing0 = Node<0>(n) - Node<2>(n), wing1 = Node<1>(n) - Node<2>(n);
+  wing0 -= edge * wing0.dot(edge);
+  wing1 -= edge * wing1.dot(edge);
+  const double opening = std::atan2(wing0.cross(wing1).dot(edge), wing0.dot(wing1));  // flat: +-pi
+  return opening > 0.0 ? opening - M_PI : opening + M_PI;
+}
+
+TEST(BendingPhysics, ForceIsThatOfTheEnergy) {
+  const Eigen::VectorXd parameters = Numbers({1e-3, 0.0});
+  ExpectForceOfEnergy<Bending>(parameters, [](const Hinge& hinge, const Eigen::VectorXd& n) {
+    return 2.0 * 1e-3 * hinge.shape * (1.0 - std::cos(0.5 * FoldAngle(n)));
+  });
+}
+
+// The damping is a moment -k_d |E| dtheta/dt, whose power is that times dtheta/dt: it shows the
+// term's u_i to be the gradient of the angle.
+TEST(BendingPhysics, DampingActsOnTheAnglesRate) {
+  int count = 0;
+  for (const TermScene& scene : MakeTermScenes()) {
+    SCOPED_TRACE(scene.name);
+    for (const Hinge& hinge : SceneElements<Bending>(scene)) {
+      const Eigen::VectorXd numbers = ElementNumbers<Bending>(hinge, scene, Numbers({0.0, 1e-3}));
+      const Eigen::VectorXd force = EvaluateTerm<Bending, double>(hinge, numbers);
+      Eigen::VectorXd gradient(12);
+      for (int i = 0; i < 12; ++i) {
+        GradientCheckOptions options;
+        options.tolerance = 1e-8;
+        const Difference d = RiddersDifference(
+            [&](double s, Eigen::VectorXd* f) {
+              Eigen::VectorXd moved = numbers;
+              moved[i] += s;
+              *f = Eigen::VectorXd::Constant(1, FoldAngle(moved));
+              return true;
+            },
+            1e-4, options);
+        gradient[i] = d.derivative[0];
+      }
+      const double rate = gradient.dot(numbers.segment<12>(12));
+      const Eigen::VectorXd expected = -1e-3 * hinge.edge * rate * gradient;
+      // The differences' tolerance is 1e-8 of the gradient, but the rate is a sum that cancels.
+      const double size =
+          1e-3 * hinge.edge * gradient.squaredNorm() * numbers.segment<12>(12).norm();
+      EXPECT_LE((force - expected).norm(), 1e-7 * size);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 100);
+}
+
+TEST(BendingPhysics, UnfoldsToEitherSide) {
+  for (const double degrees : {1.0, 45.0, 90.0, 170.0, -1.0, -45.0, -90.0, -170.0}) {
+    SCOPED_TRACE(degrees);
+    const double angle = degrees * M_PI / 180.0;
+    const ClothMesh mesh = MakeGrid({0.02, 0.01}, {3, 2});
+    const ClothTopology topology = BuildTopology(mesh);
+    int folded = 0;
+    for (const Hinge& hinge : topology.hinges) {
+      Eigen::VectorXd numbers = Eigen::VectorXd::Zero(TermLayout<Bending>::kSize);
+      for (int n = 0; n < 4; ++n) {
+        const Eigen::Vector2d uv = mesh.uv[hinge.nodes[n]];
+        const double beyond = std::max(0.0, uv.x() - 0.01);
+        numbers.segment<3>(3 * n) = Eigen::Vector3d(
+            std::min(uv.x(), 0.01) + beyond * std::cos(angle), uv.y(), beyond * std::sin(angle));
+      }
+      numbers[24] = 1e-3;
+      if (std::abs(FoldAngle(numbers)) < 1e-9) continue;
+      ++folded;
+      EXPECT_NEAR(std::abs(FoldAngle(numbers)), std::abs(angle), 1e-12);
+      const Eigen::VectorXd f = EvaluateTerm<Bending, double>(hinge, numbers).head(12);
+      // A small move along the forces makes the fold flatter.
+      Eigen::VectorXd moved = numbers;
+      moved.head(12) += 1e-5 * f / f.norm();
+      EXPECT_LT(std::abs(FoldAngle(moved)), std::abs(FoldAngle(numbers)));
+    }
+    EXPECT_EQ(folded, 1);
+  }
+}
+
+// Bends a grid into a cylinder z = c s^2 / 2 along a direction in (u, v) and compares the elastic
+// energy with that of a plate, B c^2 / 2 an area. Returns k_e / B.
+double StiffnessOverPlate(const Eigen::Vector2d& along, double cell_u, double cell_v) {
+  const int n = 41;
+  const ClothMesh mesh = MakeGrid({cell_u * (n - 1), cell_v * (n - 1)}, {n, n});
+  const ClothTopology topology = BuildTopology(mesh);
+  const double curvature = 1e-2;  // 1/m: slopes below 1e-2, whose squares are neglected
+  const auto place = [&](int node) {
+    const Eigen::Vector2d uv = mesh.uv[node];
+    const double s = (uv - mesh.uv[mesh.num_particles() / 2]).dot(along);
+    return Eigen::Vector3d(uv.x(), uv.y(), 0.5 * curvature * s * s);
+  };
+  double energy = 0.0, area = 0.0;
+  for (const Hinge& hinge : topology.hinges) {
+    // Only inner cells, so that the border's missing hinges do not count.
+    Eigen::VectorXd numbers(12);
+    bool inside = true;
+    for (int k = 0; k < 4; ++k) numbers.segment<3>(3 * k) = place(hinge.nodes[k]);
+    const Eigen::Vector2d middle = 0.5 * (mesh.uv[hinge.nodes[2]] + mesh.uv[hinge.nodes[3]]);
+    // 32 x 32 whole cells, each with its lower and left side.
+    inside = middle.x() >= 3.75 * cell_u && middle.x() < 35.75 * cell_u &&
+             middle.y() >= 3.75 * cell_v && middle.y() < 35.75 * cell_v;
+    if (!inside) continue;
+    energy += 2.0 * hinge.shape * (1.0 - std::cos(0.5 * FoldAngle(numbers)));  // at k_e = 1 N m
+  }
+  area = 32.0 * 32.0 * cell_u * cell_v;
+  return 0.5 * curvature * curvature * area / energy;
+}
+
+TEST(BendingPhysics, StiffnessIsFourTimesAPlatesAlongTheThreads) {
+  EXPECT_NEAR(StiffnessOverPlate(Eigen::Vector2d::UnitX(), 0.02, 0.02), 4.0, 1e-3);
+  EXPECT_NEAR(StiffnessOverPlate(Eigen::Vector2d::UnitY(), 0.02, 0.02), 4.0, 1e-3);
+  EXPECT_NEAR(StiffnessOverPlate(Eigen::Vector2d::UnitX(), 0.01, 0.03), 4.0, 1e-3);
+}
+
+// The mesh resists bending along the bias more than along the threads; bending.h says how much.
+TEST(BendingPhysics, StiffnessAlongTheBiasIsEightThirdsOfAPlates) {
+  const Eigen::Vector2d bias(std::sqrt(0.5), std::sqrt(0.5));
+  EXPECT_NEAR(StiffnessOverPlate(bias, 0.02, 0.02), 8.0 / 3.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace clothfit
