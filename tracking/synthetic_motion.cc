@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The formulae of the synthetic motions.
+#include "tracking/synthetic_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "autodiff_sim/error.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr double kLying = 0.002;  // m above the ground
+
+const std::vector<std::pair<std::string, SyntheticScenario>>& Names() {
+  static const std::vector<std::pair<std::string, SyntheticScenario>> names = {
+      {"two-corner-swing", SyntheticScenario::kTwoCornerSwing},
+      {"corner-lift", SyntheticScenario::kCornerLift},
+      {"two-corner-lift", SyntheticScenario::kTwoCornerLift}};
+  return names;
+}
+
+// From 0 to 1 while s goes from 0 to 1, with two vanishing derivatives at both ends.
+double SmoothStep(double s) {
+  const double t = std::clamp(s, 0.0, 1.0);
+  return t * t * t * (10.0 + t * (6.0 * t - 15.0));
+}
+
+// 1 in the middle of the recording, 0 at both its ends.
+double Envelope(double time, double duration) {
+  constexpr double kRamp = 0.2;  // of the duration
+  return SmoothStep(time / (kRamp * duration)) * SmoothStep((duration - time) / (kRamp * duration));
+}
+
+// Hangs in the plane y = 0 below the height 0. Both corners move to and fro (y), up and down (z)
+// and sideways (x); against each other they turn and come closer.
+SyntheticMotion TwoCornerSwing(const Vector2d& size, double duration) {
+  SyntheticMotion motion;
+  motion.initial = {Vector3d(-0.5 * size.x(), 0.0, 0.0), Vector3d::UnitX(),
+                    Vector3d(0.0, 0.0, -1.0)};
+  const double length = size.y(), width = size.x();
+  for (const double side : {-1.0, 1.0}) {
+    const auto path = [=](double time) {
+      const double amount = Envelope(time, duration), t = kTwoPi * time;
+      const double closer = 0.07 * width * std::pow(std::sin(0.5 * 0.8 * t), 2);
+      const double turn = 0.20 * width * std::sin(1.7 * t);
+      const Vector3d moved(0.08 * length * std::sin(1.1 * t) - side * closer,
+                           0.25 * length * std::sin(1.3 * t) + side * turn,
+                           0.10 * length * std::sin(2.3 * t));
+      return Vector3d(Vector3d(0.5 * side * width, 0.0, 0.0) + amount * moved);
+    };
+    const bool left = side < 0.0;
+    motion.handles.push_back({left ? "left" : "right", Vector2d(left ? 0.0 : width, 0.0), path});
+  }
+  return motion;
+}
+
+// Lies flat; the corner (0, 0) goes up and over towards the opposite one.
+SyntheticMotion CornerLift(const Vector2d& size, double duration) {
+  SyntheticMotion motion;
+  motion.ground_height = 0.0;
+  motion.initial = {Vector3d(0.0, 0.0, kLying), Vector3d::UnitX(), Vector3d::UnitY()};
+  const auto path = [=](double time) {
+    const double s = time / duration, height = 0.6 * size.norm();
+    const Vector2d across = 0.35 * SmoothStep((s - 0.15) / 0.75) * size;
+    return Vector3d(across.x(), across.y(), kLying + height * SmoothStep(s / 0.8));
+  };
+  motion.handles.push_back({"corner", Vector2d::Zero(), path});
+  return motion;
+}
+
+// Lies flat; the corners of the edge v = 0 go up and over, one a little ahead of the other, and
+// swing along v at the end.
+SyntheticMotion TwoCornerLift(const Vector2d& size, double duration) {
+  SyntheticMotion motion;
+  motion.ground_height = 0.0;
+  motion.initial = {Vector3d(0.0, 0.0, kLying), Vector3d::UnitX(), Vector3d::UnitY()};
+  for (const double u : {0.0, size.x()}) {
+    const double ahead = u > 0.0 ? 0.0 : 0.05;
+    const auto path = [=](double time) {
+      const double s = time / duration + ahead * SmoothStep(time / (0.2 * duration));
+      const double lift = SmoothStep(s / 0.8);
+      const double swing = 0.15 * size.y() * SmoothStep((s - 0.4) / 0.3) *
+                           std::sin(kTwoPi * 1.2 * (time - 0.4 * duration));
+      return Vector3d(u, 0.3 * size.y() * lift + swing, kLying + 0.9 * size.y() * lift);
+    };
+    motion.handles.push_back({u > 0.0 ? "right" : "left", Vector2d(u, 0.0), path});
+  }
+  return motion;
+}
+
+}  // namespace
+
+std::vector<std::string> SyntheticScenarioNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, scenario] : Names()) names.push_back(name);
+  return names;
+}
+
+std::string ToString(SyntheticScenario scenario) {
+  for (const auto& [name, value] : Names()) {
+    if (value == scenario) return name;
+  }
+  return "unknown";
+}
+
+SyntheticScenario ParseSyntheticScenario(const std::string& place, const std::string& name) {
+  for (const auto& [known, scenario] : Names()) {
+    if (known == name) return scenario;
+  }
+  throw InputError(place, "'" + name + "': " + Suggestion(name, SyntheticScenarioNames()));
+}
+
+SyntheticMotion MakeSyntheticMotion(SyntheticScenario scenario, const Vector2d& size,
+                                    double duration) {
+  switch (scenario) {
+    case SyntheticScenario::kCornerLift:
+      return CornerLift(size, duration);
+    case SyntheticScenario::kTwoCornerLift:
+      return TwoCornerLift(size, duration);
+    case SyntheticScenario::kTwoCornerSwing:
+      break;
+  }
+  return TwoCornerSwing(size, duration);
+}
+
+}  // namespace clothfit

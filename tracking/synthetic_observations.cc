@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracking/synthetic_observations.h"
+
+#include <cmath>
+
+#include "tracking/normal_numbers.h"
+#include "tracking/synthetic_cameras.h"
+
+namespace clothfit {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kMicrometre = 1e-6;  // m
+constexpr double kMillipixel = 1e-3;  // px
+
+// To the nearest multiple, as the nearest double to its decimal.
+template <class Vector>
+Vector Rounded(const Vector& vector, double unit) {
+  const double per_one = std::round(1.0 / unit);
+  return vector.unaryExpr([per_one](double value) {
+    return std::round(value * per_one) / per_one + 0.0;  // no minus zero
+  });
+}
+
+// Points of a grid over the cloth: with both edges, or in the middle of equal fields.
+std::vector<Vector2d> GridOnCloth(const Eigen::Vector2i& count, const Vector2d& size,
+                                  bool with_edges) {
+  const double offset = with_edges ? 0.0 : 0.5;
+  std::vector<Vector2d> points;
+  for (int j = 0; j < count.y(); ++j) {
+    for (int i = 0; i < count.x(); ++i) {
+      const Eigen::Array2d fields =
+          (count.cast<double>().array() - (with_edges ? 1.0 : 0.0)).max(1.0);
+      const Vector2d uv = ((Eigen::Array2d(i, j) + offset) / fields * size.array()).matrix();
+      points.push_back(Rounded(uv, kMicrometre));
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+Vector3d RoundedPosition(const Vector3d& position) { return Rounded(position, kMicrometre); }
+
+void AddMarkers(const SyntheticOptions& options, const ClothMesh& mesh,
+                const std::vector<Eigen::VectorXd>& frames, Recording* recording) {
+  if (options.markers.minCoeff() < 1) return;
+  if (options.marker_sigma > 0.0) recording->noise.marker = options.marker_sigma;
+  const std::vector<Vector2d> uv = GridOnCloth(options.markers, options.size, false);
+  const std::vector<SurfacePoint> points = LocateOnCloth(mesh, uv);
+  NormalNumbers noise(options.seed, 0);
+  for (int f = 0; f < options.frame_count; ++f) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector3d measured =
+          points[i].At(frames[f]) + options.marker_sigma * noise.NextVector<3>();
+      recording->markers.push_back({f, static_cast<int>(i), uv[i], Rounded(measured, kMicrometre)});
+    }
+  }
+}
+
+void AddTracks(const SyntheticOptions& options, const ClothMesh& mesh,
+               const std::vector<Eigen::VectorXd>& frames, Recording* recording) {
+  if (options.num_cameras < 1) return;
+  if (options.track_sigma > 0.0) recording->noise.track = options.track_sigma;
+  Vector3d middle = Vector3d::Zero();
+  for (int i = 0; i < mesh.num_particles(); ++i) middle += frames[0].segment<3>(3 * i);
+  middle /= mesh.num_particles();
+  if (recording->ground_height) middle.z() += 0.3 * options.size.maxCoeff();
+  recording->cameras = MakeCameraRing(options.num_cameras, middle, 2.6 * options.size.maxCoeff());
+  const Eigen::Vector2i count =
+      options.markers.minCoeff() < 1 ? Eigen::Vector2i(5, 5) : options.markers;
+  const std::vector<Vector2d> uv = GridOnCloth(count, options.size, false);
+  const std::vector<SurfacePoint> points = LocateOnCloth(mesh, uv);
+  NormalNumbers noise(options.seed, 1);
+  for (int f = 0; f < options.frame_count; ++f) {
+    for (int c = 0; c < options.num_cameras; ++c) {
+      const Camera& camera = recording->cameras[c];
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector3d point = points[i].At(frames[f]);
+        const Vector2d error = options.track_sigma * noise.NextVector<2>();
+        if (!IsInFront(camera, point)) continue;
+        const Vector2d pixel = Rounded(Vector2d(ProjectPoint(camera, point) + error), kMillipixel);
+        if (IsInImage(camera, pixel)) {
+          recording->tracks.push_back({f, c, static_cast<int>(i), uv[i], pixel});
+        }
+      }
+    }
+  }
+}
+
+std::vector<TruthPoint> TruthPoints(const SyntheticOptions& options, const ClothMesh& mesh,
+                                    const std::vector<Eigen::VectorXd>& frames) {
+  const std::vector<Vector2d> uv = GridOnCloth(options.truth_points, options.size, true);
+  const std::vector<SurfacePoint> points = LocateOnCloth(mesh, uv);
+  std::vector<TruthPoint> truth;
+  for (int f = 0; f < options.frame_count; ++f) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      truth.push_back({f, uv[i], Rounded(points[i].At(frames[f]), kMicrometre)});
+  }
+  return truth;
+}
+
+}  // namespace clothfit

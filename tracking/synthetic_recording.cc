@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Simulates a scenario and observes it.
+#include "tracking/synthetic_recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "autodiff_sim/parameter_table.h"
+#include "tracking/synthetic_observations.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+bool IsHidden(const SyntheticOptions& options, const std::string& handle) {
+  return std::find(options.hidden_handles.begin(), options.hidden_handles.end(), handle) !=
+         options.hidden_handles.end();
+}
+
+double Duration(const SyntheticOptions& options) {
+  return (options.frame_count - 1) / options.frame_rate;
+}
+
+// Every particle's position (3N, m) in every frame.
+class Generator {
+ public:
+  Generator(const SyntheticOptions& options, const SyntheticMotion& motion)
+      : options_(options),
+        motion_(motion),
+        mesh_(MakeGrid(options.size, {options.refinement * (options.resolution.x() - 1) + 1,
+                                      options.refinement * (options.resolution.y() - 1) + 1})) {
+    std::vector<Vector2d> uv;
+    for (const SyntheticHandle& handle : motion.handles) uv.push_back(handle.uv);
+    handles_ = LocateOnCloth(mesh_, uv);
+  }
+
+  const ClothMesh& mesh() const { return mesh_; }
+  const Eigen::VectorXd& parameters() const { return parameters_; }
+
+  std::vector<Eigen::VectorXd> Run() {
+    World world;
+    world.ground_height = motion_.ground_height;
+    SimulationOptions simulation_options;
+    simulation_options.integrator = options_.integrator;
+    Simulation simulation(mesh_, world, handles_, simulation_options);
+    SetParameters(&simulation);
+    State state = simulation.MakeState(InitialPositions());
+    const Drive drive = [this](double time, bool) {
+      StepInputs inputs;
+      for (std::size_t h = 0; h < handles_.size(); ++h)
+        inputs.handles.push_back({handles_[h], motion_.handles[h].path(time)});
+      return inputs;
+    };
+    std::vector<Eigen::VectorXd> frames = {state.x};
+    const double step = 1.0 / (options_.frame_rate * options_.steps_per_frame);
+    while (static_cast<int>(frames.size()) < options_.frame_count) {
+      for (int k = 0; k < options_.steps_per_frame; ++k) {
+        if (simulation.Advance(step, drive, &state).status != StepStatus::kConverged) {
+          throw std::runtime_error(
+              fmt::format("the simulation diverges in frame {}", frames.size()));
+        }
+      }
+      state.time = static_cast<double>(frames.size()) / options_.frame_rate;
+      frames.push_back(state.x);
+    }
+    return frames;
+  }
+
+ private:
+  void SetParameters(Simulation* simulation) {
+    const std::vector<NamedParameter>& table = simulation->model().parameters();
+    parameters_ = InitialValues(table);
+    for (const auto& [name, value] : options_.parameters)
+      parameters_[FindParameter(table, name)] = value;
+    simulation->SetParameters(parameters_);
+  }
+
+  Eigen::VectorXd InitialPositions() const {
+    Eigen::VectorXd x(3 * mesh_.num_particles());
+    const FlatPlacement& flat = motion_.initial;
+    for (int i = 0; i < mesh_.num_particles(); ++i) {
+      x.segment<3>(3 * i) =
+          flat.origin + mesh_.uv[i].x() * flat.u_axis + mesh_.uv[i].y() * flat.v_axis;
+    }
+    return x;
+  }
+
+  const SyntheticOptions& options_;
+  const SyntheticMotion& motion_;
+  ClothMesh mesh_;
+  std::vector<SurfacePoint> handles_;
+  Eigen::VectorXd parameters_;
+};
+
+// What the recording says of its scene, without observations.
+Recording DescribeScene(const SyntheticOptions& options, const SyntheticMotion& motion,
+                        double areal_density) {
+  Recording recording;
+  recording.name = options.name;
+  recording.frame_rate = options.frame_rate;
+  recording.frame_count = options.frame_count;
+  recording.ground_height = motion.ground_height;
+  recording.cloth.size = options.size;
+  recording.cloth.resolution = options.resolution;
+  if (options.tell_density) recording.cloth.areal_density = areal_density;
+  recording.cloth.initial = motion.initial;
+  for (const SyntheticHandle& handle : motion.handles) {
+    HandleDescription description;
+    description.name = handle.name;
+    description.uv = handle.uv;
+    if (!IsHidden(options, handle.name)) {
+      HandleDescription::Path path;
+      for (int f = 0; f < options.frame_count; ++f)
+        path.push_back(RoundedPosition(handle.path(f / options.frame_rate)));
+      description.path = path;
+      description.path_sigma = 1e-6;  // m, the rounding
+    }
+    recording.handles.push_back(description);
+  }
+  const int held_out = static_cast<int>(std::floor(options.held_out_share * options.frame_count));
+  if (held_out > 0) {
+    recording.splits.held_out_frames = {options.frame_count - held_out, options.frame_count - 1};
+  }
+  return recording;
+}
+
+void Expect(bool right, const std::string& place, const std::string& expected) {
+  if (!right) throw InputError(place, "expected " + expected);
+}
+
+void CheckParameters(const std::map<std::string, double>& parameters, const std::string& place) {
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  std::vector<std::string> names;
+  for (const NamedParameter& named : table) names.push_back(named.name);
+  for (const auto& [name, value] : parameters) {
+    const int index = FindParameter(table, name);
+    if (index < 0) {
+      throw InputError(place, "'" + name + "' is no parameter; " + Suggestion(name, names));
+    }
+    const Parameter& p = table[index].parameter;
+    Expect(
+        (value >= p.lower && value <= p.upper) || value == p.off, place + ": " + name,
+        fmt::format("{} to {} {} (or {}, off), found {}", p.lower, p.upper, p.unit, p.off, value));
+  }
+}
+
+void CheckHiddenHandles(const SyntheticOptions& options, const std::string& place) {
+  std::vector<std::string> names;
+  for (const SyntheticHandle& handle :
+       MakeSyntheticMotion(options.scenario, options.size, Duration(options)).handles) {
+    names.push_back(handle.name);
+  }
+  for (const std::string& name : options.hidden_handles) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw InputError(place, "'" + name + "' is no handle; " + Suggestion(name, names));
+  }
+}
+
+}  // namespace
+
+void SyntheticOptions::Check(const std::string& place) const {
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  const auto not_negative = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  Expect(positive(size.x()) && positive(size.y()), place + ": size", "two lengths above 0 m");
+  Expect(resolution.minCoeff() >= 2 && resolution.maxCoeff() <= 500, place + ": resolution",
+         "2 to 500 particles along u and v");
+  Expect(refinement >= 1 && refinement <= 16, place + ": refinement", "1 to 16");
+  CheckParameters(parameters, place + ": parameters");
+  Expect(positive(frame_rate), place + ": rate", "a frame rate above 0 Hz");
+  Expect(frame_count >= 2, place + ": frames", "2 or more");
+  Expect(steps_per_frame >= 1, place + ": steps", "1 or more a frame");
+  Expect(held_out_share >= 0.0 && held_out_share < 1.0, place + ": held out",
+         "a share of the frames from 0 to below 1");
+  Expect(markers.minCoeff() >= 0, place + ": markers", "0 or more along u and v");
+  Expect(num_cameras >= 0, place + ": cameras", "0 or more");
+  Expect(markers.minCoeff() > 0 || num_cameras > 0, place + ": markers",
+         "some, where there is no camera");
+  Expect(not_negative(marker_sigma) && not_negative(track_sigma), place + ": noise",
+         "sigmas of 0 or more");
+  Expect(truth_points.minCoeff() >= 2, place + ": truth points", "2 or more along u and v");
+  CheckHiddenHandles(*this, place + ": hidden handles");
+}
+
+SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options) {
+  options.Check("synthetic recording");
+  const SyntheticMotion motion =
+      MakeSyntheticMotion(options.scenario, options.size, Duration(options));
+  Generator generator(options, motion);
+  const std::vector<Eigen::VectorXd> frames = generator.Run();
+  SyntheticRecording result;
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    result.truth_parameters[table[i].name] = generator.parameters()[static_cast<Eigen::Index>(i)];
+  }
+  result.recording = DescribeScene(options, motion, generator.parameters()[kArealDensity]);
+  AddMarkers(options, generator.mesh(), frames, &result.recording);
+  AddTracks(options, generator.mesh(), frames, &result.recording);
+  result.truth_points = TruthPoints(options, generator.mesh(), frames);
+  return result;
+}
+
+void WriteSyntheticRecording(const SyntheticRecording& synthetic,
+                             const std::filesystem::path& folder, Overwrite overwrite) {
+  WriteRecording(synthetic.recording, folder, overwrite);
+  WriteTruthPoints(synthetic.truth_points, folder);
+  WriteTruthParameters(synthetic.truth_parameters, folder);
+}
+
+}  // namespace clothfit

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Recordings made by simulation, whose truth is known.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "autodiff_sim/simulation.h"
+#include "tracking/recording.h"
+#include "tracking/synthetic_motion.h"
+#include "tracking/truth.h"
+
+namespace clothfit {
+
+struct SyntheticOptions {
+  std::string name = "synthetic";
+  SyntheticScenario scenario = SyntheticScenario::kTwoCornerSwing;
+
+  // cloth
+  Eigen::Vector2d size = {0.4, 0.4};      // m along u and v
+  Eigen::Vector2i resolution = {11, 11};  // particles that the recording tells a fit to use
+  int refinement = 1;  // the generator's cells along each side of one of those: above 1 the fit's
+                       // mesh is not the one that made the recording
+  bool tell_density = true;                  // is cloth.areal_density known to a fit?
+  std::map<std::string, double> parameters;  // full name -> value; others at their initial value
+
+  // time
+  double frame_rate = 30.0;  // Hz
+  int frame_count = 60;
+  int steps_per_frame = 4;
+  Integrator integrator = Integrator::kBdf2;
+  double held_out_share = 1.0 / 3.0;  // of the frames, at the end; 0 = none
+
+  // observations
+  Eigen::Vector2i markers = {5,
+                             5};  // points along u and v, in the middle of equal fields; 0 = none
+  double marker_sigma = 0.002;    // m
+  int num_cameras = 0;            // in a ring around the cloth; each tracks the same points
+  double track_sigma = 0.5;       // px
+  std::vector<std::string> hidden_handles;  // handles whose path is not told
+  std::uint64_t seed = 1;                   // of the noise
+
+  Eigen::Vector2i truth_points = {9, 9};  // along u and v, edges included
+
+  // Throws InputError, naming `place` and the option, where a value is of no use.
+  void Check(const std::string& place) const;
+};
+
+struct SyntheticRecording {
+  Recording recording;
+  std::vector<TruthPoint> truth_points;            // noise-free
+  std::map<std::string, double> truth_parameters;  // every parameter by its full name
+};
+
+// Positions are rounded to a micrometre and pixels to a thousandth, as they will be on disk. The
+// same options give the same recording. Throws InputError where the options are of no use, and
+// std::runtime_error where the simulation diverges.
+SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options);
+
+// The recording's folder with its truth/. Throws InputError as WriteRecording does.
+void WriteSyntheticRecording(const SyntheticRecording& synthetic,
+                             const std::filesystem::path& folder,
+                             Overwrite overwrite = Overwrite::kRefuse);
+
+}  // namespace clothfit
