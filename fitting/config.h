@@ -92,7 +92,7 @@ std::string ConfigToYaml(const FitConfig& config);
 std::vector<std::string> ConfigDifferences(const FitConfig& config, const FitConfig& other);
 
 // Changes by the command line. `place` is the option, for messages.
-// SetParameter("--set", "air_drag.normal=0.8"), FreeParameter("--free", "gravity.scale"), ...;
+// SetParameter("--set", "air_drag.normal=0.8"), SetFree("--free", "gravity.scale"), ...;
 // a term's name stands for all of its parameters. SwitchOff puts a term at its off values and fixes
 // it. A value may lie outside its bounds only where it is the off value.
 void SetParameter(const std::string& place, const std::string& assignment, FitConfig* config);

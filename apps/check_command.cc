@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit check: is a recording right, and what is in it?
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/config_options.h"
+#include "fitting/scene.h"
+#include "tracking/recording_summary.h"
+
+namespace clothfit {
+namespace {
+
+int RunCheckCommand(const std::string& folder) {
+  const Recording recording = ReadRecording(folder);
+  MakeScene(recording, DefaultConfig(recording));  // refuses what no simulation can be made of
+  fmt::print("{}", DescribeRecording(recording));
+  std::fflush(stdout);
+  PrintWarnings(recording);
+  return kExitSuccess;
+}
+
+}  // namespace
+
+void AddCheckCommand(CLI::App* app, Action* action) {
+  CLI::App* const command = app->add_subcommand("check", "check a recording and summarise it");
+  const auto folder = std::make_shared<std::string>();
+  command->add_option("RECORDING", *folder, "folder of the recording")->required();
+  command->footer("Example:\n  clothfit check data/demo");
+  command->callback([folder, action] { *action = [folder] { return RunCheckCommand(*folder); }; });
+}
+
+}  // namespace clothfit

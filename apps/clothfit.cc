@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The clothfit command. Whatever goes wrong is one line on the standard error.
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/commands.h"
+#include "autodiff_sim/error.h"
+#include "fitting/version.h"
+#include "tracking/text.h"
+
+extern "C" void openblas_set_num_threads(int num_threads);
+
+namespace clothfit {
+namespace {
+
+int Fail(std::string problem, int status) {
+  std::replace(problem.begin(), problem.end(), '\n', ' ');
+  std::fprintf(stderr, "clothfit: error: %s\n", problem.c_str());
+  return status;
+}
+
+void DeclareCommands(CLI::App* app, Action* action) {
+  app->require_subcommand(1);
+  app->set_version_flag("--version", "clothfit " + Version());
+  app->set_help_flag("-h,--help", "show this help");
+  app->footer(
+      "Examples:\n"
+      "  clothfit check data/demo\n"
+      "  clothfit fit data/demo -o runs/demo\n"
+      "  clothfit predict runs/demo --at points.csv -o predicted.csv\n"
+      "'clothfit COMMAND --help' tells more. Exit status: 0 done, 1 failed, 2 bad input.");
+  AddFitCommand(app, action);
+  AddSimulateCommand(app, action);
+  AddPredictCommand(app, action);
+  AddCheckCommand(app, action);
+  AddTermsCommand(app, action);
+  AddGradcheckCommand(app, action);
+}
+
+// "did you mean '--frames'?" for an option that is none, or a command.
+std::string NearestName(const CLI::App& app, const std::string& wrong) {
+  std::vector<std::string> names;
+  const auto parsed = app.get_subcommands();
+  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  if (wrong.rfind('-', 0) == 0) {
+    for (const CLI::Option* option : command.get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+  } else if (parsed.empty()) {
+    for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; })) {
+      names.push_back(one->get_name());
+    }
+  }
+  return names.empty() ? "one argument too many" : Suggestion(wrong, names);
+}
+
+std::string Describe(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> unknown = app.remaining(true);
+  const bool is_unknown = !unknown.empty() && (dynamic_cast<const CLI::ExtrasError*>(&error) ||
+                                               app.get_subcommands().empty());
+  if (is_unknown) return unknown.front() + ": " + NearestName(app, unknown.front());
+  return std::string(error.what()) + "; see --help";
+}
+
+int Run(int argc, char** argv) {
+  CLI::App app("clothfit fits a simulated cloth to recordings of a real one.", "clothfit");
+  Action action;
+  DeclareCommands(&app, &action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help and --version
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return Fail(Describe(app, error), kExitBadInput);
+  }
+  return action();
+}
+
+}  // namespace
+}  // namespace clothfit
+
+int main(int argc, char** argv) {
+  using namespace clothfit;  // NOLINT(google-build-using-namespace): this file is the program
+  openblas_set_num_threads(1);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large is then an error that can be told
+  try {
+    return Run(argc, argv);
+  } catch (const InputError& error) {
+    return Fail(error.what(), kExitBadInput);
+  } catch (const std::bad_alloc&) {
+    return Fail("out of memory", kExitFailure);
+  } catch (const std::exception& error) {
+    return Fail(error.what(), kExitFailure);
+  }
+}

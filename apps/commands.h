@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The subcommands of clothfit. Each declares its options and, where the command line asks for it,
+// sets the action. An action checks its input, makes one library call and prints the result.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace clothfit {
+
+enum ExitStatus : int {
+  kExitSuccess = 0,
+  kExitFailure = 1,        // the input is right, but the work failed
+  kExitBadInput = 2,       // an InputError, or a command line that cannot be understood
+  kExitInterrupted = 130,  // as a shell reports SIGINT
+};
+
+// Returns the exit status.
+using Action = std::function<int()>;
+
+void AddFitCommand(CLI::App* app, Action* action);
+void AddSimulateCommand(CLI::App* app, Action* action);
+void AddPredictCommand(CLI::App* app, Action* action);
+void AddCheckCommand(CLI::App* app, Action* action);
+void AddTermsCommand(CLI::App* app, Action* action);
+void AddGradcheckCommand(CLI::App* app, Action* action);
+
+}  // namespace clothfit

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/config_options.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "autodiff_sim/error.h"
+#include "tracking/recording_summary.h"
+
+namespace clothfit {
+namespace {
+
+// An option that is given once for each of its values, so that it swallows no other argument.
+CLI::Option* AddRepeated(CLI::App* command, const std::string& name,
+                         std::vector<std::string>* values, const std::string& type,
+                         const std::string& doc) {
+  return command->add_option(name, *values, doc)->type_name(type)->allow_extra_args(false);
+}
+
+void CheckFreedOnce(const ConfigOptions& options) {
+  for (const std::string& name : options.free) {
+    const bool twice = std::find(options.fix.begin(), options.fix.end(), name) != options.fix.end();
+    if (twice) throw InputError("--free", "'" + name + "' is named by --fix too");
+  }
+}
+
+// Terms before single parameters, so that the finer word has the last say.
+void FreeAndFix(const ConfigOptions& options, FitConfig* config) {
+  CheckFreedOnce(options);
+  for (const bool single : {false, true}) {
+    const auto is_turn = [single](const std::string& name) {
+      return (name.find('.') != std::string::npos) == single;
+    };
+    for (const std::string& name : options.fix) {
+      if (is_turn(name)) SetFree("--fix", name, false, config);
+    }
+    for (const std::string& name : options.free) {
+      if (is_turn(name)) SetFree("--free", name, true, config);
+    }
+  }
+}
+
+}  // namespace
+
+void AddConfigOptions(CLI::App* command, ConfigOptions* options) {
+  command->add_option("RECORDING", options->recording, "folder of the recording");
+  command->add_option("--config", options->config, "YAML file of the keys that are changed")
+      ->type_name("FILE");
+  AddRepeated(command, "--set", &options->set, "TERM.PARAMETER=VALUE",
+              "start value of a parameter (its value where it is fixed); may be repeated");
+  AddRepeated(command, "--without", &options->without, "TERM",
+              "put a force term at its off values; may be repeated");
+  command->add_option("--resolution", options->resolution, "particles along u and v")
+      ->type_name("NU NV")
+      ->expected(2);
+}
+
+void AddFreeOptions(CLI::App* command, ConfigOptions* options) {
+  AddRepeated(command, "--free", &options->free, "NAME",
+              "estimate a parameter, or all of a term; may be repeated");
+  AddRepeated(command, "--fix", &options->fix, "NAME",
+              "hold a parameter, or all of a term, at its value; may be repeated");
+}
+
+Recording ReadRecordingOf(const ConfigOptions& options) {
+  std::string folder = options.recording;
+  if (folder.empty() && !options.config.empty()) folder = ReadConfigRecording(options.config);
+  if (folder.empty()) {
+    throw InputError("RECORDING", "is missing; expected a recording's folder, here or in --config");
+  }
+  return ReadRecording(std::filesystem::absolute(folder).lexically_normal());
+}
+
+FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording) {
+  FitConfig config = DefaultConfig(recording);
+  if (!options.config.empty()) ReadConfig(options.config, &config);
+  config.recording = recording.path.string();
+  for (const std::string& term : options.without) SwitchOff("--without", term, &config);
+  for (const std::string& assignment : options.set) SetParameter("--set", assignment, &config);
+  FreeAndFix(options, &config);
+  if (options.resolution) config.resolution = {(*options.resolution)[0], (*options.resolution)[1]};
+  return config;
+}
+
+void PrintWarnings(const Recording& recording) {
+  for (const std::string& warning : Warnings(recording)) {
+    std::fprintf(stderr, "clothfit: warning: %s\n", warning.c_str());
+  }
+}
+
+}  // namespace clothfit

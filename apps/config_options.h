@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The options by which several commands name a recording and change its config.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "fitting/config.h"
+
+namespace clothfit {
+
+struct ConfigOptions {
+  std::string recording;                       // empty: the config file names it
+  std::string config;                          // empty: the defaults
+  std::vector<std::string> set;                // term.parameter=value
+  std::vector<std::string> without;            // terms
+  std::vector<std::string> fix, free;          // terms or full names
+  std::optional<std::vector<int>> resolution;  // particles along u and v
+};
+
+// RECORDING, --config, --set, --without and --resolution.
+void AddConfigOptions(CLI::App* command, ConfigOptions* options);
+// --free and --fix.
+void AddFreeOptions(CLI::App* command, ConfigOptions* options);
+
+// Reads the recording that the options, or their config file, name.
+Recording ReadRecordingOf(const ConfigOptions& options);
+
+// The defaults, then the config file, then --without, --set, --fix and --free in this order, of the
+// last two terms before single parameters. Not yet checked as a whole.
+FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording);
+
+// Prints what is worth knowing about the recording to the standard error.
+void PrintWarnings(const Recording& recording);
+
+}  // namespace clothfit

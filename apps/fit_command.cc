@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit fit: from a recording to a run.
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/config_options.h"
+#include "apps/fit_result_text.h"
+#include "apps/interrupt.h"
+#include "apps/progress_display.h"
+#include "autodiff_sim/error.h"
+#include "fitting/fit_run.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FitOptions {
+  ConfigOptions config;
+  std::string run;  // empty: runs/NAME
+  std::optional<double> window;
+  std::optional<int> initial_order, max_iterations;
+  std::optional<std::vector<int>> frames;
+  std::optional<LossKind> loss;
+  bool no_polish = false, attract = false, force = false, resume = false, quiet = false;
+};
+
+void ApplyOptions(const FitOptions& options, FitConfig* config) {
+  if (options.window) config->window = *options.window;
+  if (options.initial_order) config->initial_order = *options.initial_order;
+  if (options.max_iterations) config->max_iterations = *options.max_iterations;
+  if (options.frames) config->frames = {(*options.frames)[0], (*options.frames)[1]};
+  if (options.loss) config->loss = *options.loss;
+  if (options.no_polish) config->polish = false;
+  if (options.attract) Attract(config);
+  config->Check("command line");
+}
+
+fs::path DefaultRun(const Recording& recording) {
+  std::string name = recording.name;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return fs::path("runs") / name;
+}
+
+// A resumed run goes on as it began: options that are not given are the run's own.
+void TakeOptionsOfRun(FitOptions* options) {
+  if (options->run.empty()) {
+    if (options->config.recording.empty()) {
+      throw InputError("--resume", "expected the run as -o RUN");
+    }
+    options->run = DefaultRun(ReadRecordingOf(options->config)).string();
+  }
+  const RunFolder run(options->run, RunFolder::Existing::kResume);
+  if (options->config.config.empty()) options->config.config = run.ConfigFile().string();
+}
+
+void RequireSameConfig(const RunFolder& run, const Recording& recording, const FitConfig& config) {
+  FitConfig of_run = DefaultConfig(recording);
+  ReadConfig(run.ConfigFile(), &of_run);
+  const std::vector<std::string> differences = ConfigDifferences(of_run, config);
+  if (differences.empty()) return;
+  throw InputError("--resume",
+                   "the options differ from those of the run: " + JoinNames(differences));
+}
+
+FitResult FitWithDisplay(const Scene& scene, const FitConfig& config, const RunFolder& run,
+                         const FitOptions& options) {
+  ProgressDisplay display;
+  FitCallbacks callbacks;
+  callbacks.stop = StopOnInterrupt();
+  if (!options.quiet) {
+    callbacks.progress = [&display](const FitProgress& progress) { display.Show(progress); };
+  }
+  FitResult result = FitIntoRun(scene, config, run, callbacks, options.resume);
+  display.Finish();
+  return result;
+}
+
+int Report(const FitResult& result, const RunFolder& run, bool quiet) {
+  if (!quiet) fmt::print("{}\nrun: {}\n", DescribeFitResult(result), run.path().string());
+  switch (result.status) {
+    case FitStatus::kConverged:
+      return kExitSuccess;
+    case FitStatus::kNotConverged:
+      fmt::print(stderr,
+                 "clothfit: warning: not converged; 'clothfit fit --resume -o {}' goes on\n",
+                 run.path().string());
+      return kExitSuccess;
+    case FitStatus::kInterrupted:
+      fmt::print(stderr, "clothfit: interrupted; 'clothfit fit --resume -o {}' goes on\n",
+                 run.path().string());
+      return kExitInterrupted;
+    case FitStatus::kFailed:
+      break;
+  }
+  throw std::runtime_error("the fit failed: the simulation fails at the start values");
+}
+
+int RunFitCommand(FitOptions options) {
+  if (options.resume) TakeOptionsOfRun(&options);
+  const Recording recording = ReadRecordingOf(options.config);
+  FitConfig config = ReadConfigOf(options.config, recording);
+  ApplyOptions(options, &config);
+  const Scene scene = MakeScene(recording, config);
+  CheckFittable(scene);
+  if (!options.quiet) PrintWarnings(recording);
+
+  using Existing = RunFolder::Existing;
+  const Existing existing = options.resume  ? Existing::kResume
+                            : options.force ? Existing::kReplace
+                                            : Existing::kRefuse;
+  const RunFolder run(options.run.empty() ? DefaultRun(recording) : fs::path(options.run),
+                      existing);
+  if (options.resume) RequireSameConfig(run, recording, config);
+  return Report(FitWithDisplay(scene, config, run, options), run, options.quiet);
+}
+
+void AddFitOptions(CLI::App* command, FitOptions* options) {
+  const std::map<std::string, LossKind> losses = {
+      {"none", LossKind::kNone}, {"huber", LossKind::kHuber}, {"cauchy", LossKind::kCauchy}};
+  command->add_option("-o,--output", options->run, "folder of the run; runs/NAME if left out")
+      ->type_name("RUN");
+  AddConfigOptions(command, &options->config);
+  AddFreeOptions(command, &options->config);
+  command->add_option("--window", options->window, "seconds fitted together; 0: all at once")
+      ->type_name("S");
+  command->add_flag("--no-polish", options->no_polish,
+                    "leave out the fit of all frames after the windows");
+  command
+      ->add_option("--initial-order", options->initial_order,
+                   "polynomial offsets of the state at frame 0: -1 none, 0 constant, 1 bilinear, "
+                   "2 biquadratic")
+      ->type_name("K");
+  command
+      ->add_option("--max-iterations", options->max_iterations, "of each window and of the polish")
+      ->type_name("N");
+  command->add_option("--frames", options->frames, "first and last frame to fit")
+      ->type_name("A B")
+      ->expected(2);
+  command->add_option("--loss", options->loss, "how outliers count: none, huber or cauchy")
+      ->type_name("LOSS")
+      ->transform(CLI::Transformer(losses))
+      ->option_text("none|huber|cauchy");
+  command->add_flag("--attract", options->attract,
+                    "let the markers pull at the cloth while fitting (attraction_point.linear)");
+  command->add_flag("--force", options->force, "replace the run that is there");
+  command->add_flag("--resume", options->resume, "go on with an interrupted run")
+      ->excludes("--force");
+  command->add_flag("--quiet", options->quiet, "print errors only");
+}
+
+}  // namespace
+
+void AddFitCommand(CLI::App* app, Action* action) {
+  CLI::App* const command =
+      app->add_subcommand("fit", "fit a cloth to a recording and write a run");
+  const auto options = std::make_shared<FitOptions>();
+  AddFitOptions(command, options.get());
+  command->footer(
+      "Ctrl-C stops and keeps the best so far (exit status 130); --resume goes on from there. A "
+      "fit\n"
+      "that uses up its iterations ends with a warning and status 0.\n\n"
+      "Examples:\n"
+      "  clothfit fit data/demo\n"
+      "  clothfit fit data/demo -o runs/b --set bending.stiffness=1e-4 --fix bending --window 0.5\n"
+      "  clothfit fit --config runs/b/config.yaml -o runs/c --without air_drag\n"
+      "  clothfit fit --resume -o runs/b");
+  command->callback([options, action] { *action = [options] { return RunFitCommand(*options); }; });
+}
+
+}  // namespace clothfit

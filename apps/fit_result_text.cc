@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/fit_result_text.h"
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/parameter_table.h"
+
+namespace clothfit {
+namespace {
+
+std::string Number(const std::optional<double>& value) {
+  return value ? fmt::format("{:.4g}", *value) : "-";
+}
+
+// One row; nothing where the recording has no such observation.
+std::string ErrorRow(const char* label, const char* unit, const std::optional<double>& before,
+                     const std::optional<double>& after) {
+  if (!before && !after) return "";
+  return fmt::format("  {:<24}{:>12}{:>12}  {}\n", label, Number(before), Number(after), unit);
+}
+
+std::string ErrorTable(const Evaluation& before, const Evaluation& after) {
+  const std::string rows =
+      ErrorRow("markers, fitted", "m", before.marker_rms, after.marker_rms) +
+      ErrorRow("markers, held out", "m", before.held_out_marker_rms, after.held_out_marker_rms) +
+      ErrorRow("tracks, fitted", "px", before.track_rms, after.track_rms) +
+      ErrorRow("tracks, held out", "px", before.held_out_track_rms, after.held_out_track_rms);
+  return fmt::format("  {:<24}{:>12}{:>12}\n", "root mean square error", "before", "after") + rows;
+}
+
+std::string EstimateRow(const ParameterEstimate& estimate) {
+  std::string note;
+  if (!estimate.determined) note += "  not determined by the data";
+  if (estimate.at_bound) note += "  at its bound";
+  return fmt::format(
+      "  {:<24}{:>12.4g}{:>12.4g}  {:<26}{}{}\n", estimate.name, estimate.start, estimate.value,
+      fmt::format("{:.4g} .. {:.4g}", estimate.lower95, estimate.upper95), estimate.unit, note);
+}
+
+// The free physical parameters; the rest is only counted.
+std::string EstimateTable(const std::vector<ParameterEstimate>& estimates) {
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  std::string rows;
+  int others = 0;
+  for (const ParameterEstimate& estimate : estimates) {
+    if (!estimate.free) continue;
+    if (FindParameter(table, estimate.name) >= 0) {
+      rows += EstimateRow(estimate);
+    } else {
+      ++others;
+    }
+  }
+  std::string text = fmt::format("  {:<24}{:>12}{:>12}  {:<26}{}\n", "parameter", "start", "value",
+                                 "95 % interval", "unit") +
+                     rows;
+  if (others > 0) {
+    text += fmt::format("  and {} entries of handle paths and the initial state\n", others);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string DescribeFitResult(const FitResult& result) {
+  std::string text =
+      fmt::format("{}: {} iterations, {} simulations, {:.1f} s\n\n", ToString(result.status),
+                  result.iterations, result.simulations, result.seconds);
+  text += ErrorTable(result.before, result.after) + "\n" + EstimateTable(result.estimates);
+  if (!result.statements.empty()) text += "\n";
+  for (const std::string& statement : result.statements) text += "  " + statement + "\n";
+  return text;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit predict: where any point of a fitted cloth is in any frame.
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "autodiff_sim/error.h"
+#include "fitting/prediction.h"
+
+namespace clothfit {
+namespace {
+
+struct PredictOptions {
+  std::string run, points, output;
+  bool force = false;
+};
+
+int RunPredictCommand(const PredictOptions& options) {
+  if (std::filesystem::exists(options.output) && !options.force) {
+    throw InputError(options.output, "exists already; --force replaces it");
+  }
+  if (std::filesystem::is_directory(options.output)) {
+    throw InputError(options.output, "is a folder; expected a file");
+  }
+  const RunFolder run = RunFolder::Open(options.run);
+  const FittedRun fitted = ReadFittedRun(run);
+  const std::vector<PredictionQuery> queries = ReadQueries(options.points, fitted.scene);
+  WritePredictions(options.output, queries, Predict(fitted, run, queries));
+  fmt::print("{} points: {}\n", queries.size(), options.output);
+  return kExitSuccess;
+}
+
+}  // namespace
+
+void AddPredictCommand(CLI::App* app, Action* action) {
+  CLI::App* const command =
+      app->add_subcommand("predict", "where points of a fitted cloth are, in any frame");
+  const auto options = std::make_shared<PredictOptions>();
+  command->add_option("RUN", options->run, "folder of the run")->required();
+  command->add_option("--at", options->points, "CSV file with the columns frame,u,v (u, v in m)")
+      ->type_name("POINTS")
+      ->required();
+  command->add_option("-o,--output", options->output, "CSV file to write: frame,u,v,x,y,z (m)")
+      ->type_name("OUT")
+      ->required();
+  command->add_flag("--force", options->force, "replace OUT");
+  command->footer(
+      "Frames beyond the fitted ones are simulated on along the known paths of the handles.\n\n"
+      "Example:\n"
+      "  clothfit predict runs/demo --at points.csv -o predicted.csv");
+  command->callback(
+      [options, action] { *action = [options] { return RunPredictCommand(*options); }; });
+}
+
+}  // namespace clothfit

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/progress_display.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace clothfit {
+namespace {
+
+constexpr double kPlainInterval = 10.0;  // s between plain lines of one stage
+constexpr int kBarWidth = 20;
+
+size_t TerminalWidth() {
+  constexpr size_t kUsual = 80;
+  winsize size{};
+  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? size.ws_col : kUsual;
+}
+
+std::string Minutes(double seconds) {
+  const long whole = std::lround(seconds);
+  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+// Empty as long as too little is done to tell.
+std::string TimeLeft(double seconds, double fraction) {
+  constexpr double kEnough = 0.02;
+  if (fraction < kEnough) return "";
+  return fmt::format(", {} left", Minutes(seconds * (1.0 - fraction) / fraction));
+}
+
+std::string Describe(const FitProgress& progress) {
+  return fmt::format("{}, iteration {}, residuals {:.3g} sigma", progress.stage, progress.iteration,
+                     progress.rms);
+}
+
+std::string Bar(double fraction) {
+  const int filled = static_cast<int>(fraction * kBarWidth);
+  return "[" + std::string(static_cast<size_t>(filled), '#') +
+         std::string(static_cast<size_t>(kBarWidth - filled), '.') + "]";
+}
+
+}  // namespace
+
+ProgressDisplay::ProgressDisplay() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
+
+void ProgressDisplay::Show(const FitProgress& progress) {
+  const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
+  const double seconds = SecondsSince(start_);
+  const std::string state =
+      fmt::format("{:3.0f} %{}", 100.0 * fraction, TimeLeft(seconds, fraction));
+  if (is_terminal_) {
+    std::string line = fmt::format("{} {}  {}", Bar(fraction), state, Describe(progress));
+    const size_t width = TerminalWidth() - 1;
+    if (line.size() > width) line.resize(width);
+    std::fprintf(stderr, "\r\x1b[K%s", line.c_str());  // erase to the end of the line
+    std::fflush(stderr);
+    has_bar_ = true;
+    return;
+  }
+  if (progress.stage == stage_ && SecondsSince(last_) < kPlainInterval) return;
+  stage_ = progress.stage;
+  last_ = Clock::now();
+  std::fprintf(stderr, "%s  %s\n", state.c_str(), Describe(progress).c_str());
+}
+
+void ProgressDisplay::Finish() {
+  if (has_bar_) std::fputc('\n', stderr);
+  has_bar_ = false;
+}
+
+double ProgressDisplay::SecondsSince(Clock::time_point time) const {
+  return std::chrono::duration<double>(Clock::now() - time).count();
+}
+
+}  // namespace clothfit

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How far a fit is, on the standard error: a bar on a terminal, else a plain line now and then.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "fitting/fit.h"
+
+namespace clothfit {
+
+class ProgressDisplay {
+ public:
+  ProgressDisplay();
+  void Show(const FitProgress& progress);
+  // Leaves the bar's line; nothing is shown afterwards.
+  void Finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double SecondsSince(Clock::time_point time) const;
+
+  bool is_terminal_;
+  bool has_bar_ = false;  // the cursor stands at the end of a bar
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+  std::string stage_;
+};
+
+}  // namespace clothfit

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit simulate: a recording's scene with given parameters, without a fit.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/config_options.h"
+#include "autodiff_sim/error.h"
+#include "fitting/fit_run.h"
+
+namespace clothfit {
+namespace {
+
+struct SimulateOptions {
+  ConfigOptions config;
+  std::string output;
+  std::optional<int> frames;
+  bool force = false;
+};
+
+int CountFrames(const SimulateOptions& options, const Recording& recording) {
+  const int frames = options.frames.value_or(recording.frame_count);
+  if (frames >= 1 && frames <= recording.frame_count) return frames;
+  throw InputError("--frames", fmt::format("{}: expected 1 to {}, the recording's length", frames,
+                                           recording.frame_count));
+}
+
+int RunSimulateCommand(const SimulateOptions& options) {
+  const Recording recording = ReadRecordingOf(options.config);
+  const FitConfig config = ReadConfigOf(options.config, recording);
+  config.Check("command line");
+  const int frames = CountFrames(options, recording);
+  const Scene scene = MakeScene(recording, config);
+  const RunFolder run(options.output,
+                      options.force ? RunFolder::Existing::kReplace : RunFolder::Existing::kRefuse);
+  const int reached = SimulateIntoRun(scene, config, run, frames - 1);
+  fmt::print("{} frames of {} particles: {}\n", reached, scene.mesh.num_particles(),
+             run.path().string());
+  if (reached == frames) return kExitSuccess;
+  throw std::runtime_error(
+      fmt::format("the simulation fails after frame {} of {}", reached - 1, frames));
+}
+
+}  // namespace
+
+void AddSimulateCommand(CLI::App* app, Action* action) {
+  CLI::App* const command = app->add_subcommand(
+      "simulate", "simulate a recording's scene with given parameters, without a fit");
+  const auto options = std::make_shared<SimulateOptions>();
+  command->add_option("-o,--output", options->output, "folder for the trajectory")
+      ->type_name("OUT")
+      ->required();
+  AddConfigOptions(command, &options->config);
+  command->add_option("--frames", options->frames, "how many frames; all if left out")
+      ->type_name("N");
+  command->add_flag("--force", options->force, "replace what an earlier run wrote there");
+  command->footer(
+      "Writes trajectory.npy (frames x particles x 3, m), mesh.obj, residuals.csv and "
+      "config.yaml.\n\n"
+      "Example:\n"
+      "  clothfit simulate data/demo -o runs/heavy --set cloth.areal_density=0.3 --frames 60");
+  command->callback(
+      [options, action] { *action = [options] { return RunSimulateCommand(*options); }; });
+}
+
+}  // namespace clothfit

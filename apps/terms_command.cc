@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit terms: the force terms and their parameters, from the one place where they stand.
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/commands.h"
+#include "autodiff_sim/parameter_table.h"
+
+namespace clothfit {
+namespace {
+
+const char* ScaleName(const Parameter& parameter) {
+  return parameter.scale == Scale::kLog ? "log" : "linear";
+}
+
+std::string ParameterRow(const std::string& name, const Parameter& p) {
+  return fmt::format("  {:<28}{:<12}{:>10}{:>10}  {:<18}{:<8}{}\n", name, p.unit, p.initial, p.off,
+                     fmt::format("{} .. {}", p.lower, p.upper), ScaleName(p), p.doc);
+}
+
+void PrintTable() {
+  fmt::print("  {:<28}{:<12}{:>10}{:>10}  {:<18}{:<8}{}\n", "parameter", "unit", "initial", "off",
+             "bounds", "scale", "meaning");
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  const NamedParameter& density = table[kArealDensity];
+  fmt::print("\ncloth: what the cloth is\n{}", ParameterRow(density.name, density.parameter));
+  for (const TermInfo& term : AllTerms()) {
+    fmt::print("\n{}: {} ({})\n", term.name, term.doc, term.reference);
+    for (const Parameter& p : term.parameters) {
+      fmt::print("{}", ParameterRow(term.name + "." + p.name, p));
+    }
+  }
+}
+
+nlohmann::ordered_json ParameterAsJson(const std::string& name, const Parameter& p) {
+  return {{"name", name},         {"unit", p.unit},        {"doc", p.doc},
+          {"initial", p.initial}, {"off", p.off},          {"lower", p.lower},
+          {"upper", p.upper},     {"scale", ScaleName(p)}, {"prior_sigma", p.prior_factor}};
+}
+
+void PrintJson() {
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  const NamedParameter& density = table[kArealDensity];
+  nlohmann::ordered_json json;
+  json["cloth"] = {ParameterAsJson(density.name, density.parameter)};
+  json["terms"] = nlohmann::ordered_json::array();
+  for (const TermInfo& term : AllTerms()) {
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+    for (const Parameter& p : term.parameters) {
+      parameters.push_back(ParameterAsJson(term.name + "." + p.name, p));
+    }
+    json["terms"].push_back({{"name", term.name},
+                             {"doc", term.doc},
+                             {"reference", term.reference},
+                             {"parameters", std::move(parameters)}});
+  }
+  fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+void AddTermsCommand(CLI::App* app, Action* action) {
+  CLI::App* const command =
+      app->add_subcommand("terms", "list the force terms and their parameters");
+  const auto as_json = std::make_shared<bool>(false);
+  command->add_flag("--json", *as_json, "as JSON");
+  command->footer("Example:\n  clothfit terms");
+  command->callback([as_json, action] {
+    *action = [as_json] {
+      *as_json ? PrintJson() : PrintTable();
+      return kExitSuccess;
+    };
+  });
+}
+
+}  // namespace clothfit
