@@ -95,6 +95,26 @@ void AddMeshSprings(const ClothMesh& mesh, const std::map<Edge, std::vector<int>
   }
 }
 
+// At most two triangles an edge, one on each side of it.
+void ValidateEdges(const ClothMesh& mesh, const std::string& source) {
+  for (const auto& [edge, particles] : OppositeParticles(mesh)) {
+    const std::string name =
+        "edge " + std::to_string(edge.first + 1) + "-" + std::to_string(edge.second + 1);
+    if (particles.size() > 2) {
+      throw InputError(source, name + " has " + std::to_string(particles.size()) +
+                                   " triangles; expected at most 2");
+    }
+    if (particles.size() < 2) continue;
+    const double first = SignedArea(mesh, {edge.first, edge.second, particles[0]});
+    const double second = SignedArea(mesh, {edge.first, edge.second, particles[1]});
+    if (first * second > 0.0) {
+      throw InputError(source, name +
+                                   " has both triangles on the same side in (u, v); expected a "
+                                   "cloth that does not cover itself");
+    }
+  }
+}
+
 }  // namespace
 
 ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution) {
@@ -102,6 +122,11 @@ ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolu
   if (nu < 2 || nv < 2) {
     throw InputError("cloth.resolution", "[" + std::to_string(nu) + ", " + std::to_string(nv) +
                                              "]; expected at least 2 particles along each side");
+  }
+  if (!size.allFinite() || size.minCoeff() <= 0.0) {
+    throw InputError("cloth.size", "[" + std::to_string(size.x()) + ", " +
+                                       std::to_string(size.y()) +
+                                       "]; expected two lengths above zero, m");
   }
   ClothMesh mesh;
   mesh.grid = resolution;
@@ -127,6 +152,10 @@ ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolu
 
 void ValidateMesh(const ClothMesh& mesh, const std::string& source) {
   if (mesh.triangles.empty()) throw InputError(source, "the mesh has no triangle");
+  for (std::size_t i = 0; i < mesh.uv.size(); ++i) {
+    if (!mesh.uv[i].allFinite())
+      throw InputError(source, "vertex " + std::to_string(i + 1) + ": (u, v) is not finite");
+  }
   std::vector<bool> used(mesh.uv.size(), false);
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     const std::string place = source + ": triangle " + std::to_string(k + 1);
@@ -158,14 +187,7 @@ void ValidateMesh(const ClothMesh& mesh, const std::string& source) {
     if (!used[i])
       throw InputError(source, "vertex " + std::to_string(i + 1) + " belongs to no triangle");
   }
-  for (const auto& [edge, particles] : OppositeParticles(mesh)) {
-    if (particles.size() > 2) {
-      throw InputError(source, "edge " + std::to_string(edge.first + 1) + "-" +
-                                   std::to_string(edge.second + 1) + " has " +
-                                   std::to_string(particles.size()) +
-                                   " triangles; expected at most 2");
-    }
-  }
+  ValidateEdges(mesh, source);
 }
 
 ClothTopology BuildTopology(const ClothMesh& mesh) {

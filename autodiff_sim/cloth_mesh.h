@@ -24,13 +24,13 @@ struct ClothMesh {
 };
 
 // A rectangular grid over [0, size[0]] x [0, size[1]] m with resolution[0] x resolution[1]
-// particles, at least 2 x 2; particle (i, j) has the index i + j * resolution[0]. Diagonals
-// alternate, so that neither bias direction is preferred.
+// particles, at least 2 x 2 (else throws InputError); particle (i, j) has the index i + j *
+// resolution[0]. Diagonals alternate, so that neither bias direction is preferred.
 ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution);
 
-// Throws InputError, naming `source` and the triangle, where an index is out of range, a triangle
-// is degenerate in (u, v) or turned over, an edge has more than two triangles, or a particle has
-// none.
+// Throws InputError, naming `source` and the triangle, where an index is out of range, a coordinate
+// is not finite, a triangle is degenerate in (u, v) or turned over, an edge has more than two
+// triangles or both on one side, or a particle has none.
 void ValidateMesh(const ClothMesh& mesh, const std::string& source);
 
 // A spring between two particles. Its spring constant is the membrane stiffness (N/m) times weight.
@@ -59,9 +59,10 @@ struct ClothTopology {
 
 // On a grid: structural springs along the cells' sides and shear springs along both diagonals of
 // each cell, with weights that make a cell's membrane stiffness and shear modulus those of the
-// parameters, whatever the resolution. On any other mesh every edge is a spring weighted by its
-// area (Van Gelder 1998) and shared between structural and shear by cos^2 and sin^2 of twice its
-// angle to the warp.
+// parameters, whatever the resolution; the shear springs stretch too, and on square cells add the
+// shear stiffness to the membrane's and couple warp and weft by as much. On any other mesh every
+// edge is a spring weighted by its area (Van Gelder 1998) and shared between structural and shear
+// by cos^2 and sin^2 of twice its angle to the warp.
 ClothTopology BuildTopology(const ClothMesh& mesh);
 
 }  // namespace clothfit

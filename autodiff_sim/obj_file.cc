@@ -4,6 +4,8 @@
 // Reading OBJ: only what a cloth needs.
 #include "autodiff_sim/obj_file.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -52,9 +54,9 @@ class ObjReader {
   // OBJ counts from 1, and back from the end where negative.
   int Index(const std::string& text, std::size_t count) const {
     int index = 0;
-    try {
-      index = std::stoi(text);
-    } catch (const std::exception&) {
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, index);
+    if (error != std::errc() || rest != end) {
       throw InputError(Place(), "'" + text + "': expected corners written v/vt");
     }
     const int found = index > 0 ? index - 1 : static_cast<int>(count) + index;
@@ -71,7 +73,8 @@ class ObjReader {
                        "corner '" + corner + "' has no vt; expected v/vt with vt in metres");
     }
     const int v = Index(corner.substr(0, slash), vertices_.size());
-    const int vt = Index(corner.substr(slash + 1), texture_.size());
+    const std::size_t second = std::min(corner.find('/', slash + 1), corner.size());
+    const int vt = Index(corner.substr(slash + 1, second - slash - 1), texture_.size());
     const auto [entry, is_new] =
         particles_.emplace(std::make_pair(v, vt), cloth_.mesh.num_particles());
     if (is_new) {

@@ -35,7 +35,7 @@ Eigen::VectorXd LayFlat(const ClothMesh& mesh, const Eigen::Vector3d& origin,
 Scene SwingingCloth(int n, double side) {
   Scene scene;
   scene.mesh = MakeGrid({side, side}, {n, n});
-  const Eigen::Vector3d origin(0.0, 0.0, 1.5);
+  const Eigen::Vector3d origin(0.0, 0.0, 0.3);
   scene.x = LayFlat(scene.mesh, origin, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
   scene.handles = LocateOnCloth(scene.mesh, {{0.0, 0.0}, {side, 0.0}});
   scene.path = [origin, side](double time) {

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Grids and triangle meshes: areas, springs, hinges, and what is refused.
+#include "autodiff_sim/cloth_mesh.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "autodiff_sim/error.h"
+
+namespace clothfit {
+namespace {
+
+// The text of the InputError that a call throws; empty where it throws none.
+std::string Refusal(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+// The same cloth without the knowledge that it is a grid.
+ClothMesh AsTriangles(ClothMesh mesh) {
+  mesh.grid = {0, 0};
+  return mesh;
+}
+
+TEST(ClothMesh, GridCoversTheCloth) {
+  const ClothMesh mesh = MakeGrid({0.6, 0.3}, {5, 4});
+  EXPECT_EQ(mesh.num_particles(), 20);
+  EXPECT_EQ(mesh.triangles.size(), 24u);
+  EXPECT_EQ(mesh.uv[19], Eigen::Vector2d(0.6, 0.3));
+  EXPECT_EQ(mesh.uv[7], Eigen::Vector2d(0.6 * 2 / 4, 0.3 * 1 / 3));
+  EXPECT_NO_THROW(ValidateMesh(mesh, "grid"));
+}
+
+TEST(ClothMesh, GridsNeedTwoParticlesASide) {
+  EXPECT_THAT(Refusal([] {
+                MakeGrid({1.0, 1.0}, {1, 5});
+              }),
+              ::testing::StartsWith("cloth.resolution: [1, 5]; expected"));
+}
+
+TEST(ClothMesh, GridsNeedASize) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double bad : {0.0, -1.0, std::nan(""), infinite}) {
+    EXPECT_THAT(Refusal([bad] {
+                  MakeGrid({1.0, bad}, {3, 3});
+                }),
+                ::testing::StartsWith("cloth.size: "))
+        << bad;
+  }
+}
+
+TEST(ClothMesh, AreasSumToTheCloths) {
+  const ClothMesh mesh = MakeGrid({0.6, 0.3}, {7, 4});
+  for (const ClothMesh& m : {mesh, AsTriangles(mesh)}) {
+    const ClothTopology topology = BuildTopology(m);
+    EXPECT_NEAR(std::accumulate(topology.areas.begin(), topology.areas.end(), 0.0), 0.18, 1e-14);
+    for (const double area : topology.areas) EXPECT_GT(area, 0.0);
+  }
+}
+
+TEST(ClothMesh, GridSpringsHaveTheirWidths) {
+  const double hu = 0.1, hv = 0.2;
+  const ClothTopology topology = BuildTopology(MakeGrid({2 * hu, 2 * hv}, {3, 3}));
+  ASSERT_EQ(topology.structural.size(), 12u);
+  ASSERT_EQ(topology.shear.size(), 8u);
+  int border = 0;
+  for (const Spring& spring : topology.structural) {
+    const bool along_u = spring.nodes[1] == spring.nodes[0] + 1;
+    EXPECT_NEAR(spring.rest_length, along_u ? hu : hv, 1e-15);
+    const double full = along_u ? hv / hu : hu / hv;
+    const bool on_border = spring.weight < 0.75 * full;
+    EXPECT_NEAR(spring.weight, on_border ? 0.5 * full : full, 1e-14);
+    if (on_border) ++border;
+  }
+  EXPECT_EQ(border, 8);
+  for (const Spring& spring : topology.shear) {
+    EXPECT_NEAR(spring.rest_length, std::hypot(hu, hv), 1e-15);
+    EXPECT_NEAR(spring.weight, (hu * hu + hv * hv) / (2.0 * hu * hv), 1e-14);
+  }
+}
+
+// Energy per area of a small uniform strain (uu, vv, uv = engineering shear), with stiffness 1 N/m
+// of the structural springs and `shear` of the others.
+double EnergyPerArea(const ClothMesh& mesh, double uu, double vv, double uv, double shear) {
+  const ClothTopology topology = BuildTopology(mesh);
+  Eigen::Matrix2d stretch;
+  stretch << 1.0 + uu, 0.5 * uv, 0.5 * uv, 1.0 + vv;
+  double energy = 0.0;
+  const auto add = [&](const std::vector<Spring>& springs, double stiffness) {
+    for (const Spring& s : springs) {
+      const double length = (stretch * (mesh.uv[s.nodes[1]] - mesh.uv[s.nodes[0]])).norm();
+      const double extension = length - s.rest_length;
+      energy += 0.5 * stiffness * s.weight * extension * extension;
+    }
+  };
+  add(topology.structural, 1.0);
+  add(topology.shear, shear);
+  return energy / std::accumulate(topology.areas.begin(), topology.areas.end(), 0.0);
+}
+
+// The weights' promise: a cell stretches with the stiffness and shears with the shear modulus of
+// the parameters, on any grid, and square cells' triangles do the same.
+TEST(ClothMesh, StrainEnergyIsThatOfTheParametersAtAnyResolution) {
+  constexpr double kStrain = 1e-5;
+  const double unit = 0.5 * kStrain * kStrain;
+  int count = 0;
+  for (const std::array<int, 2>& n : {std::array<int, 2>{3, 3}, {5, 9}, {17, 17}}) {
+    const ClothMesh grid = MakeGrid({0.4, 0.4}, n);
+    std::vector<ClothMesh> meshes = {grid};
+    if (n[0] == n[1]) meshes.push_back(AsTriangles(grid));
+    for (const ClothMesh& mesh : meshes) {
+      SCOPED_TRACE(std::to_string(n[0]) + " x " + std::to_string(n[1]));
+      // Second order in the strain is 1e-5 of the energy.
+      EXPECT_NEAR(EnergyPerArea(mesh, kStrain, 0.0, 0.0, 0.0), unit, 1e-4 * unit);
+      EXPECT_NEAR(EnergyPerArea(mesh, 0.0, kStrain, 0.0, 0.0), unit, 1e-4 * unit);
+      EXPECT_NEAR(EnergyPerArea(mesh, 0.0, 0.0, kStrain, 0.3), 0.3 * unit, 1e-4 * unit);
+      ++count;
+    }
+  }
+  EXPECT_EQ(count, 5);
+}
+
+// What cloth_mesh.h says of the shear springs of square cells: they stretch and couple as well.
+TEST(ClothMesh, ShearSpringsAddToTheMembrane) {
+  constexpr double kStrain = 1e-5, kShear = 0.3;
+  const double unit = 0.5 * kStrain * kStrain;
+  const ClothMesh mesh = MakeGrid({0.4, 0.4}, {5, 5});
+  EXPECT_NEAR(EnergyPerArea(mesh, kStrain, 0.0, 0.0, kShear), (1.0 + kShear) * unit, 1e-4 * unit);
+  EXPECT_NEAR(EnergyPerArea(mesh, kStrain, kStrain, 0.0, kShear), (2.0 + 4.0 * kShear) * unit,
+              1e-4 * unit);
+}
+
+TEST(ClothMesh, OneHingeAnInnerEdge) {
+  const ClothMesh mesh = MakeGrid({0.6, 0.3}, {5, 4});
+  const ClothTopology topology = BuildTopology(mesh);
+  // 3 T = 2 inner + border edges.
+  EXPECT_EQ(topology.hinges.size(), (3 * 24 - 2 * (4 + 3)) / 2u);
+  for (const Hinge& hinge : topology.hinges) {
+    const auto side = [&](int wing) {
+      const Eigen::Vector2d a = mesh.uv[hinge.nodes[2]], e = mesh.uv[hinge.nodes[3]] - a;
+      const Eigen::Vector2d w = mesh.uv[hinge.nodes[wing]] - a;
+      return e.x() * w.y() - e.y() * w.x();
+    };
+    EXPECT_GT(side(0), 0.0);  // the first wing lies to the left
+    EXPECT_LT(side(1), 0.0);
+    const double edge = (mesh.uv[hinge.nodes[3]] - mesh.uv[hinge.nodes[2]]).norm();
+    EXPECT_NEAR(hinge.edge, edge, 1e-15);
+    EXPECT_NEAR(hinge.shape, edge * edge / (side(0) - side(1)), 1e-13);
+  }
+}
+
+TEST(ClothMesh, SpringsKnowNotWhichWayAMeshIsListed) {
+  const ClothMesh mesh = AsTriangles(MakeGrid({0.3, 0.3}, {4, 4}));
+  ClothMesh turned = mesh;
+  for (std::array<int, 3>& t : turned.triangles) t = {t[1], t[2], t[0]};
+  std::reverse(turned.triangles.begin(), turned.triangles.end());
+  const ClothTopology a = BuildTopology(mesh), b = BuildTopology(turned);
+  ASSERT_EQ(a.structural.size(), b.structural.size());
+  for (std::size_t i = 0; i < a.structural.size(); ++i) {
+    EXPECT_EQ(a.structural[i].nodes, b.structural[i].nodes);
+    EXPECT_NEAR(a.structural[i].weight, b.structural[i].weight, 1e-14);
+  }
+}
+
+// Two triangles over the unit square.
+ClothMesh Square() {
+  ClothMesh mesh;
+  mesh.uv = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+std::string Validation(const ClothMesh& mesh) {
+  return Refusal([&mesh] { ValidateMesh(mesh, "cloth.obj"); });
+}
+
+void ExpectOneLine(const std::string& text, const std::string& start) {
+  EXPECT_THAT(text, ::testing::StartsWith(start));
+  EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+}
+
+TEST(ClothMesh, RefusesWhatIsNoCloth) {
+  EXPECT_EQ(Validation(Square()), "");
+
+  ClothMesh flipped = Square();
+  std::swap(flipped.triangles[1][0], flipped.triangles[1][1]);
+  ExpectOneLine(Validation(flipped), "cloth.obj: triangle 2: flipped");
+
+  ClothMesh degenerate = Square();
+  degenerate.uv[3] = {0.5, 0.5};
+  ExpectOneLine(Validation(degenerate), "cloth.obj: triangle 2: degenerate");
+
+  ClothMesh index = Square();
+  index.triangles[0][2] = 7;
+  ExpectOneLine(Validation(index), "cloth.obj: triangle 1: vertex 8 of 4");
+  index.triangles[0][2] = -1;
+  ExpectOneLine(Validation(index), "cloth.obj: triangle 1: vertex 0 of 4");
+
+  ClothMesh unused = Square();
+  unused.uv.emplace_back(2.0, 2.0);
+  ExpectOneLine(Validation(unused), "cloth.obj: vertex 5 belongs to no triangle");
+
+  ClothMesh three = Square();
+  three.uv.emplace_back(0.2, 0.9);
+  three.triangles.push_back({0, 2, 4});
+  ExpectOneLine(Validation(three), "cloth.obj: edge 1-3 has 3 triangles");
+
+  ExpectOneLine(Validation(ClothMesh()), "cloth.obj: the mesh has no triangle");
+
+  ClothMesh twice = Square();
+  twice.triangles[0] = {0, 1, 1};
+  ExpectOneLine(Validation(twice), "cloth.obj: triangle 1: degenerate");
+}
+
+TEST(ClothMesh, RefusesCoordinatesThatAreNoNumbers) {
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    ClothMesh mesh = Square();
+    mesh.uv[2].x() = bad;
+    ExpectOneLine(Validation(mesh), "cloth.obj: vertex 3");
+  }
+}
+
+// Two triangles on the same side of their edge cover the cloth twice.
+TEST(ClothMesh, RefusesTrianglesOverEachOther) {
+  ClothMesh mesh = Square();
+  mesh.uv[3] = {0.9, 0.2};
+  mesh.triangles[1] = {0, 3, 2};
+  ExpectOneLine(Validation(mesh), "cloth.obj: edge 1-3");
+}
+
+}  // namespace
+}  // namespace clothfit

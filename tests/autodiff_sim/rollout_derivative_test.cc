@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Derivatives of whole rollouts against differences: everything that can move a rollout, through
+// 120 steps.
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "autodiff_sim/terms.h"
+#include "tests/autodiff_sim/rollout.h"
+#include "tests/support/scenes.h"
+
+namespace clothfit {
+namespace {
+
+// Differences need rollouts with less noise than fits do: 1e-12 of the mean edge a step, which is
+// not far above roundoff.
+SimulationOptions Precise(Integrator integrator) {
+  SimulationOptions options;
+  options.integrator = integrator;
+  options.tolerance = 1e-12;
+  return options;
+}
+
+GradientCheckOptions Options() {
+  GradientCheckOptions options;
+  options.tolerance = 1e-5;
+  options.first_step = 5e-3;
+  options.sufficient = 0.3;
+  return options;
+}
+
+void Set(const std::string& name, double value, Rollout* rollout) {
+  const int index = FindParameter(rollout->make().model().parameters(), name);
+  ASSERT_GE(index, 0) << name;
+  rollout->parameters[index] = value;
+}
+
+Rollout MakeRollout(const Scene& scene, const SimulationOptions& options) {
+  Rollout rollout;
+  rollout.make = [scene, options]() {
+    return Simulation(scene.mesh, scene.world, scene.handles, options);
+  };
+  rollout.parameters = rollout.make().parameters();
+  Set("stretch.damping", 0.2, &rollout);
+  Set("shear.damping", 0.1, &rollout);
+  Set("bending.stiffness", 1e-4, &rollout);
+  Set("bending.damping", 1e-5, &rollout);
+  rollout.x = scene.x;
+  rollout.v = Eigen::VectorXd::Zero(scene.x.size());
+  const Drive drive = scene.MakeDrive();
+  rollout.inputs = [drive](double time) { return drive(time, false); };
+  return rollout;
+}
+
+// Moves handle `which` along an axis with sin^2 of the time, from rest.
+Direction MoveHandle(int which, int axis) {
+  Direction direction;
+  direction.name = "handle " + std::to_string(which) + " axis " + std::to_string(axis);
+  direction.typical = 0.05;
+  direction.inputs = [which, axis](double time, const StepInputs& inputs) {
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(inputs.num_rows());
+    if (which < static_cast<int>(inputs.handles.size()))
+      d[3 * which + axis] = std::pow(std::sin(2.0 * time), 2);
+    return d;
+  };
+  return direction;
+}
+
+// Moves the input that is `back` rows from the last (the first rows go away with their handles).
+Direction MoveInput(const std::string& name, int back) {
+  Direction direction;
+  direction.name = name;
+  direction.typical = 0.05;
+  direction.inputs = [back](double time, const StepInputs& inputs) {
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(inputs.num_rows());
+    d[inputs.num_rows() - back] = 1.0 + std::cos(3.0 * time);
+    return d;
+  };
+  return direction;
+}
+
+// Initial positions or velocities, along random numbers of up to 1 a particle and axis; held
+// particles are where their handles are whatever their initial position.
+Direction MoveInitial(const std::string& name, Eigen::VectorXd Direction::*part, double typical,
+                      Eigen::Index size) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> one(-1.0, 1.0);
+  Direction direction;
+  direction.name = name;
+  direction.typical = typical;
+  (direction.*part).resize(size);
+  for (double& value : direction.*part) value = one(random);
+  return direction;
+}
+
+void AddInitial(Rollout* rollout) {
+  const Eigen::Index size = rollout->x.size();
+  rollout->directions.push_back(MoveInitial("initial x", &Direction::dx, 1e-3, size));
+  rollout->directions.push_back(MoveInitial("initial v", &Direction::dv, 1e-2, size));
+}
+
+Rollout Swing(int n, Integrator integrator) {
+  Rollout rollout = MakeRollout(SwingingCloth(n, 0.3), Precise(integrator));
+  Set("air_drag.saturation", 0.1, &rollout);
+  return rollout;
+}
+
+TEST(RolloutDerivative, SwingingClothBdf2) {
+  Rollout rollout = Swing(6, Integrator::kBdf2);
+  rollout.AddParameters({"cloth.areal_density", "gravity.scale", "stretch.stiffness",
+                         "stretch.damping", "shear.stiffness", "shear.damping", "bending.stiffness",
+                         "bending.damping", "air_drag.normal", "air_drag.saturation",
+                         "air_drag.tangential"});
+  rollout.directions.push_back(MoveHandle(0, 0));
+  rollout.directions.push_back(MoveHandle(1, 2));
+  AddInitial(&rollout);
+  ExpectDerivatives(rollout, Options());
+}
+
+TEST(RolloutDerivative, SwingingClothBackwardEuler) {
+  Rollout rollout = Swing(6, Integrator::kBackwardEuler);
+  rollout.AddParameters({"cloth.areal_density", "stretch.stiffness", "shear.damping",
+                         "bending.damping", "air_drag.normal"});
+  rollout.directions.push_back(MoveHandle(1, 1));
+  AddInitial(&rollout);
+  ExpectDerivatives(rollout, Options());
+}
+
+// Everything at once, on a finer cloth: one direction that moves all of it.
+TEST(RolloutDerivative, FinerCloth) {
+  Rollout rollout = Swing(9, Integrator::kBdf2);
+  Direction all = MoveHandle(0, 1);
+  const Eigen::Index size = rollout.x.size();
+  all.name = "handle and initial state";
+  all.typical = 0.01;
+  all.dx = 0.01 * MoveInitial("", &Direction::dx, 1.0, size).dx;
+  all.dv = MoveInitial("", &Direction::dv, 1.0, size).dv;
+  all.parameter = FindParameter(rollout.make().model().parameters(), "air_drag.normal");
+  rollout.directions = {all};
+  ExpectDerivatives(rollout, Options());
+}
+
+TEST(RolloutDerivative, ClothLiftedFromTheGround) {
+  Rollout rollout = MakeRollout(LiftedCloth(6, 0.3), Precise(Integrator::kBdf2));
+  Set("ground.damping", 1e4, &rollout);
+  rollout.AddParameters({"ground.stiffness", "ground.friction", "ground.damping", "ground.distance",
+                         "ground.slip_speed", "cloth.areal_density", "bending.stiffness"});
+  rollout.directions.push_back(MoveHandle(0, 0));
+  rollout.directions.push_back(MoveHandle(0, 2));
+  AddInitial(&rollout);
+  ExpectDerivatives(rollout, Options());
+}
+
+// Falls to the ground and slides on it.
+TEST(RolloutDerivative, ClothDroppedOnTheGround) {
+  Scene scene = LiftedCloth(6, 0.3);
+  scene.handles.clear();
+  scene.x = LayFlat(scene.mesh, {0.0, 0.0, 0.05}, Eigen::Vector3d::UnitX(),
+                    Eigen::Vector3d(0.0, 0.98, 0.2));
+  Rollout rollout = MakeRollout(scene, Precise(Integrator::kBackwardEuler));
+  for (Eigen::Index i = 0; i < rollout.v.size(); i += 3) rollout.v[i] = 0.6;
+  rollout.AddParameters({"ground.stiffness", "ground.friction", "gravity.scale"});
+  AddInitial(&rollout);
+  ExpectDerivatives(rollout, Options());
+}
+
+// A cloth drawn to points and rays that move, held at a point inside a triangle until half way.
+Rollout Attracted() {
+  Scene scene = SwingingCloth(6, 0.3);
+  scene.handles = LocateOnCloth(scene.mesh, {{0.027, 0.046}, {0.3, 0.0}});
+  Rollout rollout = MakeRollout(scene, Precise(Integrator::kBdf2));
+  const std::vector<SurfacePoint> targets =
+      LocateOnCloth(scene.mesh, {{0.1, 0.21}, {0.25, 0.28}, {0.17, 0.13}, {0.05, 0.3}});
+  const Eigen::Vector3d inside = scene.handles[0].At(scene.x),
+                        corner = scene.handles[1].At(scene.x);
+  rollout.inputs = [scene, targets, inside, corner](double time) {
+    StepInputs inputs;
+    const Eigen::Vector3d move(0.1 * time * time, 0.0, 0.05 * time * time);
+    inputs.handles.push_back({scene.handles[1], corner - move});
+    if (time < 0.5) inputs.handles.push_back({scene.handles[0], inside + move});
+    for (int i = 0; i < 2; ++i) {
+      const Eigen::Vector3d target = targets[i].At(scene.x) + Eigen::Vector3d(0.03, 0.02, -0.1);
+      inputs.points.push_back({targets[i], target + move});
+      const Eigen::Vector3d direction = Eigen::Vector3d(0.2 * i, 1.0, 0.1 + time).normalized();
+      const Eigen::Vector3d on_ray = targets[2 + i].At(scene.x) - Eigen::Vector3d(0.02, 0.0, 0.05);
+      inputs.rays.push_back({targets[2 + i], direction, on_ray.cross(direction)});
+    }
+    return inputs;
+  };
+  for (const char* term : {"attraction_point", "attraction_ray"}) {
+    Set(std::string(term) + ".linear", 2.0, &rollout);
+    Set(std::string(term) + ".reciprocal", 1e-4, &rollout);
+    Set(std::string(term) + ".radius", 0.03, &rollout);
+  }
+  return rollout;
+}
+
+TEST(RolloutDerivative, AttractionAndAReleasedHandleInsideATriangle) {
+  Rollout rollout = Attracted();
+  for (const char* term : {"attraction_point", "attraction_ray"}) {
+    for (const char* name : {".linear", ".reciprocal", ".radius"})
+      rollout.AddParameter(std::string(term) + name);
+  }
+  rollout.directions.push_back(MoveHandle(0, 1));
+  rollout.directions.push_back(MoveHandle(1, 2));
+  // Two points, 6 rows, then two rays, 12 rows.
+  rollout.directions.push_back(MoveInput("first point, y", 17));
+  rollout.directions.push_back(MoveInput("second point, z", 13));
+  rollout.directions.push_back(MoveInput("first ray, direction z", 10));
+  rollout.directions.push_back(MoveInput("second ray, moment x", 3));
+  AddInitial(&rollout);
+  ExpectDerivatives(rollout, Options());
+}
+
+// Handles that jump: the steps fail, and are made as shorter ones. Differences are those of
+// rollouts halved alike.
+TEST(RolloutDerivative, HalvedSteps) {
+  SimulationOptions options = Precise(Integrator::kBdf2);
+  options.max_newton_iterations = 8;
+  Rollout rollout = MakeRollout(SwingingCloth(6, 0.3), options);
+  const auto gentle = rollout.inputs;
+  rollout.inputs = [gentle](double time) {
+    StepInputs inputs = gentle(time);
+    if (time > 0.3) inputs.handles[1].position.z() += 0.1;
+    return inputs;
+  };
+  rollout.steps = 60;
+  rollout.AddParameters({"stretch.stiffness", "air_drag.normal", "cloth.areal_density"});
+  rollout.directions.push_back(MoveHandle(1, 1));
+  AddInitial(&rollout);
+  const RolloutResult base = RunRollout(rollout, Eigen::VectorXd::Zero(6), false);
+  ASSERT_TRUE(base.converged);
+  EXPECT_GT(base.report.halvings, 0);
+  GradientCheckOptions check = Options();
+  check.first_step = 1e-4;  // so small that the halvings are the same
+  ExpectDerivatives(rollout, check);
+}
+
+}  // namespace
+}  // namespace clothfit
