@@ -100,6 +100,7 @@ StepReport Simulation::TryStep(double h, const Drive& drive, State* state,
 StepReport Simulation::Advance(double h, const Drive& drive, State* state,
                                Sensitivity* sensitivity) {
   StepReport total;
+  if (sensitivity != nullptr && sensitivity->num_directions() == 0) sensitivity = nullptr;
   // The parts still to do, each as its number of halvings; a part that fails becomes two.
   std::vector<int> parts = {0};
   const double start = state->time;

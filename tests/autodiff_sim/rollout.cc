@@ -87,8 +87,10 @@ RolloutResult RunRollout(const Rollout& rollout, const Eigen::VectorXd& q, bool 
   result.values.resize(3 * size);
   result.jacobian.resize(with_jacobian ? 3 * size : 0, count);
   for (int step = 1; step <= rollout.steps; ++step) {
-    result.report +=
+    const StepReport report =
         simulation.Advance(rollout.step, drive, &state, with_jacobian ? &sensitivity : nullptr);
+    result.report += report;
+    result.halvings.push_back(report.halvings);
     if (result.report.status != StepStatus::kConverged) return result;
     if (step == rollout.steps / 2) {
       result.values.head(size) = state.x;
@@ -119,7 +121,7 @@ GradientCheckReport CheckRollout(const Rollout& rollout, const GradientCheckOpti
   const auto function = [&](const Eigen::VectorXd& q, Eigen::VectorXd* f) {
     const RolloutResult moved = RunRollout(rollout, q, false);
     *f = moved.values;
-    return moved.converged && moved.report.halvings == base.report.halvings;
+    return moved.converged && moved.halvings == base.halvings;
   };
   return CheckGradient(function, zero, base.jacobian, with_typical);
 }

@@ -44,11 +44,12 @@ struct RolloutResult {
   Eigen::VectorXd values;
   Eigen::MatrixXd jacobian;  // d values / dq where it was asked for
   StepReport report;
+  std::vector<int> halvings;  // of each step
 };
 RolloutResult RunRollout(const Rollout& rollout, const Eigen::VectorXd& q, bool with_jacobian);
 
-// Checks all directions by differences. A rollout whose steps are halved otherwise than at q = 0 is
-// another function; it is left out.
+// Checks all directions by differences. A rollout of which any step is halved otherwise than at q =
+// 0 is another function; it is left out.
 GradientCheckReport CheckRollout(const Rollout& rollout, const GradientCheckOptions& options);
 
 // Expects every column to agree within options.tolerance, or, where the difference is no better,

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a simulation promises its callers, whatever the physics.
+#include "autodiff_sim/simulation.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/scenes.h"
+
+namespace clothfit {
+namespace {
+
+constexpr double kStep = 1.0 / 120.0;  // s
+
+Simulation MakeSimulation(const Scene& scene, const SimulationOptions& options = {}) {
+  return Simulation(scene.mesh, scene.world, scene.handles, options);
+}
+
+// `steps` steps from rest; expects all to converge.
+State Simulate(const Scene& scene, int steps, Simulation* simulation) {
+  State state = simulation->MakeState(scene.x);
+  const Drive drive = scene.MakeDrive();
+  for (int i = 0; i < steps; ++i) {
+    EXPECT_EQ(simulation->Advance(kStep, drive, &state).status, StepStatus::kConverged);
+  }
+  return state;
+}
+
+TEST(Simulation, SameResultTwiceToTheBit) {
+  const Scene scene = SwingingCloth(6, 0.3);
+  Simulation first = MakeSimulation(scene), second = MakeSimulation(scene);
+  const State a = Simulate(scene, 30, &first), b = Simulate(scene, 30, &second);
+  EXPECT_EQ(a.x, b.x);
+  EXPECT_EQ(a.v, b.v);
+  first.Reset();
+  const State again = Simulate(scene, 30, &first);
+  EXPECT_EQ(a.x, again.x);
+  EXPECT_EQ(a.v, again.v);
+}
+
+// Derivatives are looked at, not lived by: carrying them along does not move the cloth. The kept
+// factor differs, so the iterates do within the tolerance, 1e-9 of an edge a step.
+TEST(Simulation, DerivativesDoNotMoveTheCloth) {
+  const Scene scene = SwingingCloth(6, 0.3);
+  Simulation simulation = MakeSimulation(scene);
+  const State plain = Simulate(scene, 30, &simulation);
+  simulation.Reset();
+  State state = simulation.MakeState(scene.x);
+  Eigen::MatrixXd directions = Eigen::MatrixXd::Zero(simulation.parameters().size(), 1);
+  directions(1, 0) = 1.0;
+  Sensitivity sensitivity(state, directions);
+  for (int i = 0; i < 30; ++i) {
+    ASSERT_EQ(simulation.Advance(kStep, scene.MakeDrive(), &state, &sensitivity).status,
+              StepStatus::kConverged);
+  }
+  EXPECT_LE((state.x - plain.x).lpNorm<Eigen::Infinity>(), 1e-8);
+  EXPECT_GT(sensitivity.x().norm(), 0.0);
+}
+
+TEST(Simulation, TimeIsThatOfTheSteps) {
+  const Scene scene = SwingingCloth(4, 0.3);
+  Simulation simulation = MakeSimulation(scene);
+  State state = Simulate(scene, 12, &simulation);
+  EXPECT_NEAR(state.time, 12 * kStep, 1e-15);
+}
+
+// Everything that must not converge: it reports so, and leaves state and derivatives as they were.
+void ExpectDiverged(const Scene& scene, const Drive& drive, const Eigen::VectorXd* parameters,
+                    const Eigen::VectorXd* x = nullptr) {
+  SimulationOptions options;
+  options.max_halvings = 3;
+  Simulation simulation = MakeSimulation(scene, options);
+  if (parameters != nullptr) simulation.SetParameters(*parameters);
+  State state = simulation.MakeState(x != nullptr ? *x : scene.x);
+  Eigen::MatrixXd directions = Eigen::MatrixXd::Zero(simulation.parameters().size(), 1);
+  directions(1, 0) = 1.0;
+  Sensitivity sensitivity(state, directions);
+  const State before = state;
+  const StepReport report = simulation.Advance(kStep, drive, &state, &sensitivity);
+  EXPECT_EQ(report.status, StepStatus::kDiverged);
+  EXPECT_EQ(report.halvings, 3);
+  EXPECT_EQ(state.time, before.time);
+  EXPECT_EQ(state.v, before.v);
+  if (x == nullptr) {
+    EXPECT_EQ(state.x, before.x);
+  }
+  EXPECT_TRUE(sensitivity.x().isZero(0.0));
+  EXPECT_TRUE(sensitivity.v().isZero(0.0));
+}
+
+TEST(Simulation, NothingConvergesOnWhatIsNoNumber) {
+  const Scene scene = SwingingCloth(4, 0.3);
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double bad : {std::nan(""), infinite, -infinite}) {
+    const Drive drive = [&](double time, bool) {
+      StepInputs inputs = scene.MakeDrive()(time, false);
+      inputs.handles[0].position.y() = bad;
+      return inputs;
+    };
+    ExpectDiverged(scene, drive, nullptr);
+    Eigen::VectorXd parameters = MakeSimulation(scene).parameters();
+    for (int p = 0; p < 4; ++p) {
+      Eigen::VectorXd wrong = parameters;
+      wrong[p] = bad;
+      SCOPED_TRACE(p);
+      ExpectDiverged(scene, scene.MakeDrive(), &wrong);
+    }
+    Eigen::VectorXd x = scene.x;
+    x[30] = bad;
+    ExpectDiverged(scene, scene.MakeDrive(), nullptr, &x);
+  }
+}
+
+// Absurd parameters: whatever comes of it, a converged step is finite and solves its equation.
+TEST(Simulation, AbsurdParametersGiveNoNonsense) {
+  const Scene scene = SwingingCloth(4, 0.3);
+  int diverged = 0, converged = 0;
+  for (const double factor : {0.0, -1.0, -1e6, 1e12, 1e200}) {
+    for (const char* name : {"cloth.areal_density", "stretch.stiffness", "bending.stiffness",
+                             "air_drag.normal", "air_drag.saturation"}) {
+      SimulationOptions options;
+      options.max_halvings = 2;
+      Simulation simulation = MakeSimulation(scene, options);
+      Eigen::VectorXd parameters = simulation.parameters();
+      parameters[FindParameter(simulation.model().parameters(), name)] =
+          factor == 0.0 ? 0.0 : factor * 0.1;
+      simulation.SetParameters(parameters);
+      State state = simulation.MakeState(scene.x);
+      SCOPED_TRACE(std::string(name) + " " + std::to_string(factor));
+      for (int i = 0; i < 10; ++i) {
+        const State before = state;
+        const StepReport report = simulation.Advance(kStep, scene.MakeDrive(), &state);
+        EXPECT_TRUE(state.x.allFinite() && state.v.allFinite() && state.previous_x.allFinite());
+        if (report.status != StepStatus::kConverged) {
+          ++diverged;
+          break;
+        }
+        ++converged;
+        EXPECT_LE(report.error, options.tolerance * 0.2);  // an edge is about 0.1 m
+      }
+    }
+  }
+  EXPECT_GT(converged, 0);
+  EXPECT_GT(diverged, 0);
+}
+
+// A step that fails half way leaves the state where it got to, with the derivatives of that state.
+TEST(Simulation, FailsHalfWayAtTheLastGoodState) {
+  const Scene scene = SwingingCloth(4, 0.3);
+  SimulationOptions options;
+  options.max_halvings = 2;
+  Simulation simulation = MakeSimulation(scene, options);
+  State state = Simulate(scene, 3, &simulation);
+  const double start = state.time;
+  const Drive breaks = [&](double time, bool) {
+    StepInputs inputs = scene.MakeDrive()(time, false);
+    if (time > start + 0.6 * kStep) inputs.handles[0].position.x() = std::nan("");
+    return inputs;
+  };
+  Sensitivity none;
+  const StepReport report = simulation.Advance(kStep, breaks, &state, &none);
+  EXPECT_EQ(report.status, StepStatus::kDiverged);
+  EXPECT_EQ(report.halvings, 2);
+  EXPECT_NEAR(state.time, start + 0.5 * kStep, 1e-15);
+  EXPECT_TRUE(state.x.allFinite());
+  // It goes on from there once the handle is back.
+  EXPECT_EQ(simulation.Advance(kStep, scene.MakeDrive(), &state, &none).status,
+            StepStatus::kConverged);
+}
+
+TEST(Simulation, HalvingsAreReported) {
+  const Scene scene = SwingingCloth(6, 0.3);
+  SimulationOptions options;
+  options.max_newton_iterations = 4;
+  Simulation simulation = MakeSimulation(scene, options);
+  State state = simulation.MakeState(scene.x);
+  const Drive jump = [&](double time, bool) {
+    StepInputs inputs = scene.MakeDrive()(time, false);
+    inputs.handles[0].position.z() += 0.05;
+    return inputs;
+  };
+  const StepReport report = simulation.Advance(kStep, jump, &state);
+  EXPECT_EQ(report.status, StepStatus::kConverged);
+  EXPECT_GT(report.halvings, 0);
+  EXPECT_NEAR(state.time, kStep, 1e-18);
+}
+
+// At rest the handles carry the weight, each its share, straight up.
+TEST(Simulation, HandlesCarryTheWeight) {
+  Scene scene = SwingingCloth(6, 0.3);
+  scene.handles = LocateOnCloth(scene.mesh, {{0.02, 0.03}, {0.3, 0.0}});  // one inside a triangle
+  scene.x =
+      LayFlat(scene.mesh, {0.0, 0.0, 0.3}, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ());
+  const std::vector<Eigen::Vector3d> places = {scene.handles[0].At(scene.x),
+                                               scene.handles[1].At(scene.x)};
+  scene.path = [places](double) { return places; };
+  SimulationOptions options;
+  options.integrator = Integrator::kBackwardEuler;  // forgets its motion sooner
+  Simulation simulation = MakeSimulation(scene, options);
+  Eigen::VectorXd parameters = simulation.parameters();
+  const auto& table = simulation.model().parameters();
+  parameters[FindParameter(table, "air_drag.tangential")] = 1.0;
+  simulation.SetParameters(parameters);
+  State state = simulation.MakeState(scene.x);
+  for (int i = 0; i < 300; ++i) {
+    ASSERT_EQ(simulation.Advance(0.1, scene.MakeDrive(), &state).status, StepStatus::kConverged);
+  }
+  ASSERT_LE(state.v.lpNorm<Eigen::Infinity>(), 1e-6);
+  const Eigen::Map<const Eigen::Matrix3Xd> forces(simulation.handle_forces().data(), 3,
+                                                  scene.mesh.num_particles());
+  const double weight = 0.15 * 0.09 * 9.81;
+  const Eigen::Vector3d net = forces.rowwise().sum();
+  // What is left of the motion: 1e-6 m/s resisted by 1 kg/(m^2 s) over 0.09 m^2.
+  EXPECT_NEAR(net.z(), weight, 1e-6 * weight);
+  EXPECT_NEAR(net.x(), 0.0, 1e-6 * weight);
+  EXPECT_NEAR(net.y(), 0.0, 1e-6 * weight);
+  int held = 0;
+  for (Eigen::Index i = 0; i < forces.cols(); ++i) {
+    if (forces.col(i).norm() > 0.0) ++held;
+  }
+  EXPECT_EQ(held, 4);  // the three of the inner handle's triangle, and the corner
+}
+
+TEST(Simulation, DerivativesTakeNoMoreMemoryAsTimeGoesOn) {
+  const Scene scene = SwingingCloth(4, 0.3);
+  Simulation simulation = MakeSimulation(scene);
+  State state = simulation.MakeState(scene.x);
+  Sensitivity sensitivity(state, Eigen::MatrixXd::Identity(simulation.parameters().size(), 11));
+  const auto size = [&] {
+    Eigen::Index numbers = 0;
+    for (const StateLanes& lanes : sensitivity.lanes()) {
+      numbers += lanes.x.size() + lanes.v.size() + lanes.memory.size() + lanes.previous_x.size() +
+                 lanes.previous_v.size();
+    }
+    return numbers;
+  };
+  const Eigen::Index before = size();
+  EXPECT_EQ(before, 2 * 4 * 48 * kLanes);  // 11 directions are two blocks of lanes
+  for (int i = 0; i < 20; ++i) simulation.Advance(kStep, scene.MakeDrive(), &state, &sensitivity);
+  EXPECT_EQ(size(), before);
+  EXPECT_EQ(sensitivity.x().cols(), 11);
+}
+
+}  // namespace
+}  // namespace clothfit
