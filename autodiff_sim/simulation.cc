@@ -104,16 +104,21 @@ StepReport Simulation::Advance(double h, const Drive& drive, State* state,
   // The parts still to do, each as its number of halvings; a part that fails becomes two.
   std::vector<int> parts = {0};
   const double start = state->time;
+  bool fresh = false;  // no factor is kept from an earlier step
   while (!parts.empty()) {
     const int halvings = parts.back();
     parts.pop_back();
     StepReport report = TryStep(std::ldexp(h, -halvings), drive, state, sensitivity);
-    if (report.status == StepStatus::kDiverged && halvings < options_.max_halvings) {
+    if (report.status == StepStatus::kDiverged && (!fresh || halvings < options_.max_halvings)) {
+      // An old factor may have led astray: the same again without it, then shorter.
+      parts.insert(parts.end(), fresh ? 2 : 1, fresh ? halvings + 1 : halvings);
+      report.halvings = fresh ? 1 : 0;
       solver_->solver.Reset();
       report.status = StepStatus::kConverged;
       report.error = 0.0;
-      report.halvings = 1;
-      parts.insert(parts.end(), {halvings + 1, halvings + 1});
+      fresh = true;
+    } else {
+      fresh = false;
     }
     total += report;
     if (total.status != StepStatus::kConverged) return total;

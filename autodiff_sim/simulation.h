@@ -22,7 +22,9 @@ struct SimulationOptions {
   // edge.
   double tolerance = 1e-9;
   int max_newton_iterations = 40;
-  int max_halvings = 8;  // a step that fails is tried as 2, 4, ... 2^max_halvings shorter ones
+  // A step that fails is tried afresh, without what is kept from earlier steps, and then as 2, 4,
+  // ... 2^max_halvings shorter ones.
+  int max_halvings = 8;
   // Of the linear solves of the derivatives, relative to each right-hand side.
   double sensitivity_tolerance = 1e-10;
 };
