@@ -58,8 +58,9 @@ State Simulation::MakeState(const Eigen::VectorXd& x) const {
 
 void Simulation::Reset() { solver_->solver.Reset(); }
 
-// One step of exactly h; the state is untouched unless it converges.
-StepReport Simulation::TryStep(double h, const Drive& drive, State* state,
+// One step of exactly h; the state is untouched unless it converges. A fresh one starts from the
+// velocities as they are, not from extrapolated ones.
+StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* state,
                                Sensitivity* sensitivity) {
   StepReport report;
   const bool with_directions = sensitivity != nullptr;
@@ -77,7 +78,7 @@ StepReport Simulation::TryStep(double h, const Drive& drive, State* state,
   problem.parameters = &parameters_;
   problem.constraints = &constraints;
   Eigen::VectorXd v = state->v;
-  if (problem.formula.before != 0.0)
+  if (problem.formula.before != 0.0 && !fresh)
     v += (h / state->previous_step) * (state->v - state->previous_v);
   StepSolver& solver = solver_->solver;
   if (!solver.Solve(problem, &v, &report)) {
@@ -104,13 +105,13 @@ StepReport Simulation::Advance(double h, const Drive& drive, State* state,
   // The parts still to do, each as its number of halvings; a part that fails becomes two.
   std::vector<int> parts = {0};
   const double start = state->time;
-  bool fresh = false;  // no factor is kept from an earlier step
+  bool fresh = false;  // without a factor kept from an earlier step
   while (!parts.empty()) {
     const int halvings = parts.back();
     parts.pop_back();
-    StepReport report = TryStep(std::ldexp(h, -halvings), drive, state, sensitivity);
+    StepReport report = TryStep(std::ldexp(h, -halvings), fresh, drive, state, sensitivity);
     if (report.status == StepStatus::kDiverged && (!fresh || halvings < options_.max_halvings)) {
-      // An old factor may have led astray: the same again without it, then shorter.
+      // An old factor or a bold guess may have led astray: the same again without, then shorter.
       parts.insert(parts.end(), fresh ? 2 : 1, fresh ? halvings + 1 : halvings);
       report.halvings = fresh ? 1 : 0;
       solver_->solver.Reset();

@@ -103,7 +103,8 @@ class Simulation {
  private:
   struct Solver;
   Simulation(std::unique_ptr<ClothModel> model, const SimulationOptions& options);
-  StepReport TryStep(double h, const Drive& drive, State* state, Sensitivity* sensitivity);
+  StepReport TryStep(double h, bool fresh, const Drive& drive, State* state,
+                     Sensitivity* sensitivity);
 
   std::unique_ptr<ClothModel> model_;
   SimulationOptions options_;
