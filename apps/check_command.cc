@@ -8,7 +8,7 @@
 
 #include "apps/commands.h"
 #include "apps/config_options.h"
-#include "fitting/scene.h"
+#include "fitting/fit_run.h"
 #include "tracking/recording_summary.h"
 
 namespace clothfit {
@@ -16,7 +16,7 @@ namespace {
 
 int RunCheckCommand(const std::string& folder) {
   const Recording recording = ReadRecording(folder);
-  MakeScene(recording, DefaultConfig(recording));  // refuses what no simulation can be made of
+  CheckSimulable(MakeScene(recording, DefaultConfig(recording)));
   fmt::print("{}", DescribeRecording(recording));
   std::fflush(stdout);
   PrintWarnings(recording);

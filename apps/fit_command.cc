@@ -85,22 +85,23 @@ FitResult FitWithDisplay(const Scene& scene, const FitConfig& config, const RunF
 
 int Report(const FitResult& result, const RunFolder& run, bool quiet) {
   if (!quiet) fmt::print("{}\nrun: {}\n", DescribeFitResult(result), run.path().string());
+  std::fflush(stdout);
+  const std::string hint =
+      fmt::format("; 'clothfit fit --resume -o {}' goes on", run.path().string());
   switch (result.status) {
     case FitStatus::kConverged:
       return kExitSuccess;
     case FitStatus::kNotConverged:
-      fmt::print(stderr,
-                 "clothfit: warning: not converged; 'clothfit fit --resume -o {}' goes on\n",
-                 run.path().string());
+      fmt::print(stderr, "clothfit: warning: not converged{}\n", run.HasCheckpoint() ? hint : "");
       return kExitSuccess;
     case FitStatus::kInterrupted:
-      fmt::print(stderr, "clothfit: interrupted; 'clothfit fit --resume -o {}' goes on\n",
-                 run.path().string());
+      fmt::print(stderr, "clothfit: interrupted{}\n", hint);
       return kExitInterrupted;
     case FitStatus::kFailed:
       break;
   }
-  throw std::runtime_error("the fit failed: the simulation fails at the start values");
+  throw std::runtime_error("the fit failed: the simulation diverges, see " +
+                           (run.path() / "log.txt").string());
 }
 
 int RunFitCommand(FitOptions options) {
@@ -110,7 +111,6 @@ int RunFitCommand(FitOptions options) {
   ApplyOptions(options, &config);
   const Scene scene = MakeScene(recording, config);
   CheckFittable(scene);
-  if (!options.quiet) PrintWarnings(recording);
 
   using Existing = RunFolder::Existing;
   const Existing existing = options.resume  ? Existing::kResume
@@ -119,6 +119,7 @@ int RunFitCommand(FitOptions options) {
   const RunFolder run(options.run.empty() ? DefaultRun(recording) : fs::path(options.run),
                       existing);
   if (options.resume) RequireSameConfig(run, recording, config);
+  if (!options.quiet) PrintWarnings(recording);
   return Report(FitWithDisplay(scene, config, run, options), run, options.quiet);
 }
 

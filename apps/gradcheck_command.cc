@@ -10,6 +10,7 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "autodiff_sim/error.h"
+#include "fitting/fit_run.h"
 #include "fitting/gradient_report.h"
 
 namespace clothfit {
@@ -68,6 +69,7 @@ int RunGradcheckCommand(const GradcheckOptions& options) {
   }
   const FitConfig config = MakeGradcheckConfig(options, recording);
   const Scene scene = MakeScene(recording, config);
+  CheckSimulable(scene);
   const GradientReport report = CheckFitGradient(scene, config, frames - 1);
   PrintReport(report, frames);
   return report.Passes() ? kExitSuccess : kExitFailure;

@@ -3,6 +3,7 @@
 #include "apps/progress_display.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -63,18 +64,25 @@ void ProgressDisplay::Show(const FitProgress& progress) {
     has_bar_ = true;
     return;
   }
-  if (progress.stage == stage_ && SecondsSince(last_) < kPlainInterval) return;
+  const std::string line = state + "  " + Describe(progress) + "\n";
+  if (progress.stage == stage_ && SecondsSince(last_) < kPlainInterval) {
+    unshown_ = line;
+    return;
+  }
   stage_ = progress.stage;
   last_ = Clock::now();
-  std::fprintf(stderr, "%s  %s\n", state.c_str(), Describe(progress).c_str());
+  unshown_.clear();
+  std::fputs(line.c_str(), stderr);
 }
 
 void ProgressDisplay::Finish() {
   if (has_bar_) std::fputc('\n', stderr);
+  std::fputs(unshown_.c_str(), stderr);
   has_bar_ = false;
+  unshown_.clear();
 }
 
-double ProgressDisplay::SecondsSince(Clock::time_point time) const {
+double ProgressDisplay::SecondsSince(Clock::time_point time) {
   return std::chrono::duration<double>(Clock::now() - time).count();
 }
 

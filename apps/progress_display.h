@@ -15,17 +15,17 @@ class ProgressDisplay {
  public:
   ProgressDisplay();
   void Show(const FitProgress& progress);
-  // Leaves the bar's line; nothing is shown afterwards.
+  // Shows where it ended and leaves the bar's line; nothing is shown afterwards.
   void Finish();
 
  private:
   using Clock = std::chrono::steady_clock;
-  double SecondsSince(Clock::time_point time) const;
+  static double SecondsSince(Clock::time_point time);
 
   bool is_terminal_;
   bool has_bar_ = false;  // the cursor stands at the end of a bar
   Clock::time_point start_ = Clock::now(), last_ = start_;
-  std::string stage_;
+  std::string stage_, unshown_;  // of the last plain line; the line passed over since
 };
 
 }  // namespace clothfit

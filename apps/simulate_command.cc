@@ -34,6 +34,7 @@ int RunSimulateCommand(const SimulateOptions& options) {
   config.Check("command line");
   const int frames = CountFrames(options, recording);
   const Scene scene = MakeScene(recording, config);
+  CheckSimulable(scene);
   const RunFolder run(options.output,
                       options.force ? RunFolder::Existing::kReplace : RunFolder::Existing::kRefuse);
   const int reached = SimulateIntoRun(scene, config, run, frames - 1);

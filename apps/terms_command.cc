@@ -18,8 +18,8 @@ const char* ScaleName(const Parameter& parameter) {
 }
 
 std::string ParameterRow(const std::string& name, const Parameter& p) {
-  return fmt::format("  {:<28}{:<12}{:>10}{:>10}  {:<18}{:<8}{}\n", name, p.unit, p.initial, p.off,
-                     fmt::format("{} .. {}", p.lower, p.upper), ScaleName(p), p.doc);
+  return fmt::format("  {:<28}{:<12}{:>10g}{:>10g}  {:<18}{:<8}{}\n", name, p.unit, p.initial,
+                     p.off, fmt::format("{:g} .. {:g}", p.lower, p.upper), ScaleName(p), p.doc);
 }
 
 void PrintTable() {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/error.h"
+#include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/parameter_table.h"
 
 namespace clothfit {
@@ -47,7 +48,16 @@ std::optional<FitCheckpoint> ReadFittingCheckpoint(const RunFolder& run,
 
 }  // namespace
 
+void CheckSimulable(const Scene& scene) {
+  std::vector<HandleTarget> targets;
+  for (const SceneHandle& handle : scene.handles) {
+    targets.push_back({handle.on_cloth, handle.path.At(0.0)});
+  }
+  HandleConstraints{targets};
+}
+
 void CheckFittable(const Scene& scene) {
+  CheckSimulable(scene);
   const bool any_marker =
       std::any_of(scene.markers.begin(), scene.markers.end(),
                   [&](const MarkerObservation& m) { return scene.is_fitted[m.frame]; });

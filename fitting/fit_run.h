@@ -9,7 +9,10 @@
 
 namespace clothfit {
 
-// Throws InputError where the scene has nothing that a fit could go by.
+// Throws InputError where handles lie so close that they hold the same particle.
+void CheckSimulable(const Scene& scene);
+
+// The same, and where the scene has nothing that a fit could go by.
 void CheckFittable(const Scene& scene);
 
 // RunFit with everything written into the run: config and log at once, the checkpoint after every

@@ -6,11 +6,12 @@
 
 #include <fstream>
 
-#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "autodiff_sim/error.h"
 #include "fitting/version.h"
 #include "fitting/whole_file.h"
+#include "tracking/text.h"
 
 namespace clothfit {
 namespace {
@@ -20,16 +21,25 @@ namespace fs = std::filesystem;
 constexpr const char* kLog = "log.txt";
 constexpr const char* kLogBegins = "clothfit ";
 constexpr const char* kCheckpoint = "checkpoint.json";
+constexpr const char* kSummary = "summary.json";
 
 // All that a run ever writes. The log goes last: without it the folder is no run any more.
 constexpr const char* kOwnFiles[] = {
-    "config.yaml", "parameters.yaml", "summary.json", "trajectory.npy",
-    "mesh.obj",    "residuals.csv",   kCheckpoint,    kLog};
+    "config.yaml", "parameters.yaml", kSummary,    "trajectory.npy",
+    "mesh.obj",    "residuals.csv",   kCheckpoint, kLog};
 
 bool IsRun(const fs::path& folder) {
   std::ifstream log(folder / kLog);
   std::string line;
   return std::getline(log, line) && line.rfind(kLogBegins, 0) == 0;
+}
+
+// An interrupted run has a checkpoint, or had no time for one.
+bool IsFinished(const fs::path& folder) {
+  if (fs::exists(folder / kCheckpoint) || !fs::exists(folder / kSummary)) return false;
+  const nlohmann::json summary = nlohmann::json::parse(ReadTextFile(folder / kSummary), nullptr,
+                                                       false);  // discarded where it is damaged
+  return !summary.is_object() || summary.value("status", "") != ToString(FitStatus::kInterrupted);
 }
 
 void RequireRun(const fs::path& folder, const std::string& otherwise) {
@@ -71,7 +81,7 @@ RunFolder::RunFolder(const fs::path& folder, Existing existing) : path_(folder) 
   if (existing == Existing::kResume) {
     if (is_free) throw InputError(folder.string(), "there is no run to resume");
     RequireRun(folder, "there is nothing to resume");
-    if (HasCheckpoint() || !fs::exists(folder / "summary.json")) return;
+    if (!IsFinished(folder)) return;
     throw InputError(folder.string(), "the run is finished; there is nothing to resume");
   }
   if (!is_free) {
