@@ -5,6 +5,7 @@
 #include "autodiff_sim/block_sparse_matrix.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace clothfit {
@@ -24,6 +25,9 @@ BlockPattern MakePattern(int num_particles, const std::vector<std::vector<int>>&
   BlockPattern pattern;
   pattern.row_begin.push_back(0);
   for (const std::set<int>& row : neighbours) {
+    const int i = static_cast<int>(pattern.diagonal.size());
+    pattern.diagonal.push_back(pattern.num_blocks() +
+                               static_cast<int>(std::distance(row.begin(), row.find(i))));
     pattern.column.insert(pattern.column.end(), row.begin(), row.end());
     pattern.row_begin.push_back(pattern.num_blocks());
   }
@@ -47,6 +51,53 @@ void BlockSparseMatrix::AddProduct(const Lanes<kColumns>& x, double scale,
     y->row(3 * row) += scale * sum0;
     y->row(3 * row + 1) += scale * sum1;
     y->row(3 * row + 2) += scale * sum2;
+  }
+}
+
+void FloatBlockMatrix::Round(const BlockSparseMatrix& a) {
+  const double* block = a.block(0);
+  for (float* rounded = values_.data(); rounded != values_.data() + values_.size();
+       rounded += 12, block += 9) {
+    for (int q = 0; q < 3; ++q) {
+      for (int p = 0; p < 3; ++p) rounded[4 * q + p] = static_cast<float>(block[3 * p + q]);
+    }
+  }
+}
+
+template <>
+void FloatBlockMatrix::Multiply<1>(const FloatLanes<1>& x, FloatLanes<1>* y) const {
+  y->resize(x.rows());
+  const float* block = values_.data();
+  for (int row = 0; row < pattern_->num_rows(); ++row) {
+    Eigen::Array4f even = Eigen::Array4f::Zero(), odd = even, last = even;
+    for (int k = pattern_->row_begin[row]; k < pattern_->row_begin[row + 1]; ++k, block += 12) {
+      const float* part = x.data() + 3 * pattern_->column[k];
+      even += Eigen::Map<const Eigen::Array4f>(block) * part[0];
+      odd += Eigen::Map<const Eigen::Array4f>(block + 4) * part[1];
+      last += Eigen::Map<const Eigen::Array4f>(block + 8) * part[2];
+    }
+    y->segment<3>(3 * row) = (even + odd + last).head<3>();
+  }
+}
+
+template <>
+void FloatBlockMatrix::Multiply<kLanes>(const FloatLanes<kLanes>& x, FloatLanes<kLanes>* y) const {
+  using Row = Eigen::Matrix<float, 1, kLanes>;
+  y->resize(x.rows(), kLanes);
+  const float* block = values_.data();
+  for (int row = 0; row < pattern_->num_rows(); ++row) {
+    Row sum0 = Row::Zero(), sum1 = sum0, sum2 = sum0;
+    for (int k = pattern_->row_begin[row]; k < pattern_->row_begin[row + 1]; ++k, block += 12) {
+      for (int q = 0; q < 3; ++q) {
+        const Row part = x.row(3 * pattern_->column[k] + q);
+        sum0 += block[4 * q] * part;
+        sum1 += block[4 * q + 1] * part;
+        sum2 += block[4 * q + 2] * part;
+      }
+    }
+    y->row(3 * row) = sum0;
+    y->row(3 * row + 1) = sum1;
+    y->row(3 * row + 2) = sum2;
   }
 }
 

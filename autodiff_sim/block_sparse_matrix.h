@@ -16,11 +16,15 @@ constexpr int kLanes = 8;
 template <int kColumns>
 using Lanes = Eigen::Matrix<double, Eigen::Dynamic, kColumns,
                             kColumns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+template <int kColumns>
+using FloatLanes = Eigen::Matrix<float, Eigen::Dynamic, kColumns,
+                                 kColumns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
 // The pattern, shared by all matrices of a simulation.
 struct BlockPattern {
   std::vector<int> row_begin;  // num_rows + 1 offsets into `column`
   std::vector<int> column;     // block columns, ascending within a row, the diagonal always present
+  std::vector<int> diagonal;   // index of each row's diagonal block
 
   int num_rows() const { return static_cast<int>(row_begin.size()) - 1; }
   int num_blocks() const { return static_cast<int>(column.size()); }
@@ -50,6 +54,23 @@ class BlockSparseMatrix {
  private:
   const BlockPattern* pattern_;
   std::vector<double> values_;
+};
+
+// A rounded copy for iterations whose result is corrected in double precision.
+class FloatBlockMatrix {
+ public:
+  explicit FloatBlockMatrix(const BlockPattern* pattern)
+      : pattern_(pattern), values_(12 * static_cast<std::size_t>(pattern->num_blocks()), 0.0f) {}
+
+  void Round(const BlockSparseMatrix& a);
+
+  // y = A x, for 1 or kLanes columns.
+  template <int kColumns>
+  void Multiply(const FloatLanes<kColumns>& x, FloatLanes<kColumns>* y) const;
+
+ private:
+  const BlockPattern* pattern_;
+  std::vector<float> values_;  // 12 a block: its columns, each filled up with a zero
 };
 
 extern template void BlockSparseMatrix::AddProduct<1>(const Lanes<1>&, double, Lanes<1>*) const;

@@ -4,7 +4,6 @@
 // Assembly over all terms.
 #include "autodiff_sim/cloth_model.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace clothfit {
@@ -88,7 +87,7 @@ void ClothModel::Forces(double time, const Eigen::VectorXd& x, const Eigen::Vect
 
 void ClothModel::AddMass(double areal_density, BlockSparseMatrix* a) const {
   for (int i = 0; i < mesh_.num_particles(); ++i) {
-    double* block = a->block(pattern_.Find(i, i));
+    double* block = a->block(pattern_.diagonal[i]);
     for (int k = 0; k < 3; ++k) block[4 * k] += areal_density * topology_.areas[i];
   }
 }
@@ -104,23 +103,28 @@ void ClothModel::StepJacobian(double time, const Eigen::VectorXd& x, const Eigen
                });
 }
 
-void ClothModel::Linearize(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
-                           const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
-                           double gamma, const std::vector<bool>& wanted,
-                           Linearization* out) const {
-  out->step_jacobian->SetZero();
-  out->stiffness->SetZero();
-  out->by_parameter.setZero(x.size(), parameters.size());
-  out->by_input.clear();
-  out->with_memory.clear();
-  AddMass(parameters[kArealDensity], out->step_jacobian);
+void ClothModel::AddForceDerivatives(double time, const Eigen::VectorXd& x,
+                                     const Eigen::VectorXd& v, const Eigen::VectorXd& parameters,
+                                     const Eigen::VectorXd& memory,
+                                     const ForceDirections& directions, Lanes<kLanes>* force,
+                                     Lanes<kLanes>* new_memory) const {
+  new_memory->resize(memory.size(), kLanes);
+  const auto row = [](const Lanes<kLanes>& lanes, int i) { return lanes.data() + kLanes * i; };
   ForEachBatch(time, x, v, parameters, memory,
                [&](const ForceBatch& batch, const BatchPoint& point, int first_parameter,
                    int first_memory, bool off) {
-                 const auto begin = wanted.begin() + first_parameter;
-                 const auto end = begin + static_cast<long>(batch.info().parameters.size());
-                 if (off && std::find(begin, end, true) == end) return;
-                 batch.Linearize(point, gamma, first_parameter, first_memory, out);
+                 const int count = static_cast<int>(batch.info().parameters.size());
+                 if (off && directions.parameters.middleRows(first_parameter, count).isZero(0.0))
+                   return;
+                 const BatchDirections own = {
+                     directions.x.data(),
+                     directions.v.data(),
+                     row(directions.parameters, kArealDensity),
+                     row(directions.parameters, first_parameter),
+                     row(directions.memory, first_memory),
+                     directions.inputs.size() > 0 ? directions.inputs.data() : nullptr};
+                 batch.AddDerivatives(point, own, force->data(),
+                                      new_memory->data() + kLanes * first_memory);
                });
 }
 

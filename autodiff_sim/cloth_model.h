@@ -30,6 +30,12 @@ struct StepFormula {
 // Backward Euler where there is no step before, or where this one is more than twice as long.
 StepFormula MakeStepFormula(Integrator integrator, double step, double previous_step);
 
+// kLanes directions in which everything that the forces depend on may move, a row for each number.
+struct ForceDirections {
+  Lanes<kLanes> x, v, parameters, memory;
+  Lanes<kLanes> inputs;  // rows of StepInputs::directions; empty where nothing moves them
+};
+
 // The cloth as the solver sees it: its forces and masses.
 class ClothModel {
  public:
@@ -54,11 +60,12 @@ class ClothModel {
   void StepJacobian(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
                     const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory, double gamma,
                     BlockSparseMatrix* a) const;
-  // The same and all other first derivatives. A term that is off is left out unless one of its
-  // parameters is wanted (one entry a parameter).
-  void Linearize(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
-                 const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory, double gamma,
-                 const std::vector<bool>& wanted, Linearization* out) const;
+  // Adds the forces' derivatives along kLanes directions, 3N x kLanes; `new_memory` gets those of
+  // the memory at the end of the step.
+  void AddForceDerivatives(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
+                           const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
+                           const ForceDirections& directions, Lanes<kLanes>* force,
+                           Lanes<kLanes>* new_memory) const;
 
  private:
   template <class Function>

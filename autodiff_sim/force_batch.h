@@ -35,30 +35,15 @@ struct BatchPoint {
   const double* memory;     // the term's own, at the start of the step
 };
 
-// df/dinput of one particle's force, from elements with inputs.
-struct InputDerivative {
-  int node;
-  int input_row;  // row of StepInputs::directions
-  Eigen::Vector3d derivative;
-};
-
-// The local Jacobian of one element that remembers: rows are its forces (3 a node) and its new
-// memory, columns its velocities, positions (3 a node each), parameters, areal density and old
-// memory.
-struct MemoryElement {
-  std::vector<int> nodes;
-  int first_parameter;  // index of the term's parameters among all
-  int first_memory;     // index into the state's memory
-  Eigen::MatrixXd jacobian;
-};
-
-// First derivatives of all forces at one point.
-struct Linearization {
-  BlockSparseMatrix* step_jacobian;  // += -gamma (df/dv + gamma df/dx)
-  BlockSparseMatrix* stiffness;      // += df/dx
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> by_parameter;  // 3N x all
-  std::vector<InputDerivative> by_input;
-  std::vector<MemoryElement> with_memory;
+// Directions in which a batch's forces are differentiated, kLanes at once: rows of kLanes numbers,
+// a row for each number of the point. All pointers as in BatchPoint.
+struct BatchDirections {
+  const double* x;              // 3N rows
+  const double* v;              // 3N rows
+  const double* areal_density;  // one row
+  const double* parameter;      // the term's own
+  const double* memory;         // the term's own
+  const double* input;          // rows of StepInputs::directions; null where nothing moves them
 };
 
 class ForceBatch {
@@ -80,10 +65,10 @@ class ForceBatch {
   // a += -gamma d force / d velocity, where positions move by gamma times velocities.
   virtual void AddStepJacobian(const BatchPoint& point, double gamma,
                                BlockSparseMatrix* a) const = 0;
-  // Adds all first derivatives. The term's parameters begin at column `first_parameter` of
-  // by_parameter, column 0 is the areal density; its memory begins at `first_memory`.
-  virtual void Linearize(const BatchPoint& point, double gamma, int first_parameter,
-                         int first_memory, Linearization* out) const = 0;
+  // force += the forces' derivatives along the directions, 3N rows; those of the new memory are
+  // written to `memory`.
+  virtual void AddDerivatives(const BatchPoint& point, const BatchDirections& directions,
+                              double* force, double* memory) const = 0;
 };
 
 // One batch a term of the list, in the list's order.

@@ -5,28 +5,14 @@
 // (terms/*.cc, and tests that bring a term of their own).
 #pragma once
 
-#include <utility>
+#include <cstring>
+#include <memory>
+#include <vector>
 
+#include "autodiff_sim/dual.h"
 #include "autodiff_sim/force_batch.h"
 
 namespace clothfit {
-
-// Jets are padded to whole vector registers: a width that is no multiple of one is evaluated two
-// numbers at a time.
-constexpr int PaddedJetWidth(int width) { return width <= 4 ? 4 : (width + 7) / 8 * 8; }
-
-// Where each input of an element has its derivative.
-template <class Term>
-struct JetLayout {
-  static constexpr int kV = 0;
-  static constexpr int kX = 3 * Term::kNodes;
-  static constexpr int kParameter = 6 * Term::kNodes;
-  static constexpr int kDensity = kParameter + static_cast<int>(Term::kParameters.size());
-  static constexpr int kInput = kDensity + 1;
-  static constexpr int kMemory = kInput + Term::kInputs;
-  static constexpr int kSize = kMemory + Term::kMemory;
-  static constexpr int kWidth = PaddedJetWidth(kSize);
-};
 
 template <class Term>
 class TermBatch final : public ForceBatch {
@@ -61,7 +47,8 @@ class TermBatch final : public ForceBatch {
 
   int memory_size() const override { return static_cast<int>(elements_.size()) * Term::kMemory; }
 
-  void AddForces(const BatchPoint& point, double* force, double* memory) const override {
+  [[gnu::flatten]] void AddForces(const BatchPoint& point, double* force,
+                                  double* memory) const override {
     ElementInput<Term, double> in = MakeInput<double>(point);
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       LoadNodes(point, elements_[e], &in);
@@ -75,55 +62,55 @@ class TermBatch final : public ForceBatch {
     }
   }
 
-  void AddStepJacobian(const BatchPoint& point, double gamma, BlockSparseMatrix* a) const override {
-    using Jet = ceres::Jet<double, PaddedJetWidth(3 * kNodes)>;
-    ElementInput<Term, Jet> in = MakeInput<Jet>(point);
+  [[gnu::flatten]] void AddStepJacobian(const BatchPoint& point, double gamma,
+                                        BlockSparseMatrix* a) const override {
+    using T = Dual<(3 * kNodes + 7) / 8 * 8>;
+    ElementInput<Term, T> in = MakeInput<T>(point);
+    for (int n = 0; n < kNodes; ++n) {  // these derivatives are the same for all elements
+      for (int k = 0; k < 3; ++k) {
+        in.x[n][k].SetDerivative(3 * n + k, gamma);
+        in.v[n][k].SetDerivative(3 * n + k, 1.0);
+      }
+    }
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       LoadNodes(point, elements_[e], &in);
       LoadInputs(elements_[e], &in);
-      for (int n = 0; n < kNodes; ++n) {
-        for (int k = 0; k < 3; ++k) {
-          in.x[n][k].v[3 * n + k] = gamma;
-          in.v[n][k].v[3 * n + k] = 1.0;
-        }
-      }
-      ElementOutput<Term, Jet> out = EmptyOutput<Jet>(point, e);
-      Term::template AddForce<Jet>(elements_[e], in, &out);
-      ScatterBlocks(out, e, 0, -gamma, a);
+      ElementOutput<Term, T> out = EmptyOutput<T>(point, e);
+      Term::template AddForce<T>(elements_[e], in, &out);
+      ScatterBlocks(out, e, -gamma, a);
     }
   }
 
-  void Linearize(const BatchPoint& point, double gamma, int first_parameter, int first_memory,
-                 Linearization* result) const override {
-    using Jet = ceres::Jet<double, Layout::kWidth>;
-    ElementInput<Term, Jet> in = MakeInput<Jet>(point);
+  [[gnu::flatten]] void AddDerivatives(const BatchPoint& point, const BatchDirections& directions,
+                                       double* force, double* memory) const override {
+    using T = Dual<kLanes>;
+    ElementInput<Term, T> in = MakeInput<T>(point);
     for (std::size_t i = 0; i < Term::kParameters.size(); ++i)
-      in.parameter[i].v[Layout::kParameter + i] = 1.0;
-    in.areal_density.v[Layout::kDensity] = 1.0;
+      SetLanes(directions.parameter, i, &in.parameter[i]);
+    SetLanes(directions.areal_density, 0, &in.areal_density);
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       LoadNodes(point, elements_[e], &in);
       LoadInputs(elements_[e], &in);
+      LoadDirections(directions, elements_[e], &in);
+      ElementOutput<Term, T> out = EmptyOutput<T>(point, e);
+      for (std::size_t m = 0; m < Term::kMemory; ++m)
+        SetLanes(directions.memory, e * Term::kMemory + m, &out.memory[m]);
+      Term::template AddForce<T>(elements_[e], in, &out);
       for (int n = 0; n < kNodes; ++n) {
         for (int k = 0; k < 3; ++k) {
-          in.x[n][k].v[Layout::kX + 3 * n + k] = 1.0;
-          in.v[n][k].v[Layout::kV + 3 * n + k] = 1.0;
+          double* row = force + kLanes * (3 * elements_[e].nodes[n] + k);
+          for (int c = 0; c < kLanes; ++c) row[c] += out.force[n][k].v[0][c];
         }
       }
-      for (int i = 0; i < Term::kInputs; ++i) in.input[i].v[Layout::kInput + i] = 1.0;
-      ElementOutput<Term, Jet> out = EmptyOutput<Jet>(point, e);
-      for (int m = 0; m < Term::kMemory; ++m) out.memory[m].v[Layout::kMemory + m] = 1.0;
-      Term::template AddForce<Jet>(elements_[e], in, &out);
-      ScatterBlocks(out, e, Layout::kV, -gamma, result->step_jacobian);
-      ScatterBlocks(out, e, Layout::kX, -gamma * gamma, result->step_jacobian);
-      ScatterBlocks(out, e, Layout::kX, 1.0, result->stiffness);
-      ScatterColumns(out, e, first_parameter, result);
-      if constexpr (Term::kMemory > 0) StoreMemory(out, e, first_parameter, first_memory, result);
+      for (std::size_t m = 0; m < Term::kMemory; ++m) {
+        for (int c = 0; c < kLanes; ++c)
+          memory[kLanes * (e * Term::kMemory + m) + c] = out.memory[m].v[0][c];
+      }
     }
   }
 
  private:
   using Element = typename Term::Element;
-  using Layout = JetLayout<Term>;
   static constexpr int kNodes = Term::kNodes;
 
   template <class T>
@@ -136,13 +123,39 @@ class TermBatch final : public ForceBatch {
     return in;
   }
 
+  static void SetValue(double value, double* number) { *number = value; }
+  template <int kSize>
+  static void SetValue(double value, Dual<kSize>* number) {
+    number->a = value;
+  }
+  static void SetLanes(const double* rows, std::size_t row, Dual<kLanes>* number) {
+    for (int c = 0; c < kLanes; ++c) number->v[0][c] = rows[kLanes * row + c];
+  }
+
+  // Sets the values and leaves the derivatives.
   template <class T>
   static void LoadNodes(const BatchPoint& point, const Element& e, ElementInput<Term, T>* in) {
     for (int n = 0; n < kNodes; ++n) {
       for (int k = 0; k < 3; ++k) {
-        in->x[n][k] = T(point.x[3 * e.nodes[n] + k]);
-        in->v[n][k] = T(point.v[3 * e.nodes[n] + k]);
+        SetValue(point.x[3 * e.nodes[n] + k], &in->x[n][k]);
+        SetValue(point.v[3 * e.nodes[n] + k], &in->v[n][k]);
       }
+    }
+  }
+
+  static void LoadDirections(const BatchDirections& directions, const Element& e,
+                             ElementInput<Term, Dual<kLanes>>* in) {
+    for (int n = 0; n < kNodes; ++n) {
+      for (int k = 0; k < 3; ++k) {
+        const auto row = static_cast<std::size_t>(3 * e.nodes[n] + k);
+        SetLanes(directions.x, row, &in->x[n][k]);
+        SetLanes(directions.v, row, &in->v[n][k]);
+      }
+    }
+    if constexpr (Term::kInputs > 0) {
+      if (directions.input == nullptr) return;
+      for (int i = 0; i < Term::kInputs; ++i)
+        SetLanes(directions.input, static_cast<std::size_t>(e.first_input + i), &in->input[i]);
     }
   }
 
@@ -161,66 +174,20 @@ class TermBatch final : public ForceBatch {
     return out;
   }
 
-  template <class Jet>
-  void ScatterBlocks(const ElementOutput<Term, Jet>& out, std::size_t e, int first_slot,
-                     double scale, BlockSparseMatrix* matrix) const {
+  template <class T>
+  void ScatterBlocks(const ElementOutput<Term, T>& out, std::size_t e, double scale,
+                     BlockSparseMatrix* matrix) const {
     const int* index = &blocks_[e * kNodes * kNodes];
     for (int a = 0; a < kNodes; ++a) {
-      for (int b = 0; b < kNodes; ++b) {
-        double* block = matrix->block(index[a * kNodes + b]);
-        for (int p = 0; p < 3; ++p) {
-          for (int q = 0; q < 3; ++q)
-            block[3 * p + q] += scale * out.force[a][p].v[first_slot + 3 * b + q];
-        }
-      }
-    }
-  }
-
-  template <class Jet>
-  void ScatterColumns(const ElementOutput<Term, Jet>& out, std::size_t e, int first_parameter,
-                      Linearization* result) const {
-    for (int a = 0; a < kNodes; ++a) {
-      const int node = elements_[e].nodes[a];
       for (int p = 0; p < 3; ++p) {
-        const auto& derivative = out.force[a][p].v;
-        for (std::size_t i = 0; i < Term::kParameters.size(); ++i) {
-          result->by_parameter(3 * node + p, first_parameter + static_cast<int>(i)) +=
-              derivative[Layout::kParameter + static_cast<int>(i)];
-        }
-        if constexpr (Term::kUsesDensity) {
-          result->by_parameter(3 * node + p, 0) += derivative[Layout::kDensity];
-        }
-      }
-      if constexpr (Term::kInputs > 0) {
-        for (int i = 0; i < Term::kInputs; ++i) {
-          result->by_input.push_back(
-              {node,
-               elements_[e].first_input + i,
-               {out.force[a][0].v[Layout::kInput + i], out.force[a][1].v[Layout::kInput + i],
-                out.force[a][2].v[Layout::kInput + i]}});
+        double row[T::kRegisters * 8];
+        std::memcpy(row, out.force[a][p].v, sizeof(row));
+        for (int b = 0; b < kNodes; ++b) {
+          double* target = matrix->block(index[a * kNodes + b]) + 3 * p;
+          for (int q = 0; q < 3; ++q) target[q] += scale * row[3 * b + q];
         }
       }
     }
-  }
-
-  template <class Jet>
-  void StoreMemory(const ElementOutput<Term, Jet>& out, std::size_t e, int first_parameter,
-                   int first_memory, Linearization* result) const {
-    MemoryElement element;
-    element.nodes.assign(elements_[e].nodes.begin(), elements_[e].nodes.end());
-    element.first_parameter = first_parameter;
-    element.first_memory = first_memory + static_cast<int>(e) * Term::kMemory;
-    const int columns = Layout::kInput + Term::kMemory;  // inputs do not act through memory
-    element.jacobian.resize(3 * kNodes + Term::kMemory, columns);
-    for (int row = 0; row < element.jacobian.rows(); ++row) {
-      const Jet& value =
-          row < 3 * kNodes ? out.force[row / 3][row % 3] : out.memory[row - 3 * kNodes];
-      for (int c = 0; c < columns; ++c) {
-        element.jacobian(row, c) =
-            value.v[c < Layout::kInput ? c : c - Layout::kInput + Layout::kMemory];
-      }
-    }
-    result->with_memory.push_back(std::move(element));
   }
 
   TermInfo info_;

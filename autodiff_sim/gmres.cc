@@ -4,18 +4,43 @@
 // GMRES (Saad and Schultz 1986) with Givens rotations, one Hessenberg matrix a column.
 #include "autodiff_sim/gmres.h"
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
+#include <utility>
 
 namespace clothfit {
 namespace {
 
-template <int kColumns>
-using Row = Eigen::Array<double, 1, kColumns>;
+// A cycle ends when single precision has no more to give, or when its basis outgrows the cache.
+constexpr double kCycleReduction = 1e-4;
+constexpr int kLongestCycle = 30;
 
 template <int kColumns>
-Row<kColumns> ColumnDots(const Lanes<kColumns>& a, const Lanes<kColumns>& b) {
-  return a.cwiseProduct(b).colwise().sum().array();
+using Row = Eigen::Array<double, 1, kColumns>;
+template <int kColumns>
+using FloatRow = Eigen::Array<float, 1, kColumns>;
+
+template <int kColumns>
+Row<kColumns> Dots(const FloatLanes<kColumns>& a, const FloatLanes<kColumns>& b) {
+  if constexpr (kColumns == 1) {
+    return Row<1>(static_cast<double>(a.dot(b)));
+  } else {
+    using Part = Eigen::Matrix<float, 1, kColumns>;
+    Part sum0 = Part::Zero(), sum1 = sum0, sum2 = sum0;
+    for (Eigen::Index i = 0; i < a.rows(); i += 3) {  // rows come in threes
+      sum0 += a.row(i).cwiseProduct(b.row(i));
+      sum1 += a.row(i + 1).cwiseProduct(b.row(i + 1));
+      sum2 += a.row(i + 2).cwiseProduct(b.row(i + 2));
+    }
+    return (sum0 + sum1 + sum2).template cast<double>().array();
+  }
+}
+
+// y += x scaled column by column.
+template <int kColumns>
+void AddScaled(const FloatLanes<kColumns>& x, const Row<kColumns>& scale, FloatLanes<kColumns>* y) {
+  const Eigen::Matrix<float, 1, kColumns> factor = scale.template cast<float>().matrix();
+  for (Eigen::Index i = 0; i < x.rows(); ++i) y->row(i) += x.row(i).cwiseProduct(factor);
 }
 
 // The small least-squares problem of every column, updated as the Krylov spaces grow.
@@ -59,61 +84,108 @@ class HessenbergProblem {
   std::vector<Row<kColumns>> cosine_, sine_, rhs_;
 };
 
+template <int kColumns>
+Row<kColumns> Norms(const FloatLanes<kColumns>& a) {
+  return Dots<kColumns>(a, a).sqrt();
+}
+
+// P^-1 r, each column as a vector of ordinary size times `scale`: the squares of small numbers
+// would leave the range of single precision.
+template <int kColumns>
+FloatLanes<kColumns> Precondition(SparseCholesky* preconditioner, const Lanes<kColumns>& r,
+                                  Row<kColumns>* scale) {
+  const Row<kColumns> largest = r.cwiseAbs().colwise().maxCoeff().array();
+  *scale = (largest > 0.0).select(largest, 1.0);
+  const Eigen::Matrix<double, 1, kColumns> inverse = (1.0 / *scale).matrix();
+  FloatLanes<kColumns> rounded(r.rows(), kColumns), z;
+  for (Eigen::Index i = 0; i < r.rows(); ++i) {
+    rounded.row(i) = r.row(i).cwiseProduct(inverse).template cast<float>();
+  }
+  preconditioner->Solve<kColumns>(rounded, &z);
+  return z;
+}
+
+// One cycle for P^-1 A d = z, down to the norms in `target`. Adds d to x and returns the norms of
+// the residuals.
+template <int kColumns>
+Row<kColumns> Cycle(const FloatBlockMatrix& a, SparseCholesky* preconditioner,
+                    FloatLanes<kColumns> z, const Row<kColumns>& norm, const Row<kColumns>& target,
+                    const Row<kColumns>& scale, int max_iterations, int* iterations,
+                    Lanes<kColumns>* x) {
+  HessenbergProblem<kColumns> problem(norm);
+  std::vector<FloatLanes<kColumns>> basis;
+  FloatLanes<kColumns> product;
+  Row<kColumns> residual = norm, length = norm;
+  while ((residual > target).any() && static_cast<int>(basis.size()) < max_iterations) {
+    const Eigen::Matrix<float, 1, kColumns> inverse =
+        (length > 0.0).select(1.0 / length, 0.0).template cast<float>().matrix();
+    for (Eigen::Index i = 0; i < z.rows(); ++i) z.row(i) = z.row(i).cwiseProduct(inverse);
+    basis.push_back(z);
+    a.Multiply<kColumns>(basis.back(), &product);
+    preconditioner->Solve<kColumns>(product, &z);
+    // P^-1 A is near the identity; without it nothing cancels in what is made orthogonal.
+    z -= basis.back();
+    std::vector<Row<kColumns>> h;
+    for (const FloatLanes<kColumns>& v : basis) {  // modified Gram-Schmidt
+      h.push_back(Dots<kColumns>(v, z));
+      AddScaled<kColumns>(v, -h.back(), &z);
+    }
+    h.back() += 1.0;
+    length = Norms<kColumns>(z);
+    h.push_back(length);
+    residual = problem.Append(std::move(h));
+    if (!residual.allFinite()) return residual;
+    ++*iterations;
+  }
+  const std::vector<Row<kColumns>> y = problem.Solve();
+  FloatLanes<kColumns> d = FloatLanes<kColumns>::Zero(z.rows(), kColumns);
+  for (std::size_t k = 0; k < basis.size(); ++k) AddScaled<kColumns>(basis[k], y[k], &d);
+  const Eigen::Matrix<double, 1, kColumns> factor = scale.matrix();
+  for (Eigen::Index i = 0; i < d.rows(); ++i) {
+    x->row(i) += d.row(i).template cast<double>().cwiseProduct(factor);
+  }
+  return residual;
+}
+
 }  // namespace
 
 template <int kColumns>
-GmresReport SolveGmres(const BlockSparseMatrix& a, SparseCholesky* preconditioner,
-                       const Lanes<kColumns>& b, const GmresOptions& options, Lanes<kColumns>* x) {
+GmresReport Gmres::Solve(SparseCholesky* preconditioner, const Lanes<kColumns>& b,
+                         const GmresOptions& options, Lanes<kColumns>* x) {
   GmresReport report;
-  const Eigen::Index n = b.rows();
-  Lanes<kColumns> w(n, kColumns), scratch(n, kColumns);
-  preconditioner->Solve<kColumns>(b, &w);
-  const Row<kColumns> target = ColumnDots<kColumns>(w, w).sqrt();
-  const Row<kColumns> scale = (target > 0.0).select(target, 1.0);
+  Row<kColumns> scale;
+  FloatLanes<kColumns> z = Precondition<kColumns>(preconditioner, b, &scale);
+  const Row<kColumns> size = Norms<kColumns>(z) * scale;
+  if (!size.allFinite()) return report;
   for (int c = 0; c < kColumns; ++c) {
-    if (target[c] == 0.0) x->col(c).setZero();
+    if (size[c] == 0.0) x->col(c).setZero();
   }
-  if (!target.allFinite()) return report;
-  if (!x->isZero(0.0)) {  // w = P^-1 (b - A x)
-    scratch = b;
-    a.AddProduct<kColumns>(*x, -1.0, &scratch);
-    preconditioner->Solve<kColumns>(scratch, &w);
-  }
-  Row<kColumns> norm = ColumnDots<kColumns>(w, w).sqrt();
-  report.relative_residual = (norm / scale).maxCoeff();
-  std::vector<Lanes<kColumns>> basis;
-  HessenbergProblem<kColumns> problem(norm);
-  const auto normalised = [](const Lanes<kColumns>& v, const Row<kColumns>& length) {
-    const Row<kColumns> inverse = (length > 0.0).select(1.0 / length, 0.0);
-    return Lanes<kColumns>((v.array().rowwise() * inverse).matrix());
-  };
-  while (report.relative_residual > options.relative_tolerance &&
-         report.iterations < options.max_iterations) {
-    basis.push_back(normalised(w, norm));
-    scratch.setZero();
-    a.AddProduct<kColumns>(basis.back(), 1.0, &scratch);
-    preconditioner->Solve<kColumns>(scratch, &w);
-    std::vector<Row<kColumns>> h;
-    for (const Lanes<kColumns>& v : basis) {  // modified Gram-Schmidt
-      h.push_back(ColumnDots<kColumns>(v, w));
-      w.array() -= v.array().rowwise() * h.back();
+  const Row<kColumns> unit = (size > 0.0).select(size, 1.0);
+  bool fresh = x->isZero(0.0);  // z is P^-1 (b - A x)
+  while (report.iterations <= options.max_iterations) {
+    if (!fresh) {
+      Lanes<kColumns> r = b;
+      matrix_->AddProduct<kColumns>(*x, -1.0, &r);
+      z = Precondition<kColumns>(preconditioner, r, &scale);
     }
-    norm = ColumnDots<kColumns>(w, w).sqrt();
-    h.push_back(norm);
-    const Row<kColumns> residual = problem.Append(std::move(h));
+    const Row<kColumns> norm = Norms<kColumns>(z);
+    const Row<kColumns> wanted = options.relative_tolerance * size / scale;
+    const int left = std::min(kLongestCycle, options.max_iterations - report.iterations);
+    const Row<kColumns> residual =
+        Cycle<kColumns>(rounded_, preconditioner, std::move(z), norm,
+                        wanted.max(kCycleReduction * norm), scale, left, &report.iterations, x);
+    report.relative_residual = (residual * scale / unit).maxCoeff();
     if (!residual.allFinite()) return report;
-    report.relative_residual = (residual / scale).maxCoeff();
-    ++report.iterations;
+    report.converged = (residual <= wanted).all();
+    if (report.converged || report.iterations >= options.max_iterations) return report;
+    fresh = false;
   }
-  const std::vector<Row<kColumns>> y = problem.Solve();
-  for (std::size_t k = 0; k < basis.size(); ++k) x->array() += basis[k].array().rowwise() * y[k];
-  report.converged = report.relative_residual <= options.relative_tolerance;
   return report;
 }
 
-template GmresReport SolveGmres<1>(const BlockSparseMatrix&, SparseCholesky*, const Lanes<1>&,
-                                   const GmresOptions&, Lanes<1>*);
-template GmresReport SolveGmres<kLanes>(const BlockSparseMatrix&, SparseCholesky*,
-                                        const Lanes<kLanes>&, const GmresOptions&, Lanes<kLanes>*);
+template GmresReport Gmres::Solve<1>(SparseCholesky*, const Lanes<1>&, const GmresOptions&,
+                                     Lanes<1>*);
+template GmresReport Gmres::Solve<kLanes>(SparseCholesky*, const Lanes<kLanes>&,
+                                          const GmresOptions&, Lanes<kLanes>*);
 
 }  // namespace clothfit

@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Preconditioned GMRES for several right-hand sides with the same matrix.
+// Preconditioned GMRES for several right-hand sides with the same matrix. The Krylov spaces are
+// built in single precision and the solution is refined in double precision, as in Carson and
+// Higham 2018, so that speed is that of the one and accuracy that of the other.
 #pragma once
+
+#include <vector>
 
 #include "autodiff_sim/block_sparse_matrix.h"
 #include "autodiff_sim/sparse_cholesky.h"
@@ -11,7 +15,7 @@ namespace clothfit {
 
 struct GmresOptions {
   double relative_tolerance = 1e-11;  // of |P^-1 r| to |P^-1 b|, column by column; never absolute
-  int max_iterations = 60;
+  int max_iterations = 60;            // of all cycles together
 };
 
 struct GmresReport {
@@ -20,17 +24,27 @@ struct GmresReport {
   double relative_residual = 0.0;  // the worst column's |P^-1 (b - A x)| / |P^-1 b|
 };
 
-// Solves A x = b, from the given x on, with the factor P of (about) A on the left, so that what is
-// minimised estimates the error of x itself. Each column has its own Krylov space; the products and
-// triangular solves are done for all at once. A column with b = 0 gets x = 0.
-template <int kColumns>
-GmresReport SolveGmres(const BlockSparseMatrix& a, SparseCholesky* preconditioner,
-                       const Lanes<kColumns>& b, const GmresOptions& options, Lanes<kColumns>* x);
+class Gmres {
+ public:
+  explicit Gmres(const BlockPattern* pattern) : rounded_(pattern) {}
 
-extern template GmresReport SolveGmres<1>(const BlockSparseMatrix&, SparseCholesky*,
-                                          const Lanes<1>&, const GmresOptions&, Lanes<1>*);
-extern template GmresReport SolveGmres<kLanes>(const BlockSparseMatrix&, SparseCholesky*,
-                                               const Lanes<kLanes>&, const GmresOptions&,
-                                               Lanes<kLanes>*);
+  // Sets A, which must stay as it is until it is set again.
+  void SetMatrix(const BlockSparseMatrix* a) {
+    matrix_ = a;
+    rounded_.Round(*a);
+  }
+
+  // Solves A x = b, from the given x on, with the factor P of (about) A on the left, so that what
+  // is minimised estimates the error of x itself. Each column has its own Krylov space; products
+  // and triangular solves are done for all at once. A column with b = 0 gets x = 0. For 1 or kLanes
+  // columns.
+  template <int kColumns>
+  GmresReport Solve(SparseCholesky* preconditioner, const Lanes<kColumns>& b,
+                    const GmresOptions& options, Lanes<kColumns>* x);
+
+ private:
+  const BlockSparseMatrix* matrix_ = nullptr;
+  FloatBlockMatrix rounded_;
+};
 
 }  // namespace clothfit

@@ -26,7 +26,7 @@ struct SimulationOptions {
   // ... 2^max_halvings shorter ones.
   int max_halvings = 8;
   // Of the linear solves of the derivatives, relative to each right-hand side.
-  double sensitivity_tolerance = 1e-10;
+  double sensitivity_tolerance = 1e-9;
 };
 
 enum class StepStatus {

@@ -1,39 +1,48 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A CHOLMOD factor of the symmetric part of a step's Jacobian, kept as preconditioner.
+// A Cholesky factor of the symmetric part of a step's Jacobian, in single precision: a
+// preconditioner, never the last word.
 #pragma once
 
-#include <memory>
+#include <vector>
 
 #include "autodiff_sim/block_sparse_matrix.h"
+#include "autodiff_sim/supernodes.h"
 
 namespace clothfit {
 
 class SparseCholesky {
  public:
-  // Analyses the pattern, once. The pattern must outlive this object.
+  // Analyses the pattern, once.
   explicit SparseCholesky(const BlockPattern* pattern);
-  ~SparseCholesky();
-  SparseCholesky(const SparseCholesky&) = delete;
-  SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  // Factors (A + A') / 2 + shift I, with the smallest shift of a fixed ladder, from 0 on, that
-  // makes it positive definite. Returns false where no shift does (NaN or infinity in A).
+  // Factors (A + A') / 2 + shift I, with a shift of a fixed ladder, from 0 on, that makes it
+  // positive definite. The ladder is entered one rung below the last shift that was needed. Returns
+  // false where no shift does (NaN or infinity in A).
   bool Factorize(const BlockSparseMatrix& a);
-  void Forget() { has_factor_ = false; }
+  // Forgets the factor and the shift, so that what follows does not depend on them.
+  void Forget();
   bool has_factor() const { return has_factor_; }
   double shift() const { return shift_; }
   int num_factorizations() const { return num_factorizations_; }
 
-  // x = (L L')^-1 b.
+  // x = (L L')^-1 b, for 1 or kLanes columns.
   template <int kColumns>
-  void Solve(const Lanes<kColumns>& b, Lanes<kColumns>* x);
+  void Solve(const FloatLanes<kColumns>& b, FloatLanes<kColumns>* x);
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  void Gather(const BlockSparseMatrix& a, float shift);
+  bool FactorPanels();
+  // Adds the panel's outer product to the panels after it.
+  void ScatterOuterProduct(const Panel& panel);
+
+  Supernodes supernodes_;
+  std::vector<float> values_, inverse_diagonal_;
+  std::vector<float> product_;                     // six columns of an outer product
+  std::vector<float> right_hand_side_, gathered_;  // in elimination order; of one panel
   bool has_factor_ = false;
+  int rung_ = 0;
   double shift_ = 0.0;
   int num_factorizations_ = 0;
 };

@@ -4,19 +4,23 @@
 // Newton's method for one step.
 #include "autodiff_sim/step_solver.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace clothfit {
 namespace {
 
-// GMRES iterations that are cheaper than another factorisation, about.
-constexpr int kTooManyIterations = 14;
-// With a factor of the matrix itself.
-constexpr int kPatience = 60;
-// Of a Newton direction: enough for the next iteration to be limited by the curvature instead.
-constexpr double kForcingTerm = 1e-4;
-// A Jacobian from an earlier iterate serves on while each iteration shrinks the error to less.
-constexpr double kGoodContraction = 0.02;
+// GMRES iterations, at most, before another factor is tried, and with a factor of the matrix
+// itself.
+constexpr int kTooManyIterations = 14, kPatience = 60;
+// What a fresh factor needs for a direction, and what a factorisation costs, in iterations.
+constexpr int kIterationsOfFreshFactor = 4, kIterationsOfFactorization = 10;
+// Relative tolerances of a Newton direction (Eisenstat and Walker 1996): as far as the next
+// iteration is limited by the curvature instead, and, once a full step did not do, that of an exact
+// direction.
+constexpr double kForcingTerm = 0.01, kCarefulForcingTerm = 1e-4;
+// Of what is needed for convergence: no direction is solved for more exactly than that.
+constexpr double kLastShare = 0.3;
 constexpr double kShortestStep = 1e-4;
 
 }  // namespace
@@ -26,15 +30,12 @@ StepSolver::StepSolver(ClothModel* model, const SimulationOptions& options)
       options_(options),
       position_tolerance_(options.tolerance * model->topology().mean_edge),
       jacobian_(&model->pattern()),
-      stiffness_(&model->pattern()),
-      factor_(&model->pattern()) {
-  linearization_.step_jacobian = &jacobian_;
-  linearization_.stiffness = &stiffness_;
-}
+      factor_(&model->pattern()),
+      gmres_(&model->pattern()) {}
 
 void StepSolver::Reset() {
   factor_is_current_ = false;
-  jacobian_gamma_ = 0.0;
+  excess_ = 0;
   factor_.Forget();
 }
 
@@ -61,30 +62,44 @@ void StepSolver::AssembleJacobian(const StepProblem& problem, const Eigen::Vecto
   model_->StepJacobian(problem.end_time, problem.x_hat + gamma * v, v, *problem.parameters,
                        problem.memory, gamma, &jacobian_);
   problem.constraints->ReduceMatrix(&jacobian_);
-  jacobian_gamma_ = gamma;
+  gmres_.SetMatrix(&jacobian_);
   factor_is_current_ = false;
   ++report->jacobians;
+}
+
+bool StepSolver::FactorIsWorn(bool careful) const {
+  return !factor_is_current_ && (careful || excess_ > kIterationsOfFactorization);
 }
 
 bool StepSolver::RefreshFactor(StepReport* report) {
   const int before = factor_.num_factorizations();
   factor_is_current_ = factor_.Factorize(jacobian_);
+  excess_ = 0;
   report->factorizations += factor_.num_factorizations() - before;
   return factor_is_current_;
 }
 
-bool StepSolver::Direction(Eigen::VectorXd* d, StepReport* report) {
+void StepSolver::EstimateError(Eigen::VectorXd* z) {
+  const double largest = reduced_residual_.lpNorm<Eigen::Infinity>();
+  const double scale = largest > 0.0 ? largest : 1.0;
+  FloatLanes<1> rounded = (reduced_residual_ / scale).cast<float>(), solution;
+  factor_.Solve<1>(rounded, &solution);
+  *z = scale * solution.cast<double>();
+}
+
+bool StepSolver::Direction(double relative_tolerance, Eigen::VectorXd* d, StepReport* report) {
   const Eigen::VectorXd rhs = -reduced_residual_;
   GmresOptions options;
-  options.relative_tolerance = kForcingTerm;
+  options.relative_tolerance = relative_tolerance;
   options.max_iterations = factor_is_current_ ? kPatience : kTooManyIterations;
   d->setZero(rhs.size());
-  GmresReport linear = SolveGmres<1>(jacobian_, &factor_, rhs, options, d);
+  GmresReport linear = gmres_.Solve<1>(&factor_, rhs, options, d);
   report->linear_iterations += linear.iterations;
+  excess_ += std::max(0, linear.iterations - kIterationsOfFreshFactor);
   if (!linear.converged && !factor_is_current_) {
     if (!RefreshFactor(report)) return false;
     options.max_iterations = kPatience;
-    linear = SolveGmres<1>(jacobian_, &factor_, rhs, options, d);
+    linear = gmres_.Solve<1>(&factor_, rhs, options, d);
     report->linear_iterations += linear.iterations;
   }
   return d->allFinite();  // where it is rough, the line search judges it
@@ -96,7 +111,7 @@ double StepSolver::LineSearch(const StepProblem& problem, const Eigen::VectorXd&
   for (double share = 1.0; share >= kShortestStep; share *= 0.5) {
     *v = start + share * d;
     if (!Residual(problem, *v).allFinite()) continue;
-    factor_.Solve<1>(reduced_residual_, z);
+    EstimateError(z);
     if (z->norm() <= (1.0 - 0.25 * share) * level) return share;
   }
   *v = start;
@@ -108,29 +123,36 @@ bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepRepor
   const double gamma = problem.formula.gamma;
   problem.constraints->SetDependentVelocities(problem.x_hat, gamma, v);
   if (!Residual(problem, *v).allFinite()) return false;
-  bool usable = jacobian_gamma_ == gamma, current = false;  // what jacobian_ is worth here
-  if (!factor_.has_factor()) {
-    AssembleJacobian(problem, *v, report);
-    usable = current = true;
-    if (!RefreshFactor(report)) return false;
-  }
+  AssembleJacobian(problem, *v, report);
+  if (!factor_.has_factor() && !RefreshFactor(report)) return false;
+  bool current = true, usable = true;  // jacobian_: is that of v, serves at v
+  double share = 1.0;
   Eigen::VectorXd z, d;
-  factor_.Solve<1>(reduced_residual_, &z);
-  for (int iteration = 0; gamma * z.lpNorm<Eigen::Infinity>() > position_tolerance_; ++iteration) {
+  EstimateError(&z);
+  double error = gamma * z.lpNorm<Eigen::Infinity>();
+  for (int iteration = 0; error > position_tolerance_; ++iteration) {
     if (iteration == options_.max_newton_iterations) return false;
     ++report->newton_iterations;
     if (!usable) {
       AssembleJacobian(problem, *v, report);
       usable = current = true;
     }
-    if (!Direction(&d, report)) return false;
+    const bool careful = share < 1.0;
+    if (current && FactorIsWorn(careful) && !RefreshFactor(report)) return false;
+    const double forcing = careful ? kCarefulForcingTerm : kForcingTerm;
+    if (!Direction(std::max(forcing, kLastShare * position_tolerance_ / error), &d, report)) {
+      return false;
+    }
     problem.constraints->ExpandDirection<1>(&d);
-    factor_.Solve<1>(reduced_residual_, &z);  // the level in the metric of the present factor
+    EstimateError(&z);  // the level in the metric of the present factor
     const double level = z.norm();
-    const double share = LineSearch(problem, d, level, v, &z);
+    share = LineSearch(problem, d, level, v, &z);
     if (share > 0.0) {
+      error = gamma * z.lpNorm<Eigen::Infinity>();
+      const double contraction = z.norm() / level;
       current = false;
-      usable = share == 1.0 && z.norm() < kGoodContraction * level;
+      // Another Jacobian costs about as much as an iteration.
+      usable = share == 1.0 && contraction * contraction * error < position_tolerance_;
     } else if (!current) {
       usable = false;
     } else if (factor_is_current_ || !RefreshFactor(report)) {

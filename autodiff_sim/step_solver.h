@@ -50,29 +50,34 @@ class StepSolver {
   const Eigen::VectorXd& Residual(const StepProblem& problem, const Eigen::VectorXd& v);
   void AssembleJacobian(const StepProblem& problem, const Eigen::VectorXd& v, StepReport* report);
   bool RefreshFactor(StepReport* report);
+  // Whether the factor's age has cost about as many linear iterations as another factor does; if
+  // careful, whether it has any.
+  bool FactorIsWorn(bool careful) const;
+  // P^-1 of the reduced residual: an estimate of the error of the velocities.
+  void EstimateError(Eigen::VectorXd* z);
   // The Newton direction; refreshes the factor when GMRES takes too long with it.
-  bool Direction(Eigen::VectorXd* d, StepReport* report);
+  bool Direction(double relative_tolerance, Eigen::VectorXd* d, StepReport* report);
   // Moves v along d as far as the level function falls. Returns the step's share of d, 0 for none.
   double LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double level,
                     Eigen::VectorXd* v, Eigen::VectorXd* z);
-  Lanes<kLanes> RightHandSide(const StepProblem& problem,
-                              const Eigen::MatrixXd& parameter_directions, const StepInputs& inputs,
-                              const Eigen::VectorXd& v, int first_column, const StateLanes& lanes,
-                              const Lanes<kLanes>& dx_hat, const Lanes<kLanes>& dv_hat) const;
+  ForceDirections DirectionsAtFixedVelocity(const StepProblem& problem, const StepInputs& inputs,
+                                            const Sensitivity& sensitivity,
+                                            std::size_t block) const;
+  Lanes<kLanes> RightHandSide(const StepProblem& problem, const Eigen::VectorXd& v,
+                              const ForceDirections& directions, const StateLanes& lanes);
   // Solves the reduced system for dv, from the guess in dv on.
   bool SolveLanes(const StepProblem& problem, const Lanes<kLanes>& rhs, Lanes<kLanes>* dv,
                   int* iterations, StepReport* report);
-  void AdvanceMemory(const Eigen::MatrixXd& parameter_directions, int first_column,
-                     StateLanes* lanes) const;
-
   ClothModel* model_;
   SimulationOptions options_;
   double position_tolerance_;  // m
-  BlockSparseMatrix jacobian_, stiffness_;
+  BlockSparseMatrix jacobian_;
   SparseCholesky factor_;
+  Gmres gmres_;
   bool factor_is_current_ = false;  // of jacobian_
-  double jacobian_gamma_ = 0.0;     // what jacobian_ was assembled for; 0 for none
-  Linearization linearization_;
+  // Linear iterations since the last factorisation beyond those that a fresh factor needs.
+  int excess_ = 0;
+  Lanes<kLanes> memory_lanes_;
   Eigen::VectorXd full_residual_, reduced_residual_, force_, new_memory_;
 };
 
