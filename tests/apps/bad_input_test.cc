@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Bad input is told in one line that names the place; nothing is left behind.
+#include <csignal>
+#include <fstream>
+
+#include <sys/resource.h>
+
+#include "tests/apps/command.h"
+#include "tests/support/small_recording.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+
+class BadInput : public testing::Test {
+ protected:
+  void SetUp() override {
+    SmallRecordingOptions options;
+    options.particles = 4;
+    options.frames = 6;
+    recording_ = MakeSmallRecording(options);
+    WriteRecording(recording_, path() / "rec");
+  }
+
+  const fs::path& path() const { return folder_.path(); }
+
+  // The line with which a fit refuses; no run is made then.
+  std::string FitLine(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words = {"fit", "rec", "-o", "run"};
+    words.insert(words.end(), more.begin(), more.end());
+    const std::string line = BadInputLine(RunCommand(words, path()));
+    EXPECT_FALSE(fs::exists(path() / "run"));
+    return line;
+  }
+
+  void Replace(const std::string& file, const std::string& from, const std::string& to) const {
+    std::string text = ReadTextFile(path() / file);
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    folder_.Write(file, text.replace(at, from.size(), to));
+  }
+
+  void UseMesh(const std::string& obj) {
+    recording_.cloth.initial = MeshPlacement{folder_.Write("cloth.obj", obj)};
+    WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
+  }
+
+  TestFolder folder_;
+  Recording recording_;
+};
+
+TEST_F(BadInput, MissingFolderAndFile) {
+  EXPECT_THAT(BadInputLine(RunCommand({"check", "nowhere"}, path())), HasSubstr("nowhere"));
+  EXPECT_THAT(FitLine({"--config", "gone.yaml"}), HasSubstr("gone.yaml: no such file"));
+  fs::remove(path() / "rec" / "handles" / "left.csv");
+  EXPECT_THAT(FitLine(), testing::ContainsRegex("handles\\[0\\].path: no such file: .*left.csv"));
+}
+
+TEST_F(BadInput, WrongKeyOfTheRecording) {
+  Replace("rec/recording.yaml", "frame_rate", "framerate");
+  EXPECT_THAT(FitLine(), HasSubstr("framerate: unknown key; did you mean 'frame_rate'?"));
+}
+
+TEST_F(BadInput, NanInAnObservation) {
+  Replace("rec/markers.csv", "\n1,", "\n1,0,0,0,nan,0,0\n1,");
+  EXPECT_THAT(FitLine(), testing::ContainsRegex("markers.csv: line [0-9]+: x: expected a finite"));
+}
+
+TEST_F(BadInput, MarkerOutsideTheCloth) {
+  Replace("rec/markers.csv", "\n1,", "\n1,99,0.41,0,0,0,0\n1,");
+  EXPECT_THAT(FitLine(), HasSubstr("u = 0.41 is outside the cloth"));
+}
+
+TEST_F(BadInput, FrameOutsideTheRecording) {
+  Replace("rec/markers.csv", "\n1,", "\n6,99,0,0,0,0,0\n1,");
+  EXPECT_THAT(FitLine(), HasSubstr("frame 6 is outside 0..5"));
+  WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
+  EXPECT_THAT(FitLine({"--frames", "0", "6"}), HasSubstr("expected first <= last within 0 to 5"));
+}
+
+TEST_F(BadInput, NothingObserved) {
+  fs::remove(path() / "rec" / "markers.csv");
+  EXPECT_THAT(FitLine(), HasSubstr("rec"));
+  WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
+  EXPECT_THAT(FitLine({"--frames", "5", "5"}), HasSubstr("nothing to fit"));  // held out
+}
+
+TEST_F(BadInput, DegenerateAndFlippedTriangles) {
+  const std::string vertices =
+      "v 0 0 1\nv 0.4 0 1\nv 0 0.4 1\nv 0.4 0.4 1\nvt 0 0\nvt 0.4 0\nvt 0 0.4\nvt 0.4 0.4\n";
+  UseMesh(vertices + "f 1/1 2/2 3/3\nf 2/2 3/3 4/4\n");
+  EXPECT_THAT(FitLine(), HasSubstr("cloth.obj"));
+  UseMesh(vertices + "vt 0.8 0\nf 1/1 2/2 3/3\nf 2/2 4/5 1/1\n");
+  EXPECT_THAT(FitLine(), HasSubstr("cloth.obj"));
+}
+
+TEST_F(BadInput, HandlesOfTheSameParticle) {
+  recording_.handles.push_back(recording_.handles.front());
+  recording_.handles.back().name = "twin";
+  recording_.handles.back().uv = {1e-6, 1e-6};
+  WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
+  EXPECT_THAT(FitLine(), HasSubstr("handles"));
+}
+
+TEST_F(BadInput, ParametersByWrongNamesAndOutOfBounds) {
+  EXPECT_THAT(FitLine({"--set", "air_drag.norml=1"}),
+              HasSubstr("--set: 'air_drag.norml': did you mean 'air_drag.normal'?"));
+  EXPECT_THAT(FitLine({"--set", "tangential=1"}), HasSubstr("did you mean 'air_drag.tangential'?"));
+  EXPECT_THAT(FitLine({"--set", "air_drag.normal=50"}),
+              HasSubstr("--set: air_drag.normal = 50 kg/m^3: expected 0.001 to 20"));
+  EXPECT_THAT(FitLine({"--set", "air_drag.normal"}), HasSubstr("expected air_drag.normal=NUMBER"));
+  EXPECT_THAT(FitLine({"--without", "air_drg"}), HasSubstr("did you mean 'air_drag'?"));
+  EXPECT_THAT(FitLine({"--fix", "bendng"}), HasSubstr("--fix: 'bendng': did you mean 'bending'?"));
+  EXPECT_THAT(FitLine({"--without", "air_drag", "--free", "air_drag.normal"}),
+              HasSubstr("a free parameter starts inside its bounds"));
+  EXPECT_THAT(FitLine({"--free", "bending", "--fix", "bending"}), HasSubstr("named by --fix too"));
+}
+
+TEST_F(BadInput, OptionsOutOfRange) {
+  EXPECT_THAT(FitLine({"--window", "-1"}), HasSubstr("strategy.window: -1: expected 0 or more"));
+  EXPECT_THAT(FitLine({"--initial-order", "3"}), HasSubstr("initial_state.order: 3: expected"));
+  EXPECT_THAT(FitLine({"--resolution", "1", "9"}), HasSubstr("cloth.resolution: [1, 9]: expected"));
+  EXPECT_THAT(FitLine({"--loss", "hubr"}), HasSubstr("--loss"));
+}
+
+TEST_F(BadInput, WrongKeyAndValueOfAConfig) {
+  folder_.Write("fit.yaml", "strategy: {windw: 1}\n");
+  EXPECT_THAT(FitLine({"--config", "fit.yaml"}),
+              HasSubstr("fit.yaml: strategy.windw: unknown key; did you mean 'window'?"));
+  folder_.Write("fit.yaml", "parameters: {air_drag.normal: {value: -1}}\n");
+  EXPECT_THAT(FitLine({"--config", "fit.yaml"}),
+              HasSubstr("fit.yaml: parameters.air_drag.normal.value: -1"));
+}
+
+TEST_F(BadInput, OutputThatCannotBeMade) {
+  folder_.Write("file", "");
+  EXPECT_THAT(BadInputLine(RunCommand({"fit", "rec", "-o", "file"}, path())),
+              HasSubstr("file: is a file; expected a folder"));
+  EXPECT_THAT(BadInputLine(RunCommand({"fit", "rec", "-o", "file/run"}, path())),
+              HasSubstr("file/run: cannot be made"));
+}
+
+TEST_F(BadInput, FullDiskWhilePredicting) {
+  ASSERT_EQ(RunCommand({"fit", "rec", "-o", "run", "--max-iterations", "0"}, path()).status, 0);
+  folder_.Write("points.csv", "frame,u,v\n1,0,0\n");
+  // What is written goes to a device that is always full.
+  fs::create_symlink("/dev/full", path() / "out.csv.part");
+  EXPECT_THAT(
+      BadInputLine(RunCommand({"predict", "run", "--at", "points.csv", "-o", "out.csv"}, path())),
+      HasSubstr("out.csv.part: cannot be written: No space left on device"));
+  EXPECT_FALSE(fs::exists(path() / "out.csv"));
+}
+
+TEST_F(BadInput, FilesTooLargeWhileFitting) {
+  // Room for the config and the log, not for the trajectory.
+  const auto limit_files = [] {
+    const rlimit limit = {6000, 6000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  };
+  const CommandResult result = RunCommand(
+      {"fit", "rec", "-o", "run", "--max-iterations", "0", "--quiet"}, path(), limit_files);
+  EXPECT_THAT(BadInputLine(result), HasSubstr(".part: cannot be written: File too large"));
+  EXPECT_FALSE(fs::exists(path() / "run" / "summary.json"));
+}
+
+TEST_F(BadInput, FullStandardOutput) {
+  const CommandResult result = RunCommand({"terms"}, path(), [] {
+    if (std::freopen("/dev/full", "w", stdout) == nullptr) _exit(127);
+  });
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("standard output: cannot be written"));
+}
+
+}  // namespace
+}  // namespace clothfit

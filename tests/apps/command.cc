@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/apps/command.h"
+
+#include <algorithm>
+#include <csignal>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+void RedirectTo(const fs::path& file, int descriptor) {
+  const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  dup2(opened, descriptor);
+  close(opened);
+}
+
+}  // namespace
+
+RunningCommand::RunningCommand(const std::vector<std::string>& arguments, const fs::path& folder,
+                               const std::function<void()>& before_start) {
+  std::vector<std::string> words = {CLOTHFIT_COMMAND};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  process_ = fork();
+  if (process_ < 0) throw std::runtime_error("no new process");
+  if (process_ > 0) return;
+  RedirectTo("/dev/null", STDIN_FILENO);
+  RedirectTo(output_.path() / "out", STDOUT_FILENO);
+  RedirectTo(output_.path() / "err", STDERR_FILENO);
+  if (chdir(folder.c_str()) != 0) _exit(127);
+  if (before_start) before_start();
+  execv(pointers[0], pointers.data());
+  _exit(127);
+}
+
+void RunningCommand::Signal(int signal) const { kill(process_, signal); }
+
+bool RunningCommand::HasEnded() {
+  if (!has_ended_) has_ended_ = waitpid(process_, &wait_status_, WNOHANG) == process_;
+  return has_ended_;
+}
+
+CommandResult RunningCommand::Wait() {
+  if (!has_ended_) waitpid(process_, &wait_status_, 0);
+  has_ended_ = true;
+  const int status = WIFEXITED(wait_status_) ? WEXITSTATUS(wait_status_) : -WTERMSIG(wait_status_);
+  return {status, ReadTextFile(output_.path() / "out"), ReadTextFile(output_.path() / "err")};
+}
+
+CommandResult RunCommand(const std::vector<std::string>& arguments, const fs::path& folder,
+                         const std::function<void()>& before_start) {
+  return RunningCommand(arguments, folder, before_start).Wait();
+}
+
+std::string BadInputLine(const CommandResult& result) {
+  EXPECT_EQ(result.status, 2) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err.rfind("clothfit: error: ", 0), 0u) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  return result.err;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Ctrl-C, and going on afterwards.
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/command.h"
+#include "tests/support/small_recording.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+// A fit that takes some seconds, in windows, each with a checkpoint.
+const std::vector<std::string> kFit = {"fit",      "rec",   "-o",    "run",
+                                       "--window", "0.2",   "--fix", "stretch",
+                                       "--fix",    "shear", "--set", "bending.stiffness=3e-5"};
+
+void WriteSmallRecording(const TestFolder& folder) {
+  SmallRecordingOptions options;
+  options.particles = 6;
+  options.frames = 30;
+  WriteRecording(MakeSmallRecording(options), folder.path() / "rec");
+}
+
+// Waits until the file is there; false where the command ends before.
+bool WaitFor(const fs::path& file, RunningCommand* command) {
+  using namespace std::chrono_literals;
+  while (!fs::exists(file)) {
+    if (command->HasEnded()) return false;
+    std::this_thread::sleep_for(1ms);
+  }
+  return true;
+}
+
+json Summary(const TestFolder& folder) {
+  return json::parse(ReadTextFile(folder.path() / "run" / "summary.json"));
+}
+
+class Interrupt : public testing::TestWithParam<int> {};
+
+TEST_P(Interrupt, KeepsTheBestSoFarAndResumes) {
+  const TestFolder folder;
+  WriteSmallRecording(folder);
+  RunningCommand command(kFit, folder.path());
+  ASSERT_TRUE(WaitFor(folder.path() / "run" / "checkpoint.json", &command)) << command.Wait().err;
+  command.Signal(GetParam());
+  const CommandResult result = command.Wait();
+  ASSERT_EQ(result.status, 130) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("clothfit: interrupted; 'clothfit fit --resume -o run'"));
+  EXPECT_EQ(Summary(folder).at("status"), "interrupted");
+  EXPECT_TRUE(fs::exists(folder.path() / "run" / "checkpoint.json"));
+  EXPECT_TRUE(fs::exists(folder.path() / "run" / "trajectory.npy"));
+
+  EXPECT_THAT(
+      BadInputLine(RunCommand({"fit", "--resume", "-o", "run", "--window", "0.3"}, folder.path())),
+      HasSubstr("differ from those of the run: strategy.window (0.2, not 0.3)"));
+  EXPECT_EQ(Summary(folder).at("status"), "interrupted");
+
+  const CommandResult resumed = RunCommand({"fit", "--resume", "-o", "run"}, folder.path());
+  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  const json summary = Summary(folder);
+  EXPECT_EQ(summary.at("status"), "converged");
+  EXPECT_NEAR(summary.at("parameters").at("air_drag.normal").at("value"), 2.5, 0.05);
+  EXPECT_THAT(ReadTextFile(folder.path() / "run" / "log.txt"),
+              HasSubstr("resumed from the checkpoint"));
+  EXPECT_FALSE(fs::exists(folder.path() / "run" / "checkpoint.json"));
+  EXPECT_THAT(BadInputLine(RunCommand({"fit", "--resume", "-o", "run"}, folder.path())),
+              HasSubstr("the run is finished"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, testing::Values(SIGINT));
+
+TEST(Terminate, IsTakenAsCtrlCAndTheSecondEndsAtOnce) {
+  const TestFolder folder;
+  WriteSmallRecording(folder);
+  RunningCommand command(kFit, folder.path());
+  // The handlers stand before the first line of the log is written by the fit.
+  ASSERT_TRUE(WaitFor(folder.path() / "run" / "checkpoint.json", &command));
+  command.Signal(SIGTERM);
+  command.Signal(SIGINT);
+  EXPECT_EQ(command.Wait().status, 130);
+}
+
+TEST(Resume, NeedsARun) {
+  const TestFolder folder;
+  WriteSmallRecording(folder);
+  EXPECT_THAT(BadInputLine(RunCommand({"fit", "--resume", "-o", "none"}, folder.path())),
+              HasSubstr("none: there is no run to resume"));
+  EXPECT_THAT(BadInputLine(RunCommand({"fit", "--resume"}, folder.path())),
+              HasSubstr("--resume: expected the run as -o RUN"));
+  EXPECT_THAT(BadInputLine(RunCommand({"fit", "--resume", "-o", "rec"}, folder.path())),
+              HasSubstr("rec: is not the folder of a run"));
+}
+
+TEST(Resume, RefusesADamagedCheckpoint) {
+  const TestFolder folder;
+  WriteSmallRecording(folder);
+  std::vector<std::string> words = kFit;
+  words.insert(words.end(), {"--max-iterations", "0"});
+  ASSERT_EQ(RunCommand(words, folder.path()).status, 0);
+  folder.Write("run/checkpoint.json", "{\"format\": \"clothf");
+  EXPECT_THAT(BadInputLine(RunCommand({"fit", "--resume", "-o", "run", "--quiet"}, folder.path())),
+              HasSubstr("checkpoint.json: damaged"));
+  folder.Write("run/checkpoint.json",
+               "{\"format\": \"clothfit-checkpoint/1\", \"next_window\": 0, \"theta\": [1],"
+               " \"mean\": [1], \"information\": [[1]]}");
+  EXPECT_THAT(BadInputLine(RunCommand({"fit", "--resume", "-o", "run", "--quiet"}, folder.path())),
+              HasSubstr("checkpoint.json: has 1 free entries, the fit"));
+}
+
+}  // namespace
+}  // namespace clothfit
