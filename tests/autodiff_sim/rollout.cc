@@ -5,6 +5,7 @@
 #include "tests/autodiff_sim/rollout.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include <gtest/gtest.h>
 
@@ -113,8 +114,6 @@ GradientCheckReport CheckRollout(const Rollout& rollout, const GradientCheckOpti
   const RolloutResult base = RunRollout(rollout, zero, true);
   EXPECT_TRUE(base.converged);
   if (!base.converged) return {};
-  std::printf("%d Newton iterations, %d halvings\n", base.report.newton_iterations,
-              base.report.halvings);
   GradientCheckOptions with_typical = options;
   with_typical.typical.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) with_typical.typical[i] = rollout.directions[i].typical;
