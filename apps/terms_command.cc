@@ -26,8 +26,10 @@ void PrintTable() {
   fmt::print("  {:<28}{:<12}{:>10}{:>10}  {:<18}{:<8}{}\n", "parameter", "unit", "initial", "off",
              "bounds", "scale", "meaning");
   const std::vector<NamedParameter> table = MakeParameterTable();
-  const NamedParameter& density = table[kArealDensity];
-  fmt::print("\ncloth: what the cloth is\n{}", ParameterRow(density.name, density.parameter));
+  fmt::print("\ncloth: what the cloth is\n");
+  for (int i = 0; i < kNumClothParameters; ++i) {
+    fmt::print("{}", ParameterRow(table[i].name, table[i].parameter));
+  }
   for (const TermInfo& term : AllTerms()) {
     fmt::print("\n{}: {} ({})\n", term.name, term.doc, term.reference);
     for (const Parameter& p : term.parameters) {
@@ -44,9 +46,11 @@ nlohmann::ordered_json ParameterAsJson(const std::string& name, const Parameter&
 
 void PrintJson() {
   const std::vector<NamedParameter> table = MakeParameterTable();
-  const NamedParameter& density = table[kArealDensity];
   nlohmann::ordered_json json;
-  json["cloth"] = {ParameterAsJson(density.name, density.parameter)};
+  json["cloth"] = nlohmann::ordered_json::array();
+  for (int i = 0; i < kNumClothParameters; ++i) {
+    json["cloth"].push_back(ParameterAsJson(table[i].name, table[i].parameter));
+  }
   json["terms"] = nlohmann::ordered_json::array();
   for (const TermInfo& term : AllTerms()) {
     nlohmann::ordered_json parameters = nlohmann::ordered_json::array();

@@ -202,6 +202,12 @@ ClothTopology BuildTopology(const ClothMesh& mesh) {
     topology.mean_edge += EdgeLength(mesh, edge) / static_cast<double>(opposite.size());
     if (particles.size() == 2) topology.hinges.push_back(MakeHinge(mesh, edge, particles));
   }
+  for (std::vector<Spring>* springs : {&topology.structural, &topology.shear}) {
+    for (Spring& spring : *springs) {
+      const Eigen::Vector2d d = mesh.uv[spring.nodes[1]] - mesh.uv[spring.nodes[0]];
+      spring.warp_share = d.x() * d.x() / d.squaredNorm();
+    }
+  }
   topology.areas.assign(mesh.uv.size(), 0.0);
   for (const std::array<int, 3>& t : mesh.triangles) {
     for (const int node : t) topology.areas[node] += SignedArea(mesh, t) / 3.0;

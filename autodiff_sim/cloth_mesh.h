@@ -36,8 +36,9 @@ void ValidateMesh(const ClothMesh& mesh, const std::string& source);
 // A spring between two particles. Its spring constant is the membrane stiffness (N/m) times weight.
 struct Spring {
   std::array<int, 2> nodes;
-  double rest_length;  // m
-  double weight;       // width that the spring stands for / its length, no unit
+  double rest_length;       // m
+  double weight;            // width that the spring stands for / its length, no unit
+  double warp_share = 0.0;  // squared cosine of its angle to the warp
 };
 
 // Two triangles that share an edge: nodes[0], nodes[1] are the opposite particles and nodes[2],

@@ -54,7 +54,7 @@ template <class Function>
 void ClothModel::ForEachBatch(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
                               const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
                               const Function& function) const {
-  int first_parameter = kArealDensity + 1, first_memory = 0;
+  int first_parameter = kNumClothParameters, first_memory = 0;
   for (const std::unique_ptr<ForceBatch>& batch : batches_) {
     const std::vector<Parameter>& own = batch->info().parameters;
     bool off = batch->memory_size() == 0;
@@ -64,7 +64,7 @@ void ClothModel::ForEachBatch(double time, const Eigen::VectorXd& x, const Eigen
     const BatchPoint point = {time,
                               x.data(),
                               v.data(),
-                              parameters[kArealDensity],
+                              parameters.data(),
                               parameters.data() + first_parameter,
                               memory.data() + first_memory};
     function(*batch, point, first_parameter, first_memory, off && !own.empty());
@@ -119,7 +119,7 @@ void ClothModel::AddForceDerivatives(double time, const Eigen::VectorXd& x,
                  const BatchDirections own = {
                      directions.x.data(),
                      directions.v.data(),
-                     row(directions.parameters, kArealDensity),
+                     row(directions.parameters, 0),
                      row(directions.parameters, first_parameter),
                      row(directions.memory, first_memory),
                      directions.inputs.size() > 0 ? directions.inputs.data() : nullptr};

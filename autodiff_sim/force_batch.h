@@ -30,7 +30,7 @@ struct BatchPoint {
   double time;              // s
   const double* x;          // 3N, m
   const double* v;          // 3N, m/s
-  double areal_density;     // kg/m^2
+  const double* cloth;      // the cloth's own parameters, see parameter_table.h
   const double* parameter;  // the term's own
   const double* memory;     // the term's own, at the start of the step
 };
@@ -38,12 +38,12 @@ struct BatchPoint {
 // Directions in which a batch's forces are differentiated, kLanes at once: rows of kLanes numbers,
 // a row for each number of the point. All pointers as in BatchPoint.
 struct BatchDirections {
-  const double* x;              // 3N rows
-  const double* v;              // 3N rows
-  const double* areal_density;  // one row
-  const double* parameter;      // the term's own
-  const double* memory;         // the term's own
-  const double* input;          // rows of StepInputs::directions; null where nothing moves them
+  const double* x;          // 3N rows
+  const double* v;          // 3N rows
+  const double* cloth;      // kNumClothParameters rows
+  const double* parameter;  // the term's own
+  const double* memory;     // the term's own
+  const double* input;      // rows of StepInputs::directions; null where nothing moves them
 };
 
 class ForceBatch {

@@ -11,6 +11,7 @@
 
 #include "autodiff_sim/dual.h"
 #include "autodiff_sim/force_batch.h"
+#include "autodiff_sim/parameter_table.h"
 
 namespace clothfit {
 
@@ -87,7 +88,9 @@ class TermBatch final : public ForceBatch {
     ElementInput<Term, T> in = MakeInput<T>(point);
     for (std::size_t i = 0; i < Term::kParameters.size(); ++i)
       SetLanes(directions.parameter, i, &in.parameter[i]);
-    SetLanes(directions.areal_density, 0, &in.areal_density);
+    SetLanes(directions.cloth, kArealDensity, &in.areal_density);
+    for (std::size_t k = 0; k < 2; ++k)
+      SetLanes(directions.cloth, kShrinkWarp + k, &in.shrinkage[k]);
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       LoadNodes(point, elements_[e], &in);
       LoadInputs(elements_[e], &in);
@@ -119,7 +122,8 @@ class TermBatch final : public ForceBatch {
     in.time = point.time;
     for (std::size_t i = 0; i < Term::kParameters.size(); ++i)
       in.parameter[i] = T(point.parameter[i]);
-    in.areal_density = T(point.areal_density);
+    in.areal_density = T(point.cloth[kArealDensity]);
+    for (std::size_t k = 0; k < 2; ++k) in.shrinkage[k] = T(point.cloth[kShrinkWarp + k]);
     return in;
   }
 

@@ -8,11 +8,23 @@
 
 namespace clothfit {
 
+namespace {
+
+constexpr Parameter kClothParameters[kNumClothParameters] = {
+    {"areal_density", "kg/m^2", "mass of the cloth per area", 0.15, 0.15, 0.01, 2.0, Scale::kLog,
+     1.5},
+    {"shrink_warp", "1", "share by which rest lengths along the warp are below the (u, v) given",
+     0.0, 0.0, -0.1, 0.1, Scale::kLinear, 0.01},
+    {"shrink_weft", "1", "share by which rest lengths along the weft are below the (u, v) given",
+     0.0, 0.0, -0.1, 0.1, Scale::kLinear, 0.01},
+};
+
+}  // namespace
+
 std::vector<NamedParameter> MakeParameterTable(const std::vector<TermInfo>& terms) {
-  constexpr Parameter kDensity = {
-      "areal_density", "kg/m^2", "mass of the cloth per area", 0.15, 0.15, 0.01, 2.0,
-      Scale::kLog,     1.5};
-  std::vector<NamedParameter> table = {{"cloth.areal_density", "cloth", kDensity}};
+  std::vector<NamedParameter> table;
+  for (const Parameter& p : kClothParameters)
+    table.push_back({std::string("cloth.") + p.name, "cloth", p});
   for (const TermInfo& term : terms) {
     for (const Parameter& p : term.parameters)
       table.push_back({term.name + "." + p.name, term.name, p});

@@ -17,10 +17,13 @@ struct NamedParameter {
   Parameter parameter;
 };
 
-// The areal density of the cloth, cloth.areal_density, comes first: it belongs to no force.
+// Indices of the cloth's own parameters, cloth.*, which belong to no one force and come first.
 constexpr int kArealDensity = 0;
+constexpr int kShrinkWarp = 1;
+constexpr int kShrinkWeft = 2;
+constexpr int kNumClothParameters = 3;
 
-// The parameters of these terms, in the terms' order, after cloth.areal_density.
+// The parameters of these terms, in the terms' order, after the cloth's own.
 std::vector<NamedParameter> MakeParameterTable(const std::vector<TermInfo>& terms);
 
 // The table of clothfit's own terms.

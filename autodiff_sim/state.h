@@ -40,7 +40,9 @@ class Sensitivity {
   int num_directions() const { return static_cast<int>(parameters_.cols()); }
   const Eigen::MatrixXd& parameters() const { return parameters_; }
   // Changes how the directions move the parameters from here on; as many directions as before.
-  void SetParameters(const Eigen::MatrixXd& parameter_directions) { parameters_ = parameter_directions; }
+  void SetParameters(const Eigen::MatrixXd& parameter_directions) {
+    parameters_ = parameter_directions;
+  }
   std::vector<StateLanes>& lanes() { return lanes_; }
   const std::vector<StateLanes>& lanes() const { return lanes_; }
 
@@ -49,6 +51,10 @@ class Sensitivity {
   Eigen::MatrixXd v() const;
   // Moves a state along the directions by these amounts, to first order.
   void Move(const Eigen::VectorXd& amounts, State* state) const;
+  // Lets one direction mean something new from here on: an offset of the state that began `step`
+  // seconds ago. dx, dv: 3N.
+  void ReplaceDirection(int direction, const Eigen::VectorXd& dx, const Eigen::VectorXd& dv,
+                        double step);
   // Sets the initial state's derivatives, 3N x directions.
   void SetInitial(const Eigen::MatrixXd& dx, const Eigen::MatrixXd& dv);
 

@@ -11,6 +11,7 @@
 //     static constexpr int kInputs = 0;                           // numbers from StepInputs an
 //     element static constexpr int kMemory = 0;                           // numbers an element
 //     remembers static constexpr bool kUsesDensity = false;                 // reads areal_density
+//     static constexpr bool kUsesShrinkage = false;               // reads shrinkage
 //     static constexpr bool kInternal = true;                     // no net force, no net moment
 //     static constexpr std::array<Parameter, 1> kParameters = {{...}};
 //     struct Element { std::array<int, kNodes> nodes; ... };
@@ -74,6 +75,7 @@ struct ElementInput {
   std::array<Vector3<T>, Term::kNodes> v;  // m/s
   std::array<T, Term::kParameters.size()> parameter;
   T areal_density;                     // kg/m^2
+  std::array<T, 2> shrinkage;          // of the rest lengths along warp and weft, a share
   std::array<T, Term::kInputs> input;  // as the term's Element defines them
 };
 

@@ -36,6 +36,12 @@ class Fitter {
         config.window > 0.0
             ? std::max(1, static_cast<int>(std::lround(config.window * scene.recording.frame_rate)))
             : std::max(1, scene.last_fitted_frame);
+    for (int i = 0; i < free_.size(); ++i) {
+      const FreeEntry::Kind kind = free_.entries()[i].kind;
+      if (kind == FreeEntry::Kind::kInitialPosition || kind == FreeEntry::Kind::kInitialVelocity) {
+        offsets_.push_back(i);
+      }
+    }
     num_windows_ = (std::max(1, scene.last_fitted_frame) + window_frames_ - 1) / window_frames_;
   }
 
@@ -48,6 +54,10 @@ class Fitter {
                                   const Eigen::VectorXd& offset);
   void RunWindows();
   bool RunWindow(int window, WindowStart* start);
+  // Frees the state at a later window's start: the offsets of the initial state now are offsets there.
+  void FreeWindowStart(WindowStart* start);
+  // What is known of everything but these entries, with the entries themselves back at their priors.
+  void Marginalise(const std::vector<int>& entries);
   void Polish();
   double Cost(const Eigen::VectorXd& theta);
   void Log(const std::string& line) const {
@@ -66,6 +76,8 @@ class Fitter {
   WindowSimulator simulator_, attracting_;
   int window_frames_ = 0, num_windows_ = 0;
   FitCheckpoint progress_;
+  std::vector<int> offsets_;       // entries of the free vector that offset a state
+  Eigen::VectorXd first_offsets_;  // their values at the recording's start
   std::string stage_;
   double stage_begin_ = 0.0, stage_share_ = 0.0;  // of the whole fit's work
   int iterations_ = 0;
@@ -91,7 +103,11 @@ class IterationReporter : public ceres::IterationCallback {
 };
 
 void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
-  if (iteration.step_is_successful && callbacks_.checkpoint) callbacks_.checkpoint(progress_);
+  if (iteration.step_is_successful && callbacks_.checkpoint) {
+    FitCheckpoint checkpoint = progress_;
+    if (first_offsets_.size() > 0) checkpoint.theta(offsets_) = first_offsets_;
+    callbacks_.checkpoint(checkpoint);
+  }
   if (!callbacks_.progress) return;
   FitProgress progress;
   progress.stage = stage_;
@@ -139,9 +155,41 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   return summary;
 }
 
+void Fitter::Marginalise(const std::vector<int>& entries) {
+  std::vector<int> others;
+  for (int i = 0; i < free_.size(); ++i) {
+    if (std::find(entries.begin(), entries.end(), i) == entries.end()) others.push_back(i);
+  }
+  const Eigen::MatrixXd all = progress_.information.transpose() * progress_.information;
+  const Eigen::MatrixXd cross = all(others, entries);
+  const Eigen::MatrixXd own = all(entries, entries);
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(free_.size(), free_.size());
+  information(others, others) =
+      all(others, others) - cross * own.llt().solve(cross.transpose());  // Schur complement
+  for (const int i : entries) {
+    const double sigma = free_.entries()[i].prior_sigma;
+    information(i, i) = 1.0 / (sigma * sigma);
+    progress_.mean[i] = free_.entries()[i].prior;
+  }
+  progress_.information = information.llt().matrixU();
+}
+
+void Fitter::FreeWindowStart(WindowStart* start) {
+  if (offsets_.empty()) return;
+  if (first_offsets_.size() == 0) first_offsets_ = progress_.theta(offsets_);
+  Marginalise(offsets_);
+  Eigen::MatrixXd dx, dv;
+  free_.InitialDirections(&dx, &dv);
+  for (const int i : offsets_) {
+    progress_.theta[i] = start->theta[i] = free_.entries()[i].prior;
+    start->sensitivity.ReplaceDirection(i, dx.col(i), dv.col(i), start->state.previous_step);
+  }
+}
+
 bool Fitter::RunWindow(int window, WindowStart* start) {
   const int last = std::min(start->frame + window_frames_, scene_.last_fitted_frame);
   const int first = window == 0 ? 0 : start->frame + 1;
+  if (window > 0) FreeWindowStart(start);
   stage_ = fmt::format("window {} of {} (frames {}-{})", window + 1, num_windows_, first, last);
   if (observations_.Count(first, last) > 0) {
     Minimise(&attracting_, *start, first, last, progress_.information,
@@ -164,6 +212,13 @@ bool Fitter::RunWindow(int window, WindowStart* start) {
   progress_.information = information.llt().matrixU();
   progress_.mean = progress_.theta;
   progress_.next_window = window + 1;
+  std::string values;
+  for (int i = 0; i < free_.size(); ++i) {
+    const FreeEntry& entry = free_.entries()[i];
+    if (entry.kind != FreeEntry::Kind::kParameter) continue;
+    values += fmt::format(" {} {:.4g}", entry.name, free_.UnitValue(i, progress_.theta[i]));
+  }
+  Log(stage_ + " hands on:" + values);
   *start = std::move(end);
   return true;
 }
@@ -184,8 +239,9 @@ void Fitter::RunWindows() {
   for (int w = progress_.next_window; w < num_windows_ && !Stopped(); ++w) {
     stage_begin_ = w * window_frames_ / total;
     stage_share_ = window_frames_ / total;
-    if (!RunWindow(w, &start)) return;
+    if (!RunWindow(w, &start)) break;
   }
+  if (first_offsets_.size() > 0) progress_.theta(offsets_) = first_offsets_;
 }
 
 double Fitter::Cost(const Eigen::VectorXd& theta) {
@@ -256,7 +312,7 @@ void Fitter::Finish(FitResult* result) {
     uncertainty = QuantifyUncertainty(free_, residuals, jacobian);
   } else {
     result->cost_after = std::numeric_limits<double>::infinity();
-    uncertainty.sigma =
+    uncertainty.sigma = uncertainty.lower95 = uncertainty.upper95 =
         Eigen::VectorXd::Constant(free_.size(), std::numeric_limits<double>::quiet_NaN());
     uncertainty.determined.assign(static_cast<std::size_t>(free_.size()), false);
     uncertainty.statements.push_back(
@@ -277,7 +333,6 @@ void Fitter::Finish(FitResult* result) {
 }
 
 void Fitter::FillEstimates(const Uncertainty& uncertainty, FitResult* result) const {
-  constexpr double kTwoSided95 = 1.959964;
   const std::vector<NamedParameter> table = MakeParameterTable();
   const Eigen::VectorXd start_values = free_.Values(free_.start());
   std::vector<ParameterEstimate> others;
@@ -294,14 +349,14 @@ void Fitter::FillEstimates(const Uncertainty& uncertainty, FitResult* result) co
     const FreeEntry& entry = free_.entries()[i];
     const bool physical = entry.kind == FreeEntry::Kind::kParameter;
     ParameterEstimate& estimate = physical ? result->estimates[entry.index] : others.emplace_back();
-    const double theta = result->theta[i], width = kTwoSided95 * uncertainty.sigma[i];
+    const double theta = result->theta[i];
     estimate.name = entry.name;
     estimate.unit = entry.unit;
     estimate.free = true;
     estimate.value = free_.UnitValue(i, theta);
     estimate.start = free_.UnitValue(i, free_.start()[i]);
-    estimate.lower95 = free_.UnitValue(i, theta - width);
-    estimate.upper95 = free_.UnitValue(i, theta + width);
+    estimate.lower95 = free_.UnitValue(i, theta + uncertainty.lower95[i]);
+    estimate.upper95 = free_.UnitValue(i, theta + uncertainty.upper95[i]);
     estimate.determined = uncertainty.determined[i];
     const double margin = 1e-6 * (entry.upper - entry.lower);
     estimate.at_bound =

@@ -21,9 +21,10 @@ struct AirDrag {
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 0;
   static constexpr bool kUsesDensity = false;
+  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 3> kParameters = {{
-      {"normal", "kg/m^3", "k_n, quadratic drag along the normal", 1.0, 0.0, 1e-3, 20.0,
+      {"normal", "kg/m^3", "k_n, quadratic drag along the normal", 0.6, 0.0, 1e-3, 20.0,
        Scale::kLog, 3.0},
       {"saturation", "s^2/m^2", "k_f, weakens the quadratic drag at speed", 0.0, 0.0, 0.0, 10.0,
        Scale::kLinear, 0.3},

@@ -41,6 +41,7 @@ struct PointAttraction {
   static constexpr int kInputs = 3;
   static constexpr int kMemory = 0;
   static constexpr bool kUsesDensity = false;
+  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 3> kParameters = {{
       {"linear", "N/m", "force per distance", 0.0, 0.0, 0.0, 1e4, Scale::kLinear, 10.0},
@@ -88,6 +89,7 @@ struct RayAttraction {
   static constexpr int kInputs = 6;
   static constexpr int kMemory = 0;
   static constexpr bool kUsesDensity = false;
+  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 3> kParameters = {{
       {"linear", "N/m", "force per distance", 0.0, 0.0, 0.0, 1e4, Scale::kLinear, 10.0},

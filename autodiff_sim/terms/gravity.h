@@ -16,6 +16,7 @@ struct Gravity {
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 0;
   static constexpr bool kUsesDensity = true;
+  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 1> kParameters = {{
       {"scale", "1", "multiple of the recording's gravity", 1.0, 0.0, 0.0, 2.0, Scale::kLinear,

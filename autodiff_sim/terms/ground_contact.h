@@ -22,6 +22,7 @@ struct GroundContact {
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 0;
   static constexpr bool kUsesDensity = false;
+  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 5> kParameters = {{
       {"stiffness", "Pa/m", "pressure of the ground per depth", 1e5, 0.0, 1e3, 1e8, Scale::kLog,

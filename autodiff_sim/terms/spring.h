@@ -15,12 +15,16 @@ namespace clothfit {
 
 template <class T>
 void AddSpringForce(const Spring& spring, const T& stiffness, const T& damping,
-                    const Vector3<T>& dx, const Vector3<T>& dv, Vector3<T>* force_a,
-                    Vector3<T>* force_b) {
+                    const std::array<T, 2>& shrinkage, const Vector3<T>& dx, const Vector3<T>& dv,
+                    Vector3<T>* force_a, Vector3<T>* force_b) {
   using std::sqrt;
   const T length2 = dx.dot(dx);
   const T length = sqrt(length2);
-  const T elastic = stiffness * ((length - spring.rest_length) / length);
+  // The (u, v) that a cloth is given may be a little off its size at rest: see docs/model.md.
+  const T warp = 1.0 - shrinkage[0], weft = 1.0 - shrinkage[1];
+  const T rest_length = spring.rest_length * sqrt(spring.warp_share * warp * warp +
+                                                  (1.0 - spring.warp_share) * weft * weft);
+  const T elastic = stiffness * ((length - rest_length) / length);
   const T viscous = damping * (dx.dot(dv) / length2);
   const T tension = (elastic + viscous) * spring.weight;
   for (int k = 0; k < 3; ++k) {
@@ -38,11 +42,12 @@ struct StretchSpring {
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 0;
   static constexpr bool kUsesDensity = false;
+  static constexpr bool kUsesShrinkage = true;
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 2> kParameters = {{
-      {"stiffness", "N/m", "membrane stiffness along warp and weft", 200.0, 0.0, 1.0, 1e5,
+      {"stiffness", "N/m", "membrane stiffness along warp and weft", 1000.0, 0.0, 1.0, 1e5,
        Scale::kLog, 10.0},
-      {"damping", "N s/m", "damping of stretching", 0.02, 0.0, 1e-6, 10.0, Scale::kLog, 10.0},
+      {"damping", "N s/m", "damping of stretching", 1.0, 0.0, 1e-6, 100.0, Scale::kLog, 10.0},
   }};
   using Element = Spring;
 
@@ -53,7 +58,7 @@ struct StretchSpring {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<StretchSpring, T>& in,
                        ElementOutput<StretchSpring, T>* out) {
-    AddSpringForce<T>(element, in.parameter[0], in.parameter[1], in.x[1] - in.x[0],
+    AddSpringForce<T>(element, in.parameter[0], in.parameter[1], in.shrinkage, in.x[1] - in.x[0],
                       in.v[1] - in.v[0], &out->force[0], &out->force[1]);
   }
 };
@@ -66,10 +71,11 @@ struct ShearSpring {
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 0;
   static constexpr bool kUsesDensity = false;
+  static constexpr bool kUsesShrinkage = true;
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 2> kParameters = {{
       {"stiffness", "N/m", "shear modulus times thickness", 20.0, 0.0, 0.1, 1e4, Scale::kLog, 10.0},
-      {"damping", "N s/m", "damping of shearing", 0.005, 0.0, 1e-6, 10.0, Scale::kLog, 10.0},
+      {"damping", "N s/m", "damping of shearing", 0.5, 0.0, 1e-6, 100.0, Scale::kLog, 10.0},
   }};
   using Element = Spring;
 
@@ -80,7 +86,7 @@ struct ShearSpring {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<ShearSpring, T>& in,
                        ElementOutput<ShearSpring, T>* out) {
-    AddSpringForce<T>(element, in.parameter[0], in.parameter[1], in.x[1] - in.x[0],
+    AddSpringForce<T>(element, in.parameter[0], in.parameter[1], in.shrinkage, in.x[1] - in.x[0],
                       in.v[1] - in.v[0], &out->force[0], &out->force[1]);
   }
 };

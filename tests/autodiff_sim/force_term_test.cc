@@ -108,6 +108,8 @@ TYPED_TEST(ForceTerm, JetsAgreeWithDifferences) {
     EXPECT_GT(seen[Layout::kParameter + i], 0.0) << TypeParam::kParameters[i].name;
   }
   EXPECT_EQ(seen[Layout::kDensity] > 0.0, TypeParam::kUsesDensity);
+  EXPECT_EQ(seen[Layout::kShrinkage] > 0.0, TypeParam::kUsesShrinkage);
+  EXPECT_EQ(seen[Layout::kShrinkage + 1] > 0.0, TypeParam::kUsesShrinkage);
   for (int i = Layout::kInput; i < Layout::kSize; ++i)
     EXPECT_GT(seen[i], 0.0) << "input or memory, column " << i;
 }

@@ -30,6 +30,7 @@ struct MaxwellSpring {
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 2;  // q (m) and the time (s) at which it was
   static constexpr bool kUsesDensity = true;
+  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 2> kParameters = {{
       {"stiffness", "N m/kg", "of the spring per areal density", 400.0, 0.0, 1.0, 1e5, Scale::kLog,

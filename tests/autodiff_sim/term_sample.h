@@ -41,7 +41,8 @@ struct TermLayout {
   static constexpr int kV = 3 * Term::kNodes;
   static constexpr int kParameter = 6 * Term::kNodes;
   static constexpr int kDensity = kParameter + static_cast<int>(Term::kParameters.size());
-  static constexpr int kInput = kDensity + 1;
+  static constexpr int kShrinkage = kDensity + 1;
+  static constexpr int kInput = kShrinkage + 2;
   static constexpr int kMemory = kInput + Term::kInputs;
   static constexpr int kSize = kMemory + Term::kMemory;
   static constexpr int kForces = 3 * Term::kNodes;
@@ -73,6 +74,7 @@ VectorX<T> EvaluateTerm(const typename Term::Element& element, const VectorX<T>&
   for (int i = 0; i < Layout::kDensity - Layout::kParameter; ++i)
     in.parameter[i] = numbers[Layout::kParameter + i];
   in.areal_density = numbers[Layout::kDensity];
+  for (int i = 0; i < 2; ++i) in.shrinkage[i] = numbers[Layout::kShrinkage + i];
   for (int i = 0; i < Term::kInputs; ++i) in.input[i] = numbers[Layout::kInput + i];
   for (int i = 0; i < Term::kMemory; ++i) out.memory[i] = numbers[Layout::kMemory + i];
   Term::template AddForce<T>(element, in, &out);
@@ -108,6 +110,8 @@ Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const Term
   }
   numbers.segment(Layout::kParameter, parameters.size()) = parameters;
   numbers[Layout::kDensity] = 0.15;
+  numbers[Layout::kShrinkage] = 0.01;
+  numbers[Layout::kShrinkage + 1] = -0.02;
   if constexpr (Term::kInputs > 0) {
     for (int i = 0; i < Term::kInputs; ++i) numbers[Layout::kInput + i] = element.input[i];
   }
