@@ -8,6 +8,8 @@
 #include <iterator>
 #include <set>
 
+#include "autodiff_sim/flush_denormals.h"
+
 namespace clothfit {
 
 int BlockPattern::Find(int row, int col) const {
@@ -55,6 +57,7 @@ void BlockSparseMatrix::AddProduct(const Lanes<kColumns>& x, double scale,
 }
 
 void FloatBlockMatrix::Round(const BlockSparseMatrix& a) {
+  const FlushDenormals flush;
   const double* block = a.block(0);
   for (float* rounded = values_.data(); rounded != values_.data() + values_.size();
        rounded += 12, block += 9) {

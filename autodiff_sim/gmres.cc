@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "autodiff_sim/flush_denormals.h"
+
 namespace clothfit {
 namespace {
 
@@ -152,6 +154,7 @@ Row<kColumns> Cycle(const FloatBlockMatrix& a, SparseCholesky* preconditioner,
 template <int kColumns>
 GmresReport Gmres::Solve(SparseCholesky* preconditioner, const Lanes<kColumns>& b,
                          const GmresOptions& options, Lanes<kColumns>* x) {
+  const FlushDenormals flush;
   GmresReport report;
   Row<kColumns> scale;
   FloatLanes<kColumns> z = Precondition<kColumns>(preconditioner, b, &scale);

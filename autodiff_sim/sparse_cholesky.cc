@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "autodiff_sim/dense_panel.h"
+#include "autodiff_sim/flush_denormals.h"
 
 namespace clothfit {
 namespace {
@@ -36,6 +37,7 @@ void SparseCholesky::Forget() {
 }
 
 bool SparseCholesky::Factorize(const BlockSparseMatrix& a) {
+  const FlushDenormals flush;
   double mean = 0.0;
   for (int i = 0; i < a.pattern().num_rows(); ++i) {
     const double* block = a.block(a.pattern().diagonal[i]);
@@ -108,6 +110,7 @@ void SparseCholesky::ScatterOuterProduct(const Panel& panel) {
 
 template <int kColumns>
 void SparseCholesky::Solve(const FloatLanes<kColumns>& b, FloatLanes<kColumns>* x) {
+  const FlushDenormals flush;
   constexpr int kBlock = 3 * kColumns;  // numbers of a particle
   float *all = right_hand_side_.data(), *part = gathered_.data();
   const std::vector<int>& order = supernodes_.order;
