@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "autodiff_sim/direct_solve.h"
 #include "autodiff_sim/step_solver.h"
 
 namespace clothfit {
@@ -115,11 +116,14 @@ bool StepSolver::SolveLanes(const StepProblem& problem, const Lanes<kLanes>& rhs
   *iterations += linear.iterations;
   excess_ += kCostOfLanes * std::max(0, linear.iterations - kIterationsForNothing);
   if (linear.converged) return true;
-  if (factor_is_current_ || !RefreshFactor(report)) return false;
-  options.max_iterations = kPatience;
-  linear = gmres_.Solve<kLanes>(&factor_, rhs, options, dv);
-  *iterations += linear.iterations;
-  return linear.converged;
+  if (!factor_is_current_ && RefreshFactor(report)) {
+    options.max_iterations = kPatience;
+    linear = gmres_.Solve<kLanes>(&factor_, rhs, options, dv);
+    *iterations += linear.iterations;
+    if (linear.converged) return true;
+  }
+  ++report->factorizations;
+  return SolveDirectly<kLanes>(jacobian_, rhs, dv);
 }
 
 }  // namespace clothfit

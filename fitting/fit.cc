@@ -77,6 +77,7 @@ class Fitter {
   int window_frames_ = 0, num_windows_ = 0;
   FitCheckpoint progress_;
   std::vector<int> offsets_;       // entries of the free vector that offset a state
+  Eigen::VectorXd best_;           // of the stage under way
   Eigen::VectorXd first_offsets_;  // their values at the recording's start
   std::string stage_;
   double stage_begin_ = 0.0, stage_share_ = 0.0;  // of the whole fit's work
@@ -103,6 +104,7 @@ class IterationReporter : public ceres::IterationCallback {
 };
 
 void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
+  if (iteration.step_is_successful) best_ = progress_.theta;
   if (iteration.step_is_successful && callbacks_.checkpoint) {
     FitCheckpoint checkpoint = progress_;
     if (first_offsets_.size() > 0) checkpoint.theta(offsets_) = first_offsets_;
@@ -148,7 +150,9 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
                              callbacks_.stop);
   options.callbacks.push_back(&reporter);
   ceres::Solver::Summary summary;
+  best_ = progress_.theta;
   ceres::Solve(options, &problem, &summary);
+  progress_.theta = best_;  // Ceres takes back what it had reached when an evaluation fails
   iterations_ += std::max(0, static_cast<int>(summary.iterations.size()) - 1);
   Log(fmt::format("{}: cost {:.6g} -> {:.6g}, {} iterations, {}", stage_, summary.initial_cost,
                   summary.final_cost, summary.iterations.size(), summary.message));
