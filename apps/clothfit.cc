@@ -44,6 +44,8 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddCheckCommand(app, action);
   AddTermsCommand(app, action);
   AddGradcheckCommand(app, action);
+  AddSynthesizeCommand(app, action);
+  AddStudyCommand(app, action);
 }
 
 // "did you mean '--frames'?" for an option that is none, or a command.
@@ -82,7 +84,11 @@ int Run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return Fail(Describe(app, error), kExitBadInput);
   }
-  return action();
+  const int status = action();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    throw InputError("standard output", "cannot be written");
+  }
+  return status;
 }
 
 }  // namespace

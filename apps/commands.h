@@ -27,5 +27,7 @@ void AddPredictCommand(CLI::App* app, Action* action);
 void AddCheckCommand(CLI::App* app, Action* action);
 void AddTermsCommand(CLI::App* app, Action* action);
 void AddGradcheckCommand(CLI::App* app, Action* action);
+void AddSynthesizeCommand(CLI::App* app, Action* action);
+void AddStudyCommand(CLI::App* app, Action* action);
 
 }  // namespace clothfit

@@ -7,7 +7,7 @@ target_compile_options(clothfit_options INTERFACE
   -Wall -Wextra -Wconversion -Wshadow -Wno-sign-conversion
   $<$<BOOL:${CLOTHFIT_WERROR}>:-Werror>
   # GCC 12 takes its own AVX-512 intrinsics for uninitialised (GCC bug 105593).
-  -Wno-maybe-uninitialized
+  -Wno-maybe-uninitialized -Wno-array-bounds
   # Square roots and the like set no errno here, so they may be inlined. Nothing else of fast-math.
   -fno-math-errno)
 if(CLOTHFIT_NATIVE)

@@ -13,6 +13,7 @@
 #include <ceres/problem.h>
 #include <fmt/format.h>
 
+#include "fitting/profile_interval.h"
 #include "fitting/window_cost.h"
 
 namespace clothfit {
@@ -92,6 +93,28 @@ std::string Describe(const std::vector<FreeEntry>& entries, const Eigen::VectorX
       "the combination {} is not determined by the recording; it is held at the priors", names);
 }
 
+// Fills in the ends of the 95 % intervals.
+void FillIntervals(const FreeParameters& free, const Eigen::VectorXd& residuals,
+                   const RowMajorMatrix& jacobian, const Eigen::MatrixXd& covariance,
+                   Uncertainty* result) {
+  constexpr double kTwoSided95 = 1.959964;
+  result->upper95 = kTwoSided95 * result->sigma;
+  result->lower95 = -result->upper95;
+  if (!covariance.allFinite()) return;
+  const double variance = result->noise_factor * result->noise_factor;
+  ResponseModel model;
+  model.data_information = jacobian.transpose() * jacobian / variance;
+  model.data_gradient = jacobian.transpose() * residuals / variance;
+  model.prior_information = free.prior_jacobian().transpose() * free.prior_jacobian();
+  for (const FreeEntry& entry : free.entries()) model.is_log.push_back(entry.is_log);
+  for (int i = 0; i < free.size(); ++i) {
+    if (free.entries()[i].kind != FreeEntry::Kind::kParameter) continue;
+    const Interval interval = ProfileInterval(model, covariance, i, kTwoSided95);
+    result->lower95[i] = interval.lower;
+    result->upper95[i] = interval.upper;
+  }
+}
+
 }  // namespace
 
 Uncertainty QuantifyUncertainty(const FreeParameters& free, const Eigen::VectorXd& residuals,
@@ -103,6 +126,7 @@ Uncertainty QuantifyUncertainty(const FreeParameters& free, const Eigen::VectorX
   const Eigen::MatrixXd covariance =
       Covariance(jacobian / result.noise_factor, free.prior_jacobian());
   result.sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  FillIntervals(free, residuals, jacobian, covariance, &result);
   std::vector<int> physical;
   for (int i = 0; i < n; ++i) {
     const FreeEntry& entry = free.entries()[i];

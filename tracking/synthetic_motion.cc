@@ -41,7 +41,8 @@ double Envelope(double time, double duration) {
 }
 
 // Hangs in the plane y = 0 below the height 0. Both corners move to and fro (y), up and down (z)
-// and sideways (x); against each other they turn and come closer.
+// and sideways (x); against each other they turn and come closer. Gentle enough that the cloth does
+// not crumple: where it does, a recording tells of its start and little of its parameters.
 SyntheticMotion TwoCornerSwing(const Vector2d& size, double duration) {
   SyntheticMotion motion;
   motion.initial = {Vector3d(-0.5 * size.x(), 0.0, 0.0), Vector3d::UnitX(),
@@ -50,11 +51,11 @@ SyntheticMotion TwoCornerSwing(const Vector2d& size, double duration) {
   for (const double side : {-1.0, 1.0}) {
     const auto path = [=](double time) {
       const double amount = Envelope(time, duration), t = kTwoPi * time;
-      const double closer = 0.07 * width * std::pow(std::sin(0.5 * 0.8 * t), 2);
-      const double turn = 0.20 * width * std::sin(1.7 * t);
-      const Vector3d moved(0.08 * length * std::sin(1.1 * t) - side * closer,
-                           0.25 * length * std::sin(1.3 * t) + side * turn,
-                           0.10 * length * std::sin(2.3 * t));
+      const double closer = 0.02 * width * std::pow(std::sin(0.4 * t), 2);
+      const double turn = 0.05 * width * std::sin(1.3 * t);
+      const Vector3d moved(0.04 * length * std::sin(0.9 * t) - side * closer,
+                           0.12 * length * std::sin(0.9 * t) + side * turn,
+                           0.05 * length * std::sin(1.7 * t));
       return Vector3d(Vector3d(0.5 * side * width, 0.0, 0.0) + amount * moved);
     };
     const bool left = side < 0.0;

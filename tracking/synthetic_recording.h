@@ -32,9 +32,9 @@ struct SyntheticOptions {
   std::map<std::string, double> parameters;  // full name -> value; others at their initial value
 
   // time
-  double frame_rate = 30.0;  // Hz
-  int frame_count = 60;
-  int steps_per_frame = 4;
+  double frame_rate = 60.0;  // Hz
+  int frame_count = 90;
+  int steps_per_frame = 2;
   Integrator integrator = Integrator::kBdf2;
   double held_out_share = 1.0 / 3.0;  // of the frames, at the end; 0 = none
 

@@ -89,7 +89,10 @@ Rollout Maxwell(Integrator integrator) {
   options.tolerance = 1e-12;
   Rollout rollout;
   rollout.make = [scene, options]() {
-    return Simulation::WithTerms(WithMaxwell{}, scene.mesh, scene.world, scene.handles, options);
+    Simulation simulation =
+        Simulation::WithTerms(WithMaxwell{}, scene.mesh, scene.world, scene.handles, options);
+    UseSuppleCloth(&simulation);
+    return simulation;
   };
   rollout.parameters = rollout.make().parameters();
   rollout.x = scene.x;
@@ -159,7 +162,9 @@ TEST(RolloutDerivative, ClothFromAFileHeldInsideTriangles) {
   options.tolerance = 1e-12;
   Rollout rollout;
   rollout.make = [scene, options]() {
-    return Simulation(scene.mesh, scene.world, scene.handles, options);
+    Simulation simulation(scene.mesh, scene.world, scene.handles, options);
+    UseSuppleCloth(&simulation);
+    return simulation;
   };
   rollout.parameters = rollout.make().parameters();
   rollout.x = scene.x;

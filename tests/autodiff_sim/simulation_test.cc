@@ -17,7 +17,9 @@ namespace {
 constexpr double kStep = 1.0 / 120.0;  // s
 
 Simulation MakeSimulation(const Scene& scene, const SimulationOptions& options = {}) {
-  return Simulation(scene.mesh, scene.world, scene.handles, options);
+  Simulation simulation(scene.mesh, scene.world, scene.handles, options);
+  UseSuppleCloth(&simulation);
+  return simulation;
 }
 
 // `steps` steps from rest; expects all to converge.
@@ -195,13 +197,6 @@ TEST(Simulation, SwingsThroughWithoutHalvings) {
   const Scene scene = SwingingCloth(9, 0.3);
   for (int k = 0; k < 4; ++k) {
     Simulation simulation = MakeSimulation(scene);
-    Eigen::VectorXd parameters = simulation.parameters();
-    const auto& table = simulation.model().parameters();
-    parameters[FindParameter(table, "stretch.damping")] = 0.2;
-    parameters[FindParameter(table, "shear.damping")] = 0.1;
-    parameters[FindParameter(table, "bending.stiffness")] = 1e-4;
-    parameters[FindParameter(table, "bending.damping")] = 1e-5;
-    simulation.SetParameters(parameters);
     State state = simulation.MakeState(scene.x);
     for (Eigen::Index i = 0; i < state.v.size(); ++i)
       state.v[i] = 1e-4 * std::sin(static_cast<double>(i * i + k));

@@ -4,7 +4,9 @@
 // The scenes' geometry and motion.
 #include "tests/support/scenes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace clothfit {
 
@@ -21,6 +23,22 @@ Drive Scene::MakeDrive() const {
 
 Drive FreeDrive() {
   return [](double, bool) { return StepInputs(); };
+}
+
+void UseSuppleCloth(Simulation* simulation) {
+  const std::pair<const char*, double> values[] = {
+      {"cloth.areal_density", 0.15}, {"gravity.scale", 1.0},      {"stretch.stiffness", 200.0},
+      {"stretch.damping", 0.2},      {"shear.stiffness", 20.0},   {"shear.damping", 0.1},
+      {"bending.stiffness", 1e-4},   {"bending.damping", 1e-5},   {"air_drag.normal", 1.0},
+      {"air_drag.saturation", 0.0},  {"air_drag.tangential", 0.02}, {"ground.stiffness", 1e5},
+      {"ground.friction", 0.4},      {"ground.damping", 0.0},     {"ground.distance", 0.002},
+      {"ground.slip_speed", 0.005}};
+  Eigen::VectorXd parameters = simulation->parameters();
+  for (const auto& [name, value] : values) {
+    const int index = FindParameter(simulation->model().parameters(), name);
+    if (index >= 0) parameters[index] = value;
+  }
+  simulation->SetParameters(parameters);
 }
 
 Eigen::VectorXd LayFlat(const ClothMesh& mesh, const Eigen::Vector3d& origin,

@@ -38,6 +38,10 @@ Scene SwingingCloth(int n, double side);
 // contact distance while one corner is lifted and drawn inwards.
 Scene LiftedCloth(int n, double side);
 
+// Gives the simulation a supple, damped cloth in air, so that what is measured on it does not
+// depend on clothfit's initial values. Terms that the simulation lacks are left out.
+void UseSuppleCloth(Simulation* simulation);
+
 // No handle at all.
 Drive FreeDrive();
 

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit study: measures clothfit itself.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "autodiff_sim/error.h"
+#include "fitting/recovery_study.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+struct StudyOptions {
+  RecoveryOptions recovery;
+  std::string output;
+  bool force = false;
+};
+
+int RunRecoveryCommand(const StudyOptions& options) {
+  const std::filesystem::path folder = options.output;
+  if (std::filesystem::exists(folder / "recovery.csv") && !options.force) {
+    throw InputError(options.output, "already holds a study; --force replaces it");
+  }
+  if (options.recovery.num_seeds < 1) {
+    throw InputError("--seeds", fmt::format("{}; expected 1 or more", options.recovery.num_seeds));
+  }
+  if (options.recovery.num_threads < 1) {
+    throw InputError("--threads",
+                     fmt::format("{}; expected 1 or more", options.recovery.num_threads));
+  }
+  WriteTextFile(folder / "recovery.csv", "");  // fail now rather than at the end
+  const std::vector<RecoveredSeed> seeds =
+      RunRecoveryStudy(options.recovery, [](const RecoveredSeed& seed) {
+        const Coverage coverage = CountCoverage({seed});
+        fmt::print(stderr, "seed {}: {} in {:.0f} s, {} of {} determined parameters covered\n",
+                   seed.seed, ToString(seed.status), seed.seconds, coverage.covered,
+                   coverage.total);
+      });
+  WriteTextFile(folder / "recovery.csv", RecoveryAsCsv(seeds));
+  WriteTextFile(folder / "recovery.md", RecoveryAsMarkdown(seeds));
+  fmt::print("{}", RecoveryAsMarkdown(seeds));
+  return kExitSuccess;
+}
+
+}  // namespace
+
+void AddStudyCommand(CLI::App* app, Action* action) {
+  CLI::App* const study = app->add_subcommand("study", "measure clothfit itself");
+  study->require_subcommand(1);
+  CLI::App* const recovery =
+      study->add_subcommand("recovery", "fit recordings of known truth; do the intervals hold it?");
+  const auto options = std::make_shared<StudyOptions>();
+  options->recovery.recording = DemoRecording();
+  recovery->add_option("-o,--output", options->output, "folder of the tables")
+      ->type_name("FOLDER")
+      ->required();
+  recovery->add_option("--seeds", options->recovery.num_seeds, "recordings to make and fit")
+      ->type_name("N")
+      ->capture_default_str();
+  recovery->add_option("--first-seed", options->recovery.first_seed, "seed of the first")
+      ->type_name("N")
+      ->capture_default_str();
+  recovery
+      ->add_option("--threads", options->recovery.num_threads,
+                   "recordings fitted at the same time; no influence on the result")
+      ->type_name("N")
+      ->capture_default_str();
+  recovery->add_flag("--force", options->force, "replace the tables that are there");
+  recovery->footer("Example:\n  clothfit study recovery --seeds 20 -o studies/recovery");
+  recovery->callback(
+      [options, action] { *action = [options] { return RunRecoveryCommand(*options); }; });
+}
+
+}  // namespace clothfit

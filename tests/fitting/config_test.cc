@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/config.h"
+
+#include <cmath>
+
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/config_keys.h"
+#include "tests/tracking/test_folder.h"
+
+namespace clothfit {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string ReadErrorOf(const std::string& yaml) {
+  const TestFolder folder;
+  const auto file = folder.Write("fit.yaml", yaml);
+  FitConfig config = DefaultConfig({});
+  return InputErrorOf([&] { ReadConfig(file, &config); });
+}
+
+// Every value is another than the default, and the numbers have no short decimals.
+FitConfig AwkwardConfig() {
+  FitConfig config = DefaultConfig({});
+  config.recording = "/somewhere/a recording: #1";
+  config.resolution = {12, 13};
+  config.max_step = 1.0 / 77.0;
+  config.integrator = Integrator::kBackwardEuler;
+  config.tolerance = std::sqrt(2.0) * 1e-9;
+  config.initial_order = 2;
+  config.initial_position_sigma = 1.0 / 300.0;
+  config.initial_velocity_sigma = 1.0 / 7.0;
+  config.spline_spacing = 1.0 / 9.0;
+  config.spline_acceleration = 100.0 / 3.0;
+  config.use_tracks = false;
+  config.loss = LossKind::kCauchy;
+  config.loss_scale = 2.0 / 3.0;
+  config.frames = std::array<int, 2>{3, 88};
+  config.attract = true;
+  config.window = 0.0;
+  config.polish = false;
+  config.max_iterations = 7;
+  config.function_tolerance = 1e-300;
+  config.parameters["air_drag.normal"] = {1.0 / 3.0, false, 1e-17, 1e17 / 7.0, 2.0 / 3.0, 1.1};
+  return config;
+}
+
+TEST(DefaultConfig, CoversEveryParameterAndIsRight) {
+  const FitConfig config = DefaultConfig({});
+  for (const NamedParameter& named : MakeParameterTable()) {
+    ASSERT_EQ(config.parameters.count(named.name), 1u) << named.name;
+    const ParameterSetting& setting = config.parameters.at(named.name);
+    EXPECT_EQ(setting.value, named.parameter.initial);
+    EXPECT_EQ(setting.prior, named.parameter.initial);
+    EXPECT_EQ(setting.prior_sigma, named.parameter.prior_factor);
+    EXPECT_EQ(setting.lower, named.parameter.lower);
+    EXPECT_EQ(setting.upper, named.parameter.upper);
+  }
+  EXPECT_NO_THROW(config.Check("defaults"));
+}
+
+TEST(DefaultConfig, FollowsTheRecording) {
+  Recording recording;
+  EXPECT_FALSE(DefaultConfig(recording).parameters.at("ground.friction").free);
+  EXPECT_FALSE(DefaultConfig(recording).parameters.at("cloth.areal_density").free);
+  EXPECT_EQ(DefaultConfig(recording).initial_order, -1);
+  recording.ground_height = 0.0;
+  recording.cloth.areal_density = 3.5;  // above the usual bounds
+  recording.cloth.initial = PointPlacement{};
+  const FitConfig config = DefaultConfig(recording);
+  EXPECT_TRUE(config.parameters.at("ground.friction").free);
+  EXPECT_FALSE(config.parameters.at("ground.stiffness").free);
+  EXPECT_EQ(config.parameters.at("cloth.areal_density").value, 3.5);
+  EXPECT_EQ(config.parameters.at("cloth.areal_density").prior, 3.5);
+  EXPECT_FALSE(config.parameters.at("cloth.areal_density").free);
+  EXPECT_EQ(config.initial_order, 1);
+  EXPECT_NO_THROW(config.Check("defaults"));
+}
+
+TEST(ConfigToYaml, RoundTripsExactly) {
+  const TestFolder folder;
+  const FitConfig config = AwkwardConfig();
+  const auto file = folder.Write("fit.yaml", ConfigToYaml(config));
+  FitConfig again = DefaultConfig({});
+  EXPECT_GE(ConfigDifferences(config, again).size(), ConfigKeys().size());  // all but one differ
+  ReadConfig(file, &again);
+  EXPECT_THAT(ConfigDifferences(config, again), IsEmpty());
+  EXPECT_EQ(ConfigToYaml(again), ConfigToYaml(config));
+  EXPECT_EQ(again.function_tolerance, config.function_tolerance);
+  EXPECT_EQ(again.parameters.at("air_drag.normal").upper, 1e17 / 7.0);
+  EXPECT_EQ(again.frames, config.frames);
+}
+
+TEST(ReadConfig, ChangesOnlyWhatItNames) {
+  const TestFolder folder;
+  const auto file =
+      folder.Write("fit.yaml", "strategy: {window: 0.25}\nparameters: {bending.stiffness: 3e-5}\n");
+  FitConfig config = AwkwardConfig();
+  ReadConfig(file, &config);
+  EXPECT_THAT(ConfigDifferences(AwkwardConfig(), config),
+              testing::ElementsAre("strategy.window (0, not 0.25)",
+                                   HasSubstr("parameters.bending.stiffness ({value: 2e-05")));
+}
+
+TEST(ReadConfig, FindsARelativeRecordingBesideTheFile) {
+  const TestFolder folder;
+  EXPECT_EQ(ReadConfigRecording(folder.Write("a/fit.yaml", "recording: ../rec\n")),
+            (folder.path() / "rec").string());
+  EXPECT_EQ(ReadConfigRecording(folder.Write("a/fit.yaml", "recording: /x/y\n")), "/x/y");
+  EXPECT_EQ(ReadConfigRecording(folder.Write("a/fit.yaml", "strategy: {}\n")), "");
+}
+
+TEST(ReadConfig, RefusesUnknownKeysWithTheNearestRightOne) {
+  EXPECT_THAT(ReadErrorOf("stratgy: {}"), HasSubstr("fit.yaml: stratgy: unknown key; did you mean "
+                                                    "'strategy'?"));
+  EXPECT_THAT(ReadErrorOf("strategy: {windw: 1}"), HasSubstr("did you mean 'window'?"));
+  EXPECT_THAT(ReadErrorOf("parameters: {air_drag.norml: 1}"),
+              HasSubstr("did you mean 'air_drag.normal'?"));
+  EXPECT_THAT(ReadErrorOf("parameters: {air_drag.normal: {valu: 1}}"),
+              HasSubstr("parameters.air_drag.normal.valu: unknown key; did you mean 'value'?"));
+}
+
+TEST(ReadConfig, RefusesWrongTypesAndRanges) {
+  EXPECT_THAT(ReadErrorOf("format: clothfit-config/9"), HasSubstr("expected clothfit-config/1"));
+  EXPECT_THAT(ReadErrorOf("strategy: 3"), HasSubstr("strategy: expected a map"));
+  EXPECT_THAT(ReadErrorOf("strategy: {window: soon}"),
+              HasSubstr("strategy.window: expected a finite number, found 'soon'"));
+  EXPECT_THAT(ReadErrorOf("strategy: {window: -0.5}"),
+              HasSubstr("strategy.window: -0.5: expected 0 or more"));
+  EXPECT_THAT(ReadErrorOf("strategy: {polish: maybe}"),
+              HasSubstr("'maybe': expected one of true, false"));
+  EXPECT_THAT(ReadErrorOf("strategy: {max_iterations: 1.5}"), HasSubstr("expected an integer"));
+  EXPECT_THAT(ReadErrorOf("simulation: {max_step: 0}"), HasSubstr("expected a number above 0"));
+  EXPECT_THAT(ReadErrorOf("simulation: {integrator: rk4}"),
+              HasSubstr("expected one of bdf2, backward_euler"));
+  EXPECT_THAT(ReadErrorOf("observations: {frames: [5, 3]}"), HasSubstr("[5, 3]: expected a first"));
+  EXPECT_THAT(ReadErrorOf("observations: {frames: [5]}"), HasSubstr("a list of 2 integers"));
+  EXPECT_THAT(ReadErrorOf("observations: {markers: false, tracks: false}"),
+              HasSubstr("nothing to fit"));
+  EXPECT_THAT(ReadErrorOf("cloth: {resolution: [0, 5]}"), HasSubstr("[0, 5]: expected 2 to 1000"));
+  EXPECT_THAT(ReadErrorOf("initial_state: {order: 3}"), HasSubstr("an integer from -1 to 2"));
+}
+
+TEST(ReadConfig, ChecksParameters) {
+  const auto error_of = [](const std::string& setting) {
+    return ReadErrorOf("parameters: {air_drag.normal: " + setting + "}");
+  };
+  EXPECT_THAT(error_of("50"), HasSubstr("parameters.air_drag.normal.value: 50 kg/m^3: expected "
+                                        "0.001 to 20 (or 0, off, where it is fixed)"));
+  EXPECT_THAT(error_of("0"), HasSubstr("where it is free (this is its off value)"));
+  EXPECT_THAT(error_of("{free: 1}"), HasSubstr("'1': expected true or false"));
+  EXPECT_THAT(error_of("{lower: 0}"), HasSubstr("lower: 0: expected a number above 0"));
+  EXPECT_THAT(error_of("{lower: 30}"), HasSubstr("expected a number above the lower bound 30"));
+  EXPECT_THAT(error_of("{prior: -1}"), HasSubstr("prior: -1: expected a number above 0"));
+  EXPECT_THAT(error_of("{prior_sigma: 1}"), HasSubstr("prior_sigma: 1: expected a factor"));
+  EXPECT_THAT(ReadErrorOf("parameters: {gravity.scale: {prior_sigma: 0}}"),
+              HasSubstr("prior_sigma: 0: expected an amount"));
+  FitConfig config = DefaultConfig({});
+  const TestFolder folder;
+  ReadConfig(folder.Write("a.yaml", "parameters: {air_drag.normal: {value: 0, free: false}}"),
+             &config);
+  EXPECT_EQ(config.parameters.at("air_drag.normal").value, 0.0);
+}
+
+TEST(SetParameter, TakesFullNamesWithinBounds) {
+  FitConfig config = DefaultConfig({});
+  SetParameter("--set", "air_drag.normal=0.8", &config);
+  EXPECT_EQ(config.parameters.at("air_drag.normal").value, 0.8);
+  EXPECT_TRUE(config.parameters.at("air_drag.normal").free);
+  EXPECT_EQ(config.parameters.at("air_drag.normal").prior,
+            DefaultConfig({}).parameters.at("air_drag.normal").value);
+  const auto error_of = [&](const std::string& text) {
+    return InputErrorOf([&] { SetParameter("--set", text, &config); });
+  };
+  EXPECT_THAT(error_of("air_drag.normal=30"),
+              HasSubstr("air_drag.normal = 30 kg/m^3: expected 0.001 to 20, or 0 for off"));
+  EXPECT_THAT(error_of("air_drag.normal=x"), HasSubstr("expected air_drag.normal=NUMBER"));
+  EXPECT_THAT(error_of("air_drag.normal="), HasSubstr("expected air_drag.normal=NUMBER"));
+  EXPECT_THAT(error_of("air_drag=1"), HasSubstr("--set: 'air_drag': "));
+  EXPECT_THAT(error_of("normal=1"), HasSubstr("did you mean 'air_drag.normal'?"));
+}
+
+TEST(SetFree, TakesTermsAndFullNames) {
+  FitConfig config = DefaultConfig({});
+  SetFree("--fix", "air_drag", false, &config);
+  EXPECT_FALSE(config.parameters.at("air_drag.normal").free);
+  EXPECT_FALSE(config.parameters.at("air_drag.tangential").free);
+  SetFree("--free", "air_drag.saturation", true, &config);
+  EXPECT_TRUE(config.parameters.at("air_drag.saturation").free);
+  EXPECT_FALSE(config.parameters.at("air_drag.normal").free);
+  SetFree("--free", "cloth.areal_density", true, &config);
+  EXPECT_TRUE(config.parameters.at("cloth.areal_density").free);
+  EXPECT_THAT(InputErrorOf([&] { SetFree("--free", "bendign", true, &config); }),
+              HasSubstr("--free: 'bendign': did you mean 'bending'?"));
+}
+
+TEST(SwitchOff, PutsATermAtItsOffValuesAndFixesIt) {
+  FitConfig config = DefaultConfig({});
+  SwitchOff("--without", "air_drag", &config);
+  int switched = 0;
+  for (const NamedParameter& named : MakeParameterTable()) {
+    if (named.term != "air_drag") continue;
+    ++switched;
+    EXPECT_EQ(config.parameters.at(named.name).value, named.parameter.off);
+    EXPECT_FALSE(config.parameters.at(named.name).free);
+  }
+  EXPECT_EQ(switched, 3);
+  EXPECT_NO_THROW(config.Check("command line"));  // off lies below the bounds
+  EXPECT_THAT(InputErrorOf([&] { SetFree("--free", "air_drag", true, &config); }),
+              HasSubstr("a free parameter starts inside its bounds, 0.001 to 20"));
+  EXPECT_THAT(InputErrorOf([&] { SwitchOff("--without", "cloth", &config); }),
+              HasSubstr("--without: 'cloth': "));
+}
+
+TEST(Attract, GivesThePullAStartOfItsOwn) {
+  FitConfig config = DefaultConfig({});
+  Attract(&config);
+  EXPECT_TRUE(config.attract);
+  EXPECT_EQ(config.parameters.at("attraction_point.linear").value, 1.0);
+  SetParameter("--set", "attraction_point.linear=7", &config);
+  Attract(&config);
+  EXPECT_EQ(config.parameters.at("attraction_point.linear").value, 7.0);
+}
+
+}  // namespace
+}  // namespace clothfit

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// data/demo is what its command makes.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "fitting/recovery_study.h"
+
+namespace clothfit {
+namespace {
+
+// Numbers are written to the micrometre; another machine may round the last digit the other way.
+constexpr double kLastDigit = 1.1e-6;  // m
+
+std::filesystem::path DemoFolder() {
+  return std::filesystem::path(CLOTHFIT_SOURCE_DIR) / "data" / "demo";
+}
+
+TEST(DemoRecording, IsWhatItsOptionsMake) {
+  const Recording read = ReadRecording(DemoFolder());
+  const SyntheticRecording made = MakeSyntheticRecording(DemoRecording());
+  EXPECT_EQ(read.name, made.recording.name);
+  EXPECT_EQ(read.frame_count, made.recording.frame_count);
+  EXPECT_EQ(read.cloth.size, made.recording.cloth.size);
+  ASSERT_EQ(read.markers.size(), made.recording.markers.size());
+  ASSERT_FALSE(read.markers.empty());
+  for (std::size_t i = 0; i < read.markers.size(); ++i) {
+    ASSERT_EQ(read.markers[i].uv, made.recording.markers[i].uv);
+    ASSERT_LT(
+        (read.markers[i].position - made.recording.markers[i].position).lpNorm<Eigen::Infinity>(),
+        kLastDigit)
+        << "marker " << i;
+  }
+  EXPECT_EQ(ReadTruthParameters(DemoFolder()), made.truth_parameters);
+  const std::vector<TruthPoint> truth = ReadTruthPoints(DemoFolder());
+  ASSERT_EQ(truth.size(), made.truth_points.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    ASSERT_LT((truth[i].position - made.truth_points[i].position).lpNorm<Eigen::Infinity>(),
+              kLastDigit)
+        << "truth point " << i;
+  }
+}
+
+TEST(DemoRecording, IsSmallAndFarFromTheDefaults) {
+  std::uintmax_t size = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(DemoFolder())) {
+    if (entry.is_regular_file()) size += entry.file_size();
+  }
+  EXPECT_LT(size, 1000000u);
+  const FitConfig config = DefaultConfig(ReadRecording(DemoFolder()));
+  int free = 0;
+  for (const auto& [name, truth] : ReadTruthParameters(DemoFolder())) {
+    const ParameterSetting& setting = config.parameters.at(name);
+    if (!setting.free) continue;
+    const double factor = std::max(truth / setting.value, setting.value / truth);
+    EXPECT_GE(factor, 2.0) << name;
+    EXPECT_LE(factor, 3.0 + 1e-9) << name;
+    ++free;
+  }
+  EXPECT_GE(free, 8);
+}
+
+}  // namespace
+}  // namespace clothfit
