@@ -102,7 +102,8 @@ FitConfig DefaultConfig(const Recording& recording) {
   // Measured points place the cloth to within their noise; a flat placement is as it was laid out.
   const bool is_measured = std::holds_alternative<PointPlacement>(recording.cloth.initial);
   config.initial_order = is_measured ? 1 : -1;
-  // So are then the cloth's measures: by a few millimetres, which decide whether an edge hangs slack.
+  // So are then the cloth's measures: by a few millimetres, which decide whether an edge hangs
+  // slack.
   config.parameters.at("cloth.shrink_warp").free = is_measured;
   config.parameters.at("cloth.shrink_weft").free = is_measured;
   return config;

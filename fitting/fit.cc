@@ -54,9 +54,11 @@ class Fitter {
                                   const Eigen::VectorXd& offset);
   void RunWindows();
   bool RunWindow(int window, WindowStart* start);
-  // Frees the state at a later window's start: the offsets of the initial state now are offsets there.
+  // Frees the state at a later window's start: the offsets of the initial state now are offsets
+  // there.
   void FreeWindowStart(WindowStart* start);
-  // What is known of everything but these entries, with the entries themselves back at their priors.
+  // What is known of everything but these entries, with the entries themselves back at their
+  // priors.
   void Marginalise(const std::vector<int>& entries);
   void Polish();
   double Cost(const Eigen::VectorXd& theta);

@@ -13,7 +13,7 @@
 namespace clothfit {
 
 struct Uncertainty {
-  Eigen::VectorXd sigma;         // one a free entry, in the free vector's scale
+  Eigen::VectorXd sigma;  // one a free entry, in the free vector's scale
   // Ends of the 95 % interval, as offsets from the solution in the free vector's scale: a physical
   // parameter's are the profile's (fitting/profile_interval.h), others 1.96 sigmas.
   Eigen::VectorXd lower95, upper95;

@@ -27,11 +27,11 @@ Drive FreeDrive() {
 
 void UseSuppleCloth(Simulation* simulation) {
   const std::pair<const char*, double> values[] = {
-      {"cloth.areal_density", 0.15}, {"gravity.scale", 1.0},      {"stretch.stiffness", 200.0},
-      {"stretch.damping", 0.2},      {"shear.stiffness", 20.0},   {"shear.damping", 0.1},
-      {"bending.stiffness", 1e-4},   {"bending.damping", 1e-5},   {"air_drag.normal", 1.0},
+      {"cloth.areal_density", 0.15}, {"gravity.scale", 1.0},        {"stretch.stiffness", 200.0},
+      {"stretch.damping", 0.2},      {"shear.stiffness", 20.0},     {"shear.damping", 0.1},
+      {"bending.stiffness", 1e-4},   {"bending.damping", 1e-5},     {"air_drag.normal", 1.0},
       {"air_drag.saturation", 0.0},  {"air_drag.tangential", 0.02}, {"ground.stiffness", 1e5},
-      {"ground.friction", 0.4},      {"ground.damping", 0.0},     {"ground.distance", 0.002},
+      {"ground.friction", 0.4},      {"ground.damping", 0.0},       {"ground.distance", 0.002},
       {"ground.slip_speed", 0.005}};
   Eigen::VectorXd parameters = simulation->parameters();
   for (const auto& [name, value] : values) {
