@@ -111,10 +111,10 @@ Coverage CountCoverage(const std::vector<RecoveredSeed>& seeds, const std::strin
 SyntheticOptions DemoRecording() {
   SyntheticOptions options;
   options.name = "demo";
-  options.parameters = {{"stretch.stiffness", 80.0}, {"stretch.damping", 0.05},
-                        {"shear.stiffness", 8.0},    {"shear.damping", 0.012},
-                        {"bending.stiffness", 5e-5}, {"bending.damping", 3e-7},
-                        {"air_drag.normal", 0.4},    {"air_drag.tangential", 0.05}};
+  options.parameters = {{"stretch.stiffness", 400.0}, {"stretch.damping", 0.4},
+                        {"shear.stiffness", 8.0},     {"shear.damping", 0.2},
+                        {"bending.stiffness", 5e-5},  {"bending.damping", 2e-5},
+                        {"air_drag.normal", 0.3},     {"air_drag.tangential", 0.05}};
   return options;
 }
 

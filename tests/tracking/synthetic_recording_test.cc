@@ -159,7 +159,7 @@ TEST(SyntheticRecording, HandlesHoldTheClothOnTheirPaths) {
     EXPECT_LT((held - point.position).norm(), 2e-6) << "frame " << point.frame;
     largest = std::max(largest, (held - *(*synthetic.recording.handles[0].path)[0]).norm());
   }
-  EXPECT_GT(largest, 0.05);
+  EXPECT_GT(largest, 0.04);
 }
 
 TEST(SyntheticRecording, EveryScenarioStaysAboveItsGround) {
