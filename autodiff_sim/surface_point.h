@@ -22,6 +22,10 @@ struct SurfacePoint {
     return weights[0] * x.segment<3>(3 * nodes[0]) + weights[1] * x.segment<3>(3 * nodes[1]) +
            weights[2] * x.segment<3>(3 * nodes[2]);
   }
+  // Its (u, v) (m), with those of the particles.
+  Eigen::Vector2d At(const std::vector<Eigen::Vector2d>& uv) const {
+    return weights[0] * uv[nodes[0]] + weights[1] * uv[nodes[1]] + weights[2] * uv[nodes[2]];
+  }
 };
 
 // Finds the triangle that holds each (u, v), m; for a point outside (measured coordinates may be

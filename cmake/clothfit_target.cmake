@@ -13,8 +13,12 @@ target_compile_options(clothfit_options INTERFACE
 if(CLOTHFIT_NATIVE)
   target_compile_options(clothfit_options INTERFACE -march=native)
 endif()
-# Ceres and OpenCV were compiled for the baseline instruction set: Eigen must align as they do.
-target_compile_definitions(clothfit_options INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
+# Ceres was compiled for the baseline instruction set and shares Eigen's templates with us. Two
+# versions of one template must never meet in a link: half of a matrix product from each writes past
+# its buffers. So ours live in a namespace of another name; and where the two do meet, in Ceres'
+# headers, they align alike.
+target_compile_definitions(clothfit_options INTERFACE
+  Eigen=clothfit_eigen EIGEN_MAX_ALIGN_BYTES=16)
 if(CLOTHFIT_SANITIZE)
   target_compile_options(clothfit_options INTERFACE -fsanitize=${CLOTHFIT_SANITIZE}
                                                     -fno-sanitize-recover=all)

@@ -52,6 +52,7 @@ struct FitConfig {
   // unknown handle paths: uniform cubic B-splines
   double spline_spacing = 1.0 / 12.0;  // s between control points
   double spline_acceleration = 20.0;   // m/s^2, one sigma of the prior on a path's acceleration
+  double spline_speed = 1.0;           // m/s, one sigma of the prior on its speed
 
   // observations
   bool use_markers = true;
@@ -65,7 +66,7 @@ struct FitConfig {
   bool attract = false;
 
   // strategy
-  double window = 1.0;      // s; windows hand state and information on; 0 = one window
+  double window = 0.33;     // s; windows hand state and information on; 0 = one window
   bool polish = true;       // then fit all frames at once, open loop, from where the windows ended
   int max_iterations = 30;  // of Levenberg-Marquardt, each window and the polish
   double function_tolerance = 1e-6;  // relative change of the cost at which to stop

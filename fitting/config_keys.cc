@@ -153,6 +153,8 @@ std::vector<ConfigKey> MakeConfigKeys() {
       NumberKey("handle_paths", "spline_acceleration",
                 "m/s^2, one sigma of an unknown path's acceleration",
                 &FitConfig::spline_acceleration, Range::kAboveZero),
+      NumberKey("handle_paths", "spline_speed", "m/s, one sigma of an unknown path's speed",
+                &FitConfig::spline_speed, Range::kAboveZero),
       ChoiceKey("observations", "markers", "fit the markers", &FitConfig::use_markers, kYesOrNo),
       ChoiceKey("observations", "tracks", "fit the tracks", &FitConfig::use_tracks, kYesOrNo),
       ChoiceKey("observations", "loss", "how outliers count", &FitConfig::loss, kLosses),

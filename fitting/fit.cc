@@ -67,6 +67,10 @@ class Fitter {
   }
   bool Stopped() const { return callbacks_.stop != nullptr && *callbacks_.stop; }
   void Report(const ceres::IterationSummary& iteration, int rows);
+  // By how much of the cost a full Gauss-Newton step from here would lower it, were the problem
+  // linear: near 0 at a minimum, also where Levenberg-Marquardt's own small steps have come to
+  // rest.
+  double ExpectedDecrease(const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian) const;
   void Finish(FitResult* result);
   void FillEstimates(const Uncertainty& uncertainty, FitResult* result) const;
 
@@ -299,6 +303,28 @@ FitResult Fitter::Run(const FitCheckpoint* resume) {
   return result;
 }
 
+double Fitter::ExpectedDecrease(const Eigen::VectorXd& residuals,
+                                const RowMajorMatrix& jacobian) const {
+  const Eigen::VectorXd prior = free_.PriorResiduals(progress_.theta);
+  const Eigen::MatrixXd& prior_jacobian = free_.prior_jacobian();
+  const Eigen::VectorXd gradient =
+      jacobian.transpose() * residuals + prior_jacobian.transpose() * prior;
+  const Eigen::MatrixXd information =
+      jacobian.transpose() * jacobian + prior_jacobian.transpose() * prior_jacobian;
+  std::vector<int> inner;  // entries that may follow their gradient
+  for (int i = 0; i < free_.size(); ++i) {
+    const FreeEntry& entry = free_.entries()[i];
+    const bool held = gradient[i] > 0.0 ? progress_.theta[i] <= entry.lower + 1e-9
+                                        : progress_.theta[i] >= entry.upper - 1e-9;
+    if (!held) inner.push_back(i);
+  }
+  if (inner.empty()) return 0.0;
+  const Eigen::VectorXd g = gradient(inner);
+  const Eigen::MatrixXd h = information(inner, inner);
+  const double cost = 0.5 * (residuals.squaredNorm() + prior.squaredNorm());
+  return 0.5 * g.dot(h.ldlt().solve(g)) / std::max(cost, 1e-300);
+}
+
 void Fitter::Finish(FitResult* result) {
   result->theta = progress_.theta;
   result->parameters = free_.Values(result->theta);
@@ -316,6 +342,15 @@ void Fitter::Finish(FitResult* result) {
     result->cost_after =
         0.5 * (residuals.squaredNorm() + free_.PriorResiduals(result->theta).squaredNorm());
     uncertainty = QuantifyUncertainty(free_, residuals, jacobian);
+    constexpr double kConvergedDecrease = 0.01;
+    const double decrease = ExpectedDecrease(residuals, jacobian);
+    if (converged_ && config_.polish && decrease > kConvergedDecrease) {
+      converged_ = false;
+      Log(
+          fmt::format("Levenberg-Marquardt came to rest where a full step promises {:.0f} % less "
+                      "cost: the cost is rugged here; shorter windows may get past it",
+                      100.0 * decrease));
+    }
   } else {
     result->cost_after = std::numeric_limits<double>::infinity();
     uncertainty.sigma = uncertainty.lower95 = uncertainty.upper95 =

@@ -11,6 +11,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
+#include "fitting/path_guess.h"
+
 namespace clothfit {
 namespace {
 
@@ -28,6 +30,7 @@ FreeParameters::FreeParameters(const FitConfig& config, const Scene& scene,
   start_.resize(size());
   for (int i = 0; i < size(); ++i) start_[i] = starts_[i];
   BuildPrior(config, scene);
+  GuessHandlePaths(scene);
 }
 
 void FreeParameters::AddParameters(const FitConfig& config,
@@ -68,8 +71,8 @@ void FreeParameters::AddHandles(const FitConfig&, const Scene& scene) {
         entry.axis = axis;
         entry.lower = -kInfinity;
         entry.upper = kInfinity;
-        entry.prior = handle.path.controls()[c][axis];
-        entry.prior_sigma = 1.0;  // m; its neighbours say more
+        entry.prior = handle.path.controls()[c][axis];  // where the cloth lies at frame 0
+        entry.prior_sigma = 1.0;                        // m; its neighbours say more
         entries_.push_back(entry);
         starts_.push_back(entry.prior);
       }
@@ -138,7 +141,8 @@ void FreeParameters::BuildPrior(const FitConfig& config, const Scene& scene) {
       add({{i, 1.0}}, entries_[i].prior, entries_[i].prior_sigma);
     }
   }
-  // An unknown path begins where the cloth lies, and changes its velocity only so fast.
+  // An unknown path begins where the cloth lies, has about the speed of a hand and changes it only
+  // so fast.
   for (int i = 0; i < size(); ++i) {
     const FreeEntry& entry = entries_[i];
     if (entry.kind != FreeEntry::Kind::kHandle) continue;
@@ -146,10 +150,12 @@ void FreeParameters::BuildPrior(const FitConfig& config, const Scene& scene) {
     const double sigma =
         scene.recording.handles[entry.index].path_sigma.value_or(kDefaultPathSigma);
     const double spacing = handle.path.spacing();
-    constexpr double kStartSpeed = 0.5;  // m/s
     if (entry.control == 0) {
       add({{i, 1.0 / 6.0}, {i + 3, 4.0 / 6.0}, {i + 6, 1.0 / 6.0}}, entry.prior, sigma);
-      add({{i, -0.5}, {i + 6, 0.5}}, 0.0, kStartSpeed * spacing);
+    }
+    // Without this an unseen path would go on at its last speed for ever.
+    if (entry.control + 1 < handle.path.num_controls()) {
+      add({{i, -1.0}, {i + 3, 1.0}}, 0.0, config.spline_speed * spacing);
     }
     if (entry.control + 2 < handle.path.num_controls()) {
       add({{i, 1.0}, {i + 3, -2.0}, {i + 6, 1.0}}, 0.0,
@@ -161,6 +167,30 @@ void FreeParameters::BuildPrior(const FitConfig& config, const Scene& scene) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
     prior_jacobian_.row(static_cast<Eigen::Index>(r)) = rows[r].transpose();
     prior_target_[static_cast<Eigen::Index>(r)] = targets[r];
+  }
+}
+
+// Starts each unknown path near where the markers say that it went: far from its path a fit would
+// have to unfold the cloth first. Least squares over the guessed points and the path's own prior.
+void FreeParameters::GuessHandlePaths(const Scene& scene) {
+  constexpr double kGuessSigma = 0.01;  // m, of a guessed point
+  for (std::size_t h = 0; h < scene.handles.size(); ++h) {
+    const SceneHandle& handle = scene.handles[h];
+    if (handle.path.is_known()) continue;
+    Eigen::MatrixXd information = prior_jacobian_.transpose() * prior_jacobian_;
+    Eigen::VectorXd right = prior_jacobian_.transpose() * prior_target_;
+    for (const PathPoint& point : GuessPath(scene, handle.on_cloth.At(scene.mesh.uv))) {
+      const Eigen::MatrixXd directions =
+          HandleDirections(scene.handles, static_cast<int>(h), point.time) / kGuessSigma;
+      information += directions.transpose() * directions;
+      right += directions.transpose() * point.position / kGuessSigma;
+    }
+    const Eigen::VectorXd guess = information.llt().solve(right);
+    for (int i = 0; i < size(); ++i) {
+      const bool own =
+          entries_[i].kind == FreeEntry::Kind::kHandle && entries_[i].index == static_cast<int>(h);
+      if (own) start_[i] = guess[i];
+    }
   }
 }
 

@@ -36,7 +36,8 @@ class FreeParameters {
   int size() const { return static_cast<int>(entries_.size()); }
   const std::vector<FreeEntry>& entries() const { return entries_; }
 
-  // The start: the config's values, control points at the handles' initial places, no offsets.
+  // The start: the config's values, unknown paths as the markers near them suggest or at rest where
+  // there are none, no offsets.
   const Eigen::VectorXd& start() const { return start_; }
 
   // All physical parameters, in the table's order, and their derivatives (all x size()).
@@ -69,6 +70,7 @@ class FreeParameters {
   void AddHandles(const FitConfig& config, const Scene& scene);
   void AddInitialState(const FitConfig& config, const Scene& scene);
   void BuildPrior(const FitConfig& config, const Scene& scene);
+  void GuessHandlePaths(const Scene& scene);
 
   std::vector<FreeEntry> entries_;
   std::vector<double> starts_;

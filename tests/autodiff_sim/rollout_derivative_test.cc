@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms.h"
@@ -106,12 +107,31 @@ Rollout Swing(int n, Integrator integrator) {
   return rollout;
 }
 
+// All parameters, by the rollout in which they act.
+const std::vector<std::string> kOfTheCloth = {
+    "cloth.areal_density", "cloth.shrink_warp", "cloth.shrink_weft", "gravity.scale",
+    "stretch.stiffness",   "stretch.damping",   "shear.stiffness",   "shear.damping",
+    "bending.stiffness",   "bending.damping",   "air_drag.normal",   "air_drag.saturation",
+    "air_drag.tangential"};
+const std::vector<std::string> kOfTheGround = {"ground.stiffness", "ground.friction",
+                                               "ground.damping", "ground.distance",
+                                               "ground.slip_speed"};
+const std::vector<std::string> kOfTheTargets = {
+    "attraction_point.linear", "attraction_point.reciprocal", "attraction_point.radius",
+    "attraction_ray.linear",   "attraction_ray.reciprocal",   "attraction_ray.radius"};
+
+TEST(RolloutDerivative, OfEveryParameterThereIs) {
+  std::vector<std::string> names;
+  for (const NamedParameter& p : MakeParameterTable()) names.push_back(p.name);
+  std::vector<std::string> checked = kOfTheCloth;
+  checked.insert(checked.end(), kOfTheGround.begin(), kOfTheGround.end());
+  checked.insert(checked.end(), kOfTheTargets.begin(), kOfTheTargets.end());
+  EXPECT_THAT(names, ::testing::UnorderedElementsAreArray(checked));
+}
+
 TEST(RolloutDerivative, SwingingClothBdf2) {
   Rollout rollout = Swing(6, Integrator::kBdf2);
-  rollout.AddParameters({"cloth.areal_density", "gravity.scale", "stretch.stiffness",
-                         "stretch.damping", "shear.stiffness", "shear.damping", "bending.stiffness",
-                         "bending.damping", "air_drag.normal", "air_drag.saturation",
-                         "air_drag.tangential"});
+  rollout.AddParameters(kOfTheCloth);
   rollout.directions.push_back(MoveHandle(0, 0));
   rollout.directions.push_back(MoveHandle(1, 2));
   AddInitial(&rollout);
@@ -203,10 +223,7 @@ Rollout Attracted() {
 
 TEST(RolloutDerivative, AttractionAndAReleasedHandleInsideATriangle) {
   Rollout rollout = Attracted();
-  for (const char* term : {"attraction_point", "attraction_ray"}) {
-    for (const char* name : {".linear", ".reciprocal", ".radius"})
-      rollout.AddParameter(std::string(term) + name);
-  }
+  rollout.AddParameters(kOfTheTargets);
   rollout.directions.push_back(MoveHandle(0, 1));
   rollout.directions.push_back(MoveHandle(1, 2));
   // Two points, 6 rows, then two rays, 12 rows.

@@ -5,6 +5,7 @@
 // as one vector of numbers: x, v (3 a node each), parameters, areal density, inputs, memory.
 #pragma once
 
+#include <array>
 #include <random>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ std::vector<TermScene> MakeTermScenes();
 // The scene turned about the origin and moved: the cloth, the inputs and gravity, not the ground.
 TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
                 const Eigen::Vector3d& shift);
+
+constexpr std::array<double, 2> kSampleShrinkage = {0.01, -0.02};  // along warp and weft
 
 template <class Term>
 struct TermLayout {
@@ -110,8 +113,7 @@ Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const Term
   }
   numbers.segment(Layout::kParameter, parameters.size()) = parameters;
   numbers[Layout::kDensity] = 0.15;
-  numbers[Layout::kShrinkage] = 0.01;
-  numbers[Layout::kShrinkage + 1] = -0.02;
+  for (int i = 0; i < 2; ++i) numbers[Layout::kShrinkage + i] = kSampleShrinkage[i];
   if constexpr (Term::kInputs > 0) {
     for (int i = 0; i < Term::kInputs; ++i) numbers[Layout::kInput + i] = element.input[i];
   }

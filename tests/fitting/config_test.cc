@@ -34,6 +34,7 @@ FitConfig AwkwardConfig() {
   config.initial_velocity_sigma = 1.0 / 7.0;
   config.spline_spacing = 1.0 / 9.0;
   config.spline_acceleration = 100.0 / 3.0;
+  config.spline_speed = 5.0 / 3.0;
   config.use_tracks = false;
   config.loss = LossKind::kCauchy;
   config.loss_scale = 2.0 / 3.0;
