@@ -105,6 +105,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return Fail("out of memory", kExitFailure);
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return Fail("standard output: cannot be written", kExitBadInput);
     return Fail(error.what(), kExitFailure);
   }
 }

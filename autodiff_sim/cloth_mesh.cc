@@ -27,12 +27,6 @@ std::map<Edge, std::vector<int>> OppositeParticles(const ClothMesh& mesh) {
   return opposite;
 }
 
-double SignedArea(const ClothMesh& mesh, const std::array<int, 3>& t) {
-  const Eigen::Vector2d a = mesh.uv[t[1]] - mesh.uv[t[0]];
-  const Eigen::Vector2d b = mesh.uv[t[2]] - mesh.uv[t[0]];
-  return 0.5 * (a.x() * b.y() - a.y() * b.x());
-}
-
 double EdgeLength(const ClothMesh& mesh, const Edge& edge) {
   return (mesh.uv[edge.second] - mesh.uv[edge.first]).norm();
 }
@@ -116,6 +110,12 @@ void ValidateEdges(const ClothMesh& mesh, const std::string& source) {
 }
 
 }  // namespace
+
+double SignedArea(const ClothMesh& mesh, const std::array<int, 3>& t) {
+  const Eigen::Vector2d a = mesh.uv[t[1]] - mesh.uv[t[0]];
+  const Eigen::Vector2d b = mesh.uv[t[2]] - mesh.uv[t[0]];
+  return 0.5 * (a.x() * b.y() - a.y() * b.x());
+}
 
 ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution) {
   const int nu = resolution[0], nv = resolution[1];

@@ -51,36 +51,34 @@ void ClothModel::BeginStep(const StepInputs& inputs) {
 
 // Calls function(batch, point, first parameter, first memory, is off) for every term.
 template <class Function>
-void ClothModel::ForEachBatch(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
-                              const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
-                              const Function& function) const {
+void ClothModel::ForEachBatch(const ForcePoint& all, const Function& function) const {
   int first_parameter = kNumClothParameters, first_memory = 0;
   for (const std::unique_ptr<ForceBatch>& batch : batches_) {
     const std::vector<Parameter>& own = batch->info().parameters;
     bool off = batch->memory_size() == 0;
     for (std::size_t i = 0; i < own.size(); ++i) {
-      off = off && parameters[first_parameter + static_cast<int>(i)] == own[i].off;
+      off = off && all.parameters[first_parameter + static_cast<int>(i)] == own[i].off;
     }
-    const BatchPoint point = {time,
-                              x.data(),
-                              v.data(),
-                              parameters.data(),
-                              parameters.data() + first_parameter,
-                              memory.data() + first_memory};
+    const double* parameters = all.parameters.data();
+    const BatchPoint point = {all.time,
+                              all.x.data(),
+                              all.v.data(),
+                              all.a.data(),
+                              parameters,
+                              parameters + first_parameter,
+                              all.memory.data() + first_memory};
     function(*batch, point, first_parameter, first_memory, off && !own.empty());
     first_parameter += static_cast<int>(own.size());
     first_memory += batch->memory_size();
   }
 }
 
-void ClothModel::Forces(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
-                        const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
-                        Eigen::VectorXd* force, Eigen::VectorXd* new_memory) const {
-  force->setZero(x.size());
-  new_memory->resize(memory.size());
+void ClothModel::Forces(const ForcePoint& all, Eigen::VectorXd* force,
+                        Eigen::VectorXd* new_memory) const {
+  force->setZero(all.x.size());
+  new_memory->resize(all.memory.size());
   ForEachBatch(
-      time, x, v, parameters, memory,
-      [&](const ForceBatch& batch, const BatchPoint& point, int, int first_memory, bool off) {
+      all, [&](const ForceBatch& batch, const BatchPoint& point, int, int first_memory, bool off) {
         if (!off) batch.AddForces(point, force->data(), new_memory->data() + first_memory);
       });
 }
@@ -92,40 +90,32 @@ void ClothModel::AddMass(double areal_density, BlockSparseMatrix* a) const {
   }
 }
 
-void ClothModel::StepJacobian(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
-                              const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
-                              double gamma, BlockSparseMatrix* a) const {
-  a->SetZero();
-  AddMass(parameters[kArealDensity], a);
-  ForEachBatch(time, x, v, parameters, memory,
-               [&](const ForceBatch& batch, const BatchPoint& point, int, int, bool off) {
-                 if (!off) batch.AddStepJacobian(point, gamma, a);
-               });
+void ClothModel::StepJacobian(const ForcePoint& all, double gamma,
+                              BlockSparseMatrix* jacobian) const {
+  jacobian->SetZero();
+  AddMass(all.parameters[kArealDensity], jacobian);
+  ForEachBatch(all, [&](const ForceBatch& batch, const BatchPoint& point, int, int, bool off) {
+    if (!off) batch.AddStepJacobian(point, gamma, jacobian);
+  });
 }
 
-void ClothModel::AddForceDerivatives(double time, const Eigen::VectorXd& x,
-                                     const Eigen::VectorXd& v, const Eigen::VectorXd& parameters,
-                                     const Eigen::VectorXd& memory,
-                                     const ForceDirections& directions, Lanes<kLanes>* force,
-                                     Lanes<kLanes>* new_memory) const {
-  new_memory->resize(memory.size(), kLanes);
+void ClothModel::AddForceDerivatives(const ForcePoint& all, const ForceDirections& directions,
+                                     Lanes<kLanes>* force, Lanes<kLanes>* new_memory) const {
+  new_memory->resize(all.memory.size(), kLanes);
   const auto row = [](const Lanes<kLanes>& lanes, int i) { return lanes.data() + kLanes * i; };
-  ForEachBatch(time, x, v, parameters, memory,
-               [&](const ForceBatch& batch, const BatchPoint& point, int first_parameter,
-                   int first_memory, bool off) {
-                 const int count = static_cast<int>(batch.info().parameters.size());
-                 if (off && directions.parameters.middleRows(first_parameter, count).isZero(0.0))
-                   return;
-                 const BatchDirections own = {
-                     directions.x.data(),
-                     directions.v.data(),
-                     row(directions.parameters, 0),
-                     row(directions.parameters, first_parameter),
-                     row(directions.memory, first_memory),
-                     directions.inputs.size() > 0 ? directions.inputs.data() : nullptr};
-                 batch.AddDerivatives(point, own, force->data(),
-                                      new_memory->data() + kLanes * first_memory);
-               });
+  ForEachBatch(all, [&](const ForceBatch& batch, const BatchPoint& point, int first_parameter,
+                        int first_memory, bool off) {
+    const int count = static_cast<int>(batch.info().parameters.size());
+    if (off && directions.parameters.middleRows(first_parameter, count).isZero(0.0)) return;
+    const BatchDirections own = {directions.x.data(),
+                                 directions.v.data(),
+                                 directions.a.data(),
+                                 row(directions.parameters, 0),
+                                 row(directions.parameters, first_parameter),
+                                 row(directions.memory, first_memory),
+                                 directions.inputs.size() > 0 ? directions.inputs.data() : nullptr};
+    batch.AddDerivatives(point, own, force->data(), new_memory->data() + kLanes * first_memory);
+  });
 }
 
 }  // namespace clothfit

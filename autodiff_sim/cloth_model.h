@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The equation of one implicit step, whose unknown is the velocity at its end:
-//   r(v) = M (v - v_hat) - gamma f(x_hat + gamma v, v) = 0,
+//   r(v) = M (v - v_hat) - gamma f(x_hat + gamma v, v, (v - v_hat) / gamma) = 0,
 // with x_hat, v_hat and gamma from backward Euler (x_hat = x_n, gamma = h) or from BDF2 with the
 // ratio w = h / previous h (Hairer, Norsett and Wanner 1993, III.5):
 //   x_hat = (1 + w)^2 / (1 + 2 w) x_n - w^2 / (1 + 2 w) x_(n-1),  gamma = h (1 + w) / (1 + 2 w).
@@ -30,9 +30,19 @@ struct StepFormula {
 // Backward Euler where there is no step before, or where this one is more than twice as long.
 StepFormula MakeStepFormula(Integrator integrator, double step, double previous_step);
 
-// kLanes directions in which everything that the forces depend on may move, a row for each number.
+// Everything that the forces depend on but the inputs.
+struct ForcePoint {
+  double time;                        // s, at the end of the step
+  const Eigen::VectorXd& x;           // 3N, m
+  const Eigen::VectorXd& v;           // 3N, m/s
+  const Eigen::VectorXd& a;           // 3N, m/s^2
+  const Eigen::VectorXd& parameters;  // all of them, see parameter_table.h
+  const Eigen::VectorXd& memory;      // at the start of the step
+};
+
+// kLanes directions in which all of that may move, a row for each number.
 struct ForceDirections {
-  Lanes<kLanes> x, v, parameters, memory;
+  Lanes<kLanes> x, v, a, parameters, memory;
   Lanes<kLanes> inputs;  // rows of StepInputs::directions; empty where nothing moves them
 };
 
@@ -53,25 +63,17 @@ class ClothModel {
   void BeginStep(const StepInputs& inputs);
 
   // The forces (N) at a point, 3N; `new_memory` gets the memory there.
-  void Forces(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
-              const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
-              Eigen::VectorXd* force, Eigen::VectorXd* new_memory) const;
-  // a = M - gamma (df/dv + gamma df/dx).
-  void StepJacobian(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
-                    const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory, double gamma,
-                    BlockSparseMatrix* a) const;
+  void Forces(const ForcePoint& point, Eigen::VectorXd* force, Eigen::VectorXd* new_memory) const;
+  // jacobian = M - gamma (df/dv + gamma df/dx + 1/gamma df/da).
+  void StepJacobian(const ForcePoint& point, double gamma, BlockSparseMatrix* jacobian) const;
   // Adds the forces' derivatives along kLanes directions, 3N x kLanes; `new_memory` gets those of
   // the memory at the end of the step.
-  void AddForceDerivatives(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
-                           const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
-                           const ForceDirections& directions, Lanes<kLanes>* force,
-                           Lanes<kLanes>* new_memory) const;
+  void AddForceDerivatives(const ForcePoint& point, const ForceDirections& directions,
+                           Lanes<kLanes>* force, Lanes<kLanes>* new_memory) const;
 
  private:
   template <class Function>
-  void ForEachBatch(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v,
-                    const Eigen::VectorXd& parameters, const Eigen::VectorXd& memory,
-                    const Function& function) const;
+  void ForEachBatch(const ForcePoint& point, const Function& function) const;
   void AddMass(double areal_density, BlockSparseMatrix* a) const;
 
   ClothMesh mesh_;

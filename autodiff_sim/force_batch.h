@@ -30,6 +30,7 @@ struct BatchPoint {
   double time;              // s
   const double* x;          // 3N, m
   const double* v;          // 3N, m/s
+  const double* a;          // 3N, m/s^2
   const double* cloth;      // the cloth's own parameters, see parameter_table.h
   const double* parameter;  // the term's own
   const double* memory;     // the term's own, at the start of the step
@@ -40,6 +41,7 @@ struct BatchPoint {
 struct BatchDirections {
   const double* x;          // 3N rows
   const double* v;          // 3N rows
+  const double* a;          // 3N rows
   const double* cloth;      // kNumClothParameters rows
   const double* parameter;  // the term's own
   const double* memory;     // the term's own
@@ -62,9 +64,10 @@ class ForceBatch {
 
   // force += the forces, N, 3N; the new memory is written to `memory`.
   virtual void AddForces(const BatchPoint& point, double* force, double* memory) const = 0;
-  // a += -gamma d force / d velocity, where positions move by gamma times velocities.
+  // jacobian += -gamma d force / d velocity, where positions move by gamma times velocities and
+  // accelerations by velocities over gamma.
   virtual void AddStepJacobian(const BatchPoint& point, double gamma,
-                               BlockSparseMatrix* a) const = 0;
+                               BlockSparseMatrix* jacobian) const = 0;
   // force += the forces' derivatives along the directions, 3N rows; those of the new memory are
   // written to `memory`.
   virtual void AddDerivatives(const BatchPoint& point, const BatchDirections& directions,

@@ -64,13 +64,14 @@ class TermBatch final : public ForceBatch {
   }
 
   [[gnu::flatten]] void AddStepJacobian(const BatchPoint& point, double gamma,
-                                        BlockSparseMatrix* a) const override {
+                                        BlockSparseMatrix* jacobian) const override {
     using T = Dual<(3 * kNodes + 7) / 8 * 8>;
     ElementInput<Term, T> in = MakeInput<T>(point);
     for (int n = 0; n < kNodes; ++n) {  // these derivatives are the same for all elements
       for (int k = 0; k < 3; ++k) {
         in.x[n][k].SetDerivative(3 * n + k, gamma);
         in.v[n][k].SetDerivative(3 * n + k, 1.0);
+        if constexpr (Term::kUsesAcceleration) in.a[n][k].SetDerivative(3 * n + k, 1.0 / gamma);
       }
     }
     for (std::size_t e = 0; e < elements_.size(); ++e) {
@@ -78,7 +79,7 @@ class TermBatch final : public ForceBatch {
       LoadInputs(elements_[e], &in);
       ElementOutput<Term, T> out = EmptyOutput<T>(point, e);
       Term::template AddForce<T>(elements_[e], in, &out);
-      ScatterBlocks(out, e, -gamma, a);
+      ScatterBlocks(out, e, -gamma, jacobian);
     }
   }
 
@@ -143,6 +144,7 @@ class TermBatch final : public ForceBatch {
       for (int k = 0; k < 3; ++k) {
         SetValue(point.x[3 * e.nodes[n] + k], &in->x[n][k]);
         SetValue(point.v[3 * e.nodes[n] + k], &in->v[n][k]);
+        if constexpr (Term::kUsesAcceleration) SetValue(point.a[3 * e.nodes[n] + k], &in->a[n][k]);
       }
     }
   }
@@ -154,6 +156,7 @@ class TermBatch final : public ForceBatch {
         const auto row = static_cast<std::size_t>(3 * e.nodes[n] + k);
         SetLanes(directions.x, row, &in->x[n][k]);
         SetLanes(directions.v, row, &in->v[n][k]);
+        if constexpr (Term::kUsesAcceleration) SetLanes(directions.a, row, &in->a[n][k]);
       }
     }
     if constexpr (Term::kInputs > 0) {

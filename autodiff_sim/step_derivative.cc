@@ -41,26 +41,23 @@ ForceDirections StepSolver::DirectionsAtFixedVelocity(const StepProblem& problem
   problem.constraints->DependentVelocityDerivative(inputs, first, directions.x, formula.gamma,
                                                    &directions.v);
   directions.x += formula.gamma * directions.v;
+  directions.a = (directions.v - formula.now * lanes.v - formula.before * lanes.previous_v) *
+                 (1.0 / formula.gamma);
   return directions;
 }
 
-// -dr along these directions: M (dv_hat - dv) + gamma df - dM (v - v_hat).
+// -dr along these directions: gamma df - M gamma da - dM (v - v_hat).
 Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem, const Eigen::VectorXd& v,
-                                        const ForceDirections& directions,
-                                        const StateLanes& lanes) {
+                                        const ForceDirections& directions) {
   const StepFormula& formula = problem.formula;
   const double density = (*problem.parameters)[kArealDensity];
   Lanes<kLanes> rhs = Lanes<kLanes>::Zero(v.size(), kLanes);
-  model_->AddForceDerivatives(problem.end_time, problem.x_hat + formula.gamma * v, v,
-                              *problem.parameters, problem.memory, directions, &rhs,
-                              &memory_lanes_);
-  using Row = Eigen::Matrix<double, 1, kLanes>;
-  const Row density_lanes = directions.parameters.row(kArealDensity);
+  const StepMotion motion(problem, v);
+  model_->AddForceDerivatives(motion.Point(problem), directions, &rhs, &memory_lanes_);
+  const Eigen::Matrix<double, 1, kLanes> density_lanes = directions.parameters.row(kArealDensity);
   for (Eigen::Index row = 0; row < rhs.rows(); ++row) {
     const double area = model_->topology().areas[static_cast<std::size_t>(row / 3)];
-    const Row dv_hat = formula.now * lanes.v.row(row) + formula.before * lanes.previous_v.row(row);
-    rhs.row(row) = formula.gamma * rhs.row(row) +
-                   density * area * (dv_hat - directions.v.row(row)) -
+    rhs.row(row) = formula.gamma * (rhs.row(row) - density * area * directions.a.row(row)) -
                    area * (v[row] - problem.v_hat[row]) * density_lanes;
   }
   problem.constraints->ReduceResidual<kLanes>(&rhs);
@@ -77,7 +74,7 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
   for (std::size_t b = 0; b < sensitivity->lanes().size(); ++b) {
     StateLanes& lanes = sensitivity->lanes()[b];
     ForceDirections directions = DirectionsAtFixedVelocity(problem, inputs, *sensitivity, b);
-    const Lanes<kLanes> rhs = RightHandSide(problem, v, directions, lanes);
+    const Lanes<kLanes> rhs = RightHandSide(problem, v, directions);
     const bool still = lanes.is_zero && rhs.isZero(0.0) && directions.v.isZero(0.0);
     if (!still) {
       // Extrapolated from the steps before: a first guess, whatever it is worth.
@@ -89,11 +86,11 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
       problem.constraints->ExpandDirection<kLanes>(&dv);
       directions.x += formula.gamma * dv;
       directions.v += dv;
+      directions.a += dv * (1.0 / formula.gamma);
     }
     if (model_->memory_size() > 0) {  // along what is known only now
       Lanes<kLanes> unused = Lanes<kLanes>::Zero(v.size(), kLanes);
-      model_->AddForceDerivatives(problem.end_time, problem.x_hat + formula.gamma * v, v,
-                                  *problem.parameters, problem.memory, directions, &unused,
+      model_->AddForceDerivatives(StepMotion(problem, v).Point(problem), directions, &unused,
                                   &memory_lanes_);
       lanes.memory = memory_lanes_;
     }

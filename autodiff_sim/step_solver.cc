@@ -41,9 +41,8 @@ void StepSolver::Reset() {
 
 const Eigen::VectorXd& StepSolver::Residual(const StepProblem& problem, const Eigen::VectorXd& v) {
   const double gamma = problem.formula.gamma;
-  const Eigen::VectorXd x = problem.x_hat + gamma * v;
-  model_->Forces(problem.end_time, x, v, *problem.parameters, problem.memory, &force_,
-                 &new_memory_);
+  const StepMotion motion(problem, v);
+  model_->Forces(motion.Point(problem), &force_, &new_memory_);
   full_residual_ = -gamma * force_;
   const double density = (*problem.parameters)[kArealDensity];
   for (std::size_t i = 0; i < model_->topology().areas.size(); ++i) {
@@ -58,9 +57,8 @@ const Eigen::VectorXd& StepSolver::Residual(const StepProblem& problem, const Ei
 
 void StepSolver::AssembleJacobian(const StepProblem& problem, const Eigen::VectorXd& v,
                                   StepReport* report) {
-  const double gamma = problem.formula.gamma;
-  model_->StepJacobian(problem.end_time, problem.x_hat + gamma * v, v, *problem.parameters,
-                       problem.memory, gamma, &jacobian_);
+  const StepMotion motion(problem, v);
+  model_->StepJacobian(motion.Point(problem), problem.formula.gamma, &jacobian_);
   problem.constraints->ReduceMatrix(&jacobian_);
   gmres_.SetMatrix(&jacobian_);
   factor_is_current_ = false;

@@ -24,6 +24,20 @@ struct StepProblem {
   const HandleConstraints* constraints = nullptr;
 };
 
+// The motion at the end of a step that a velocity stands for.
+struct StepMotion {
+  StepMotion(const StepProblem& problem, const Eigen::VectorXd& velocity)
+      : x(problem.x_hat + problem.formula.gamma * velocity),
+        v(velocity),
+        a((velocity - problem.v_hat) / problem.formula.gamma) {}
+  ForcePoint Point(const StepProblem& problem) const {
+    return {problem.end_time, x, v, a, *problem.parameters, problem.memory};
+  }
+  Eigen::VectorXd x;
+  const Eigen::VectorXd& v;
+  Eigen::VectorXd a;
+};
+
 class StepSolver {
  public:
   StepSolver(ClothModel* model, const SimulationOptions& options);
@@ -64,7 +78,7 @@ class StepSolver {
                                             const Sensitivity& sensitivity,
                                             std::size_t block) const;
   Lanes<kLanes> RightHandSide(const StepProblem& problem, const Eigen::VectorXd& v,
-                              const ForceDirections& directions, const StateLanes& lanes);
+                              const ForceDirections& directions);
   // Solves the reduced system for dv, from the guess in dv on.
   bool SolveLanes(const StepProblem& problem, const Lanes<kLanes>& rhs, Lanes<kLanes>* dv,
                   int* iterations, StepReport* report);

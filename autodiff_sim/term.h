@@ -8,9 +8,10 @@
 //     static constexpr const char* kDoc = "what it is, in one line";
 //     static constexpr const char* kReference = "Author year, eq. n";
 //     static constexpr int kNodes = 2;                            // particles an element acts on
-//     static constexpr int kInputs = 0;                           // numbers from StepInputs an
-//     element static constexpr int kMemory = 0;                           // numbers an element
-//     remembers static constexpr bool kUsesDensity = false;                 // reads areal_density
+//     static constexpr int kInputs = 0;    // numbers from StepInputs an element
+//     static constexpr int kMemory = 0;    // numbers an element remembers
+//     static constexpr bool kUsesAcceleration = false;            // reads a
+//     static constexpr bool kUsesDensity = false;                 // reads areal_density
 //     static constexpr bool kUsesShrinkage = false;               // reads shrinkage
 //     static constexpr bool kInternal = true;                     // no net force, no net moment
 //     static constexpr std::array<Parameter, 1> kParameters = {{...}};
@@ -73,6 +74,8 @@ struct ElementInput {
   double time;                             // s, at the end of the step
   std::array<Vector3<T>, Term::kNodes> x;  // m
   std::array<Vector3<T>, Term::kNodes> v;  // m/s
+  // m/s^2, of the integrator's own formula; there only if kUsesAcceleration.
+  std::array<Vector3<T>, Term::kUsesAcceleration ? Term::kNodes : 0> a;
   std::array<T, Term::kParameters.size()> parameter;
   T areal_density;                     // kg/m^2
   std::array<T, 2> shrinkage;          // of the rest lengths along warp and weft, a share

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "autodiff_sim/term.h"
+#include "autodiff_sim/terms/added_mass.h"
 #include "autodiff_sim/terms/air_drag.h"
 #include "autodiff_sim/terms/attraction.h"
 #include "autodiff_sim/terms/bending.h"
@@ -14,7 +15,7 @@
 
 namespace clothfit {
 
-using Terms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, GroundContact,
-                       PointAttraction, RayAttraction>;
+using Terms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass,
+                       GroundContact, PointAttraction, RayAttraction>;
 
 }  // namespace clothfit

@@ -20,6 +20,7 @@ struct AirDrag {
   static constexpr int kNodes = 3;
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 0;
+  static constexpr bool kUsesAcceleration = false;
   static constexpr bool kUsesDensity = false;
   static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;

@@ -40,6 +40,7 @@ struct PointAttraction {
   static constexpr int kNodes = 3;
   static constexpr int kInputs = 3;
   static constexpr int kMemory = 0;
+  static constexpr bool kUsesAcceleration = false;
   static constexpr bool kUsesDensity = false;
   static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
@@ -88,6 +89,7 @@ struct RayAttraction {
   static constexpr int kNodes = 3;
   static constexpr int kInputs = 6;
   static constexpr int kMemory = 0;
+  static constexpr bool kUsesAcceleration = false;
   static constexpr bool kUsesDensity = false;
   static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;

@@ -24,6 +24,7 @@ struct Bending {
   static constexpr int kNodes = 4;
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 0;
+  static constexpr bool kUsesAcceleration = false;
   static constexpr bool kUsesDensity = false;
   static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = true;

@@ -15,6 +15,7 @@ struct Gravity {
   static constexpr int kNodes = 1;
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 0;
+  static constexpr bool kUsesAcceleration = false;
   static constexpr bool kUsesDensity = true;
   static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;

@@ -41,6 +41,7 @@ struct StretchSpring {
   static constexpr int kNodes = 2;
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 0;
+  static constexpr bool kUsesAcceleration = false;
   static constexpr bool kUsesDensity = false;
   static constexpr bool kUsesShrinkage = true;
   static constexpr bool kInternal = true;
@@ -70,6 +71,7 @@ struct ShearSpring {
   static constexpr int kNodes = 2;
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 0;
+  static constexpr bool kUsesAcceleration = false;
   static constexpr bool kUsesDensity = false;
   static constexpr bool kUsesShrinkage = true;
   static constexpr bool kInternal = true;

@@ -39,6 +39,20 @@ TEST(ClosedForm, TerminalVelocityOfAFallingPlate) {
   }
 }
 
+// A horizontal plate that falls with the air that it moves: (rho + m) dv/dt = -rho g.
+TEST(ClosedForm, AddedMassDelaysAFallingPlate) {
+  const ClothMesh mesh = MakeGrid({0.3, 0.3}, {4, 4});
+  Simulation simulation(mesh, World(), {});
+  UseSuppleCloth(&simulation);
+  KeepOnly({"stretch", "bending", "gravity"}, &simulation);
+  Set("added_mass.normal", 0.05, &simulation);
+  State state = simulation.MakeState(
+      LayFlat(mesh, {0.0, 0.0, 0.0}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()));
+  Advance(1.0 / 60.0, 30, FreeDrive(), &simulation, &state);
+  for (int i = 0; i < mesh.num_particles(); ++i)
+    EXPECT_NEAR(state.v[3 * i + 2], -0.5 * 9.81 * 0.15 / 0.2, 1e-6);
+}
+
 // A square cloth of this side (m) hangs from its edge v = 0 under its own weight, shear off, until
 // it rests. Returns how much lower its other edge hangs than at rest, the mean over its particles,
 // and checks every thread link by link: it carries what is below it.

@@ -104,6 +104,7 @@ void AddInitial(Rollout* rollout) {
 Rollout Swing(int n, Integrator integrator) {
   Rollout rollout = MakeRollout(SwingingCloth(n, 0.3), Precise(integrator));
   Set("air_drag.saturation", 0.1, &rollout);
+  Set("added_mass.normal", 0.03, &rollout);
   return rollout;
 }
 
@@ -112,7 +113,7 @@ const std::vector<std::string> kOfTheCloth = {
     "cloth.areal_density", "cloth.shrink_warp", "cloth.shrink_weft", "gravity.scale",
     "stretch.stiffness",   "stretch.damping",   "shear.stiffness",   "shear.damping",
     "bending.stiffness",   "bending.damping",   "air_drag.normal",   "air_drag.saturation",
-    "air_drag.tangential"};
+    "air_drag.tangential", "added_mass.normal"};
 const std::vector<std::string> kOfTheGround = {"ground.stiffness", "ground.friction",
                                                "ground.damping", "ground.distance",
                                                "ground.slip_speed"};

@@ -29,6 +29,7 @@ struct MaxwellSpring {
   static constexpr int kNodes = 2;
   static constexpr int kInputs = 0;
   static constexpr int kMemory = 2;  // q (m) and the time (s) at which it was
+  static constexpr bool kUsesAcceleration = false;
   static constexpr bool kUsesDensity = true;
   static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = true;

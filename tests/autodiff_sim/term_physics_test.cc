@@ -128,6 +128,74 @@ TEST(AttractionPhysics, RaysPullTowardsTheRayAndAcrossIt) {
   EXPECT_GT(count, 10);
 }
 
+// T = 1/2 m A (n . v)^2 of an element's numbers, moved on by a time.
+double KineticEnergy(double mass, const Eigen::VectorXd& numbers, double time) {
+  using Layout = TermLayout<AddedMass>;
+  const auto a = numbers.segment<9>(Layout::kA);
+  const Eigen::VectorXd v = numbers.segment<9>(Layout::kV) + time * a;
+  const Eigen::VectorXd x =
+      numbers.head<9>() + time * numbers.segment<9>(Layout::kV) + 0.5 * time * time * a;
+  const Eigen::Vector3d across =
+      (Node<1>(x) - Node<0>(x)).cross(Node<2>(x) - Node<0>(x)).normalized();
+  const double speed = across.dot(Node<0>(v) + Node<1>(v) + Node<2>(v)) / 3.0;
+  return 0.5 * mass * speed * speed;
+}
+
+// What the air's inertia takes from the cloth, its kinetic energy gains: f . v = -dT/dt; and its
+// force is Lagrange's, -d/dt (dT/dv) + dT/dx.
+TEST(AddedMassPhysics, ForceIsThatOfTheKineticEnergy) {
+  using Layout = TermLayout<AddedMass>;
+  GradientCheckOptions options;
+  options.tolerance = 1e-8;
+  options.max_steps = 12;
+  const auto derivative = [&](const std::function<double(double)>& f, double step) {
+    return RiddersDifference(
+               [&](double s, Eigen::VectorXd* value) {
+                 *value = Eigen::VectorXd::Constant(1, f(s));
+                 return true;
+               },
+               step, options)
+        .derivative[0];
+  };
+  int count = 0;
+  for (const TermScene& scene : MakeTermScenes()) {
+    SCOPED_TRACE(scene.name);
+    for (const auto& element : SceneElements<AddedMass>(scene)) {
+      const Eigen::VectorXd numbers =
+          ElementNumbers<AddedMass>(element, scene, Eigen::VectorXd::Constant(1, 0.3));
+      const double mass = 0.3 * element.area;
+      const Eigen::VectorXd force = EvaluateTerm<AddedMass, double>(element, numbers);
+      const double power = force.dot(numbers.segment<9>(Layout::kV));
+      const double gain =
+          derivative([&](double t) { return KineticEnergy(mass, numbers, t); }, 1e-3);
+      const double size = force.norm() * numbers.segment<9>(Layout::kV).norm();
+      EXPECT_NEAR(power, -gain, 1e-7 * size + 1e-13);
+      for (int i = 0; i < Layout::kForces; ++i) {
+        const auto energy_with = [&](int column, double amount, double time) {
+          Eigen::VectorXd moved = numbers;
+          moved[column] += amount;
+          return KineticEnergy(mass, moved, time);
+        };
+        // T is quadratic in v: the central difference over the speed is exact. A velocity moved
+        // now moves the place later; that part is taken off by moving the place back.
+        const double dv = scene.speed;
+        const auto momentum = [&](double t) {
+          Eigen::VectorXd up = numbers, down = numbers;
+          up[Layout::kV + i] += dv;
+          up[i] -= t * dv;
+          down[Layout::kV + i] -= dv;
+          down[i] += t * dv;
+          return (KineticEnergy(mass, up, t) - KineticEnergy(mass, down, t)) / (2.0 * dv);
+        };
+        const double push = derivative([&](double s) { return energy_with(i, s, 0.0); }, 1e-4);
+        EXPECT_NEAR(force[i], push - derivative(momentum, 1e-3), 1e-6 * force.norm() + 1e-11);
+      }
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 10);
+}
+
 // Bhat's formula, with the velocity split along and across the unit normal.
 TEST(AirDragPhysics, IsBhatsFormula) {
   const Eigen::VectorXd k = Numbers({1.3, 0.2, 0.05});  // k_n, k_f, k_t

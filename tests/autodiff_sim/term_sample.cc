@@ -74,10 +74,12 @@ std::vector<TermScene> MakeTermScenes() {
     scene.x = LayFlat(scene.mesh, {0.1, -0.05, shape.height}, Eigen::Vector3d::UnitX(),
                       Eigen::Vector3d::UnitY());
     scene.v.resize(scene.x.size());
+    scene.a.resize(scene.x.size());
     Fold(shape.fold * M_PI / 180.0, scene.mesh, &scene.x);
     for (int i = 0; i < scene.mesh.num_particles(); ++i) {
       scene.x.segment<3>(3 * i) += RandomVector(shape.noise * kEdge, &random);
       scene.v.segment<3>(3 * i) = RandomVector(shape.speed, &random);
+      scene.a.segment<3>(3 * i) = RandomVector(shape.speed, &random);
     }
     scene.inputs = Targets(scene, shape.distance, &random);
     scenes.push_back(scene);
@@ -92,6 +94,7 @@ TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
   for (int i = 0; i < scene.mesh.num_particles(); ++i) {
     moved.x.segment<3>(3 * i) = rotation * scene.x.segment<3>(3 * i) + shift;
     moved.v.segment<3>(3 * i) = rotation * scene.v.segment<3>(3 * i);
+    moved.a.segment<3>(3 * i) = rotation * scene.a.segment<3>(3 * i);
   }
   for (PointTarget& target : moved.inputs.points)
     target.position = rotation * target.position + shift;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Samples of any force term: its elements on a small cloth in many shapes, and what acts on them,
-// as one vector of numbers: x, v (3 a node each), parameters, areal density, inputs, memory.
+// as one vector of numbers: x, v (3 a node each), parameters, areal density, inputs, memory, a.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ struct TermScene {
   ClothTopology topology;
   World world;
   StepInputs inputs;
-  Eigen::VectorXd x, v;
-  double speed;  // m/s, typical of v
+  Eigen::VectorXd x, v, a;
+  double speed;  // m/s, typical of v; a is about as large (m/s^2)
 };
 
 // The same for every call: flat, wavy, crumpled and folded cloths; far above the ground, in touch
@@ -47,7 +47,8 @@ struct TermLayout {
   static constexpr int kShrinkage = kDensity + 1;
   static constexpr int kInput = kShrinkage + 2;
   static constexpr int kMemory = kInput + Term::kInputs;
-  static constexpr int kSize = kMemory + Term::kMemory;
+  static constexpr int kA = kMemory + Term::kMemory;
+  static constexpr int kSize = kA + (Term::kUsesAcceleration ? 3 * Term::kNodes : 0);
   static constexpr int kForces = 3 * Term::kNodes;
   static constexpr int kOutputs = kForces + Term::kMemory;
 };
@@ -71,6 +72,7 @@ VectorX<T> EvaluateTerm(const typename Term::Element& element, const VectorX<T>&
     for (int k = 0; k < 3; ++k) {
       in.x[n][k] = numbers[Layout::kX + 3 * n + k];
       in.v[n][k] = numbers[Layout::kV + 3 * n + k];
+      if constexpr (Term::kUsesAcceleration) in.a[n][k] = numbers[Layout::kA + 3 * n + k];
       out.force[n][k] = T(0.0);
     }
   }
@@ -110,6 +112,8 @@ Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const Term
   for (int n = 0; n < Term::kNodes; ++n) {
     numbers.segment<3>(Layout::kX + 3 * n) = scene.x.segment<3>(3 * element.nodes[n]);
     numbers.segment<3>(Layout::kV + 3 * n) = scene.v.segment<3>(3 * element.nodes[n]);
+    if constexpr (Term::kUsesAcceleration)
+      numbers.segment<3>(Layout::kA + 3 * n) = scene.a.segment<3>(3 * element.nodes[n]);
   }
   numbers.segment(Layout::kParameter, parameters.size()) = parameters;
   numbers[Layout::kDensity] = 0.15;

@@ -23,10 +23,10 @@ struct Parts {
     Assemble();
     factor.Factorize(jacobian);
   }
-  void Assemble() {
-    simulation.model().StepJacobian(0.0, at_rest.x, at_rest.v, simulation.parameters(),
-                                    at_rest.memory, 1.0 / 180.0, &jacobian);
+  ForcePoint Point() const {  // at rest, v = a = 0
+    return {0.0, at_rest.x, at_rest.v, at_rest.v, simulation.parameters(), at_rest.memory};
   }
+  void Assemble() { simulation.model().StepJacobian(Point(), 1.0 / 180.0, &jacobian); }
 
   Scene scene;
   Simulation simulation;
@@ -39,9 +39,7 @@ void Forces(benchmark::State& state) {
   Parts parts(static_cast<int>(state.range(0)));
   Eigen::VectorXd force, memory;
   for (auto _ : state) {
-    parts.simulation.model().Forces(0.0, parts.at_rest.x, parts.at_rest.v,
-                                    parts.simulation.parameters(), parts.at_rest.memory, &force,
-                                    &memory);
+    parts.simulation.model().Forces(parts.Point(), &force, &memory);
   }
 }
 

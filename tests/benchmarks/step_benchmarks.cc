@@ -104,8 +104,10 @@ void RunForward(const Scene& scene, benchmark::State* state) {
     for (int step = 0; step < kSteps; ++step) {
       if (!run.Advance()) return state->SkipWithError("a step did not converge");
       const State& s = run.state;
-      run.simulation.model().StepJacobian(s.time, s.x, s.v, run.simulation.parameters(), s.memory,
-                                          kStep * 2.0 / 3.0, &jacobian);
+      const Eigen::VectorXd still = Eigen::VectorXd::Zero(s.x.size());
+      run.simulation.model().StepJacobian(
+          {s.time, s.x, s.v, still, run.simulation.parameters(), s.memory}, kStep * 2.0 / 3.0,
+          &jacobian);
       factorization += reference.Factorize(jacobian);
     }
     seconds += run.seconds;

@@ -33,7 +33,12 @@ TEST(DemoRecording, IsWhatItsOptionsMake) {
         kLastDigit)
         << "marker " << i;
   }
-  EXPECT_EQ(ReadTruthParameters(DemoFolder()), made.truth_parameters);
+  // A term that came later than the recording is off in it.
+  const std::map<std::string, double> recorded = ReadTruthParameters(DemoFolder());
+  for (const auto& [name, value] : made.truth_parameters) {
+    const auto found = recorded.find(name);
+    EXPECT_EQ(found == recorded.end() ? 0.0 : found->second, value) << name;
+  }
   const std::vector<TruthPoint> truth = ReadTruthPoints(DemoFolder());
   ASSERT_EQ(truth.size(), made.truth_points.size());
   for (std::size_t i = 0; i < truth.size(); ++i) {
