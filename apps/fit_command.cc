@@ -140,7 +140,9 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
                    "2 biquadratic")
       ->type_name("K");
   command
-      ->add_option("--max-iterations", options->max_iterations, "of each window and of the polish")
+      ->add_option(
+          "--max-iterations", options->max_iterations,
+          "of the fit of all frames; of each window at most 6, or this many without the fit of all")
       ->type_name("N");
   command->add_option("--frames", options->frames, "first and last frame to fit")
       ->type_name("A B")

@@ -19,8 +19,9 @@ namespace {
 
 // What a recording tells about in almost any case.
 constexpr const char* kFreeByDefault[] = {
-    "stretch.stiffness", "stretch.damping", "shear.stiffness", "shear.damping",
-    "bending.stiffness", "bending.damping", "air_drag.normal", "air_drag.tangential"};
+    "stretch.stiffness", "stretch.damping",     "shear.stiffness",
+    "shear.damping",     "bending.stiffness",   "bending.damping",
+    "air_drag.normal",   "air_drag.saturation", "air_drag.tangential"};
 
 ParameterSetting DefaultSetting(const Parameter& parameter) {
   ParameterSetting setting;
@@ -101,11 +102,16 @@ FitConfig DefaultConfig(const Recording& recording) {
   }
   // Measured points place the cloth to within their noise; a flat placement is as it was laid out.
   const bool is_measured = std::holds_alternative<PointPlacement>(recording.cloth.initial);
-  config.initial_order = is_measured ? 1 : -1;
-  // So are then the cloth's measures: by a few millimetres, which decide whether an edge hangs
-  // slack.
-  config.parameters.at("cloth.shrink_warp").free = is_measured;
-  config.parameters.at("cloth.shrink_weft").free = is_measured;
+  config.initial_order = is_measured ? 0 : -1;
+  // So are then the cloth's measures, laid out from the largest distances that were ever seen
+  // between points; small folds take up about a hundredth more. A few millimetres decide whether an
+  // edge hangs slack.
+  for (const char* name : {"cloth.shrink_warp", "cloth.shrink_weft"}) {
+    constexpr double kTypicalShrinkage = 0.01;
+    ParameterSetting& shrinkage = config.parameters.at(name);
+    shrinkage.free = is_measured;
+    if (is_measured) shrinkage.value = shrinkage.prior = kTypicalShrinkage;
+  }
   return config;
 }
 

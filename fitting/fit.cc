@@ -46,22 +46,28 @@ class Fitter {
   }
 
   FitResult Run(const FitCheckpoint* resume);
+  // Where a fit stands whose windows ended at this free vector.
+  FitCheckpoint AfterWindows(const Eigen::VectorXd& theta) const {
+    return {false, num_windows_, theta, free_.PriorInformation(), free_.PriorMean()};
+  }
 
  private:
   // Levenberg-Marquardt on one window and what is known besides. Returns Ceres' summary.
   ceres::Solver::Summary Minimise(WindowSimulator* simulator, const WindowStart& start, int first,
-                                  int last, const Eigen::MatrixXd& prior,
+                                  int last, int max_iterations, const Eigen::MatrixXd& prior,
                                   const Eigen::VectorXd& offset);
   void RunWindows();
   bool RunWindow(int window, WindowStart* start);
   // Frees the state at a later window's start: the offsets of the initial state now are offsets
   // there.
   void FreeWindowStart(WindowStart* start);
+  // Cuts the ties of a window's start to what moves it so much that a linear tie means nothing.
+  void CutRunawayTies(WindowStart* start) const;
   // What is known of everything but these entries, with the entries themselves back at their
   // priors.
   void Marginalise(const std::vector<int>& entries);
   void Polish();
-  double Cost(const Eigen::VectorXd& theta);
+  double Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) const;
   void Log(const std::string& line) const {
     if (callbacks_.log) callbacks_.log(line);
   }
@@ -130,11 +136,13 @@ void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
 }
 
 ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const WindowStart& start,
-                                        int first, int last, const Eigen::MatrixXd& prior,
+                                        int first, int last, int max_iterations,
+                                        const Eigen::MatrixXd& prior,
                                         const Eigen::VectorXd& offset) {
   ceres::Problem problem;
   double* theta = progress_.theta.data();
-  WindowCost* cost = new WindowCost(simulator, &observations_, &start, free_.size(), first, last);
+  ceres::CostFunction* cost =
+      MakeWindowCost(simulator, &observations_, &start, free_.size(), first, last);
   const int rows = cost->num_residuals();
   problem.AddResidualBlock(cost, nullptr, theta);
   problem.AddResidualBlock(new LinearCost(prior, offset), nullptr, theta);
@@ -145,7 +153,7 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = config_.max_iterations;
+  options.max_num_iterations = max_iterations;
   options.function_tolerance = config_.function_tolerance;
   options.parameter_tolerance = 1e-7;
   options.initial_trust_region_radius = 100.0;
@@ -196,13 +204,33 @@ void Fitter::FreeWindowStart(WindowStart* start) {
   }
 }
 
+void Fitter::CutRunawayTies(WindowStart* start) const {
+  const double largest = 0.1 * scene_.recording.cloth.size.norm();  // m, within the uncertainty
+  const Eigen::MatrixXd inverse = (progress_.information.transpose() * progress_.information)
+                                      .ldlt()
+                                      .solve(Eigen::MatrixXd::Identity(free_.size(), free_.size()));
+  const Eigen::MatrixXd dx = start->sensitivity.x();
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(dx.rows());
+  for (int i = 0; i < free_.size(); ++i) {
+    const double moved = dx.col(i).lpNorm<Eigen::Infinity>() * std::sqrt(inverse(i, i));
+    if (moved < largest) continue;
+    start->sensitivity.ReplaceDirection(i, none, none, start->state.previous_step);
+    Log(fmt::format("{}: its end follows {} too wildly to be handed on as more than a state",
+                    stage_, free_.entries()[i].name));
+  }
+}
+
 bool Fitter::RunWindow(int window, WindowStart* start) {
   const int last = std::min(start->frame + window_frames_, scene_.last_fitted_frame);
   const int first = window == 0 ? 0 : start->frame + 1;
   if (window > 0) FreeWindowStart(start);
   stage_ = fmt::format("window {} of {} (frames {}-{})", window + 1, num_windows_, first, last);
   if (observations_.Count(first, last) > 0) {
-    Minimise(&attracting_, *start, first, last, progress_.information,
+    // Before a polish the windows only have to come near.
+    constexpr int kIterationsToComeNear = 6;
+    const int most = config_.polish ? std::min(kIterationsToComeNear, config_.max_iterations)
+                                    : config_.max_iterations;
+    Minimise(&attracting_, *start, first, last, most, progress_.information,
              progress_.information * progress_.mean);
   }
   if (Stopped()) return false;
@@ -230,6 +258,7 @@ bool Fitter::RunWindow(int window, WindowStart* start) {
   }
   Log(stage_ + " hands on:" + values);
   *start = std::move(end);
+  CutRunawayTies(start);
   return true;
 }
 
@@ -254,10 +283,10 @@ void Fitter::RunWindows() {
   if (first_offsets_.size() > 0) progress_.theta(offsets_) = first_offsets_;
 }
 
-double Fitter::Cost(const Eigen::VectorXd& theta) {
+double Fitter::Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) const {
   Eigen::VectorXd residuals;
-  const WindowStart start = simulator_.FirstStart(theta);
-  if (EvaluateWindow(&simulator_, observations_, start, theta, 0, scene_.last_fitted_frame,
+  const WindowStart start = simulator->FirstStart(theta);
+  if (EvaluateWindow(simulator, observations_, start, theta, 0, scene_.last_fitted_frame,
                      &residuals, nullptr) != Outcome::kComplete) {
     return std::numeric_limits<double>::infinity();
   }
@@ -268,7 +297,8 @@ void Fitter::Polish() {
   stage_ = fmt::format("all frames (0-{})", scene_.last_fitted_frame);
   stage_begin_ = 1.0 - (stage_share_ = num_windows_ > 1 ? 0.6 : 1.0);
   const Eigen::VectorXd reached = progress_.theta;
-  const double at_reached = Cost(reached), at_start = Cost(free_.start());
+  const double at_reached = Cost(reached, &simulator_);
+  const double at_start = Cost(free_.start(), &simulator_);
   if (at_start < at_reached) {
     Log("the windows' result explains all frames worse than the start does; going on from the "
         "start");
@@ -276,8 +306,8 @@ void Fitter::Polish() {
   }
   const WindowStart start = simulator_.FirstStart(progress_.theta);
   const ceres::Solver::Summary summary =
-      Minimise(&simulator_, start, 0, scene_.last_fitted_frame, free_.prior_jacobian(),
-               -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
+      Minimise(&simulator_, start, 0, scene_.last_fitted_frame, config_.max_iterations,
+               free_.prior_jacobian(), -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
   converged_ = summary.termination_type == ceres::CONVERGENCE;
 }
 
@@ -288,7 +318,8 @@ FitResult Fitter::Run(const FitCheckpoint* resume) {
   progress_.information = free_.PriorInformation();
   progress_.mean = free_.PriorMean();
   result.before = EvaluateScene(scene_, config_, free_, free_.start());
-  result.cost_before = Cost(free_.start());
+  WindowSimulator unstopped(scene_, config_, free_, false, nullptr);
+  result.cost_before = Cost(free_.start(), &unstopped);
   if (resume != nullptr) progress_ = *resume;
   if (free_.size() > 0 && (scene_.markers.size() + scene_.tracks.size()) > 0) {
     const bool in_windows = num_windows_ > 1 || !config_.polish || config_.attract;
@@ -406,6 +437,57 @@ void Fitter::FillEstimates(const Uncertainty& uncertainty, FitResult* result) co
   result->estimates.insert(result->estimates.end(), others.begin(), others.end());
 }
 
+// The config of a fit with a coarser grid, where that is worth while: its iterations cost little,
+// and stiffness and damping are the material's, not the mesh's.
+std::optional<FitConfig> Coarser(const Scene& scene, const FitConfig& config) {
+  const std::array<int, 2> grid = scene.mesh.grid;
+  const int longer = std::max(grid[0], grid[1]), coarse = config.coarse_resolution;
+  if (!scene.mesh.is_grid() || coarse < 2 || 3 * coarse > 2 * longer || !config.polish) {
+    return std::nullopt;
+  }
+  FitConfig coarser = config;
+  for (int k = 0; k < 2; ++k) {
+    const double share = static_cast<double>(grid[k] - 1) / (longer - 1);
+    coarser.resolution[k] = 1 + std::max(1, static_cast<int>(std::lround(share * (coarse - 1))));
+  }
+  return coarser;
+}
+
+constexpr double kShareOfCoarseFit = 0.3;  // of the time, a guess
+
+FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const ClothMesh& mesh) {
+  FitCallbacks own = callbacks;
+  const std::string prefix = fmt::format("{} x {} particles, ", mesh.grid[0], mesh.grid[1]);
+  if (callbacks.progress) {
+    own.progress = [&callbacks, prefix](FitProgress progress) {
+      progress.stage = prefix + progress.stage;
+      progress.fraction *= kShareOfCoarseFit;
+      callbacks.progress(progress);
+    };
+  }
+  if (callbacks.checkpoint) {
+    own.checkpoint = [&callbacks](FitCheckpoint checkpoint) {
+      checkpoint.coarse = true;
+      callbacks.checkpoint(checkpoint);
+    };
+  }
+  if (callbacks.log) {
+    own.log = [&callbacks, prefix](const std::string& line) { callbacks.log(prefix + line); };
+  }
+  return own;
+}
+
+FitCallbacks OfFineFit(const FitCallbacks& callbacks) {
+  FitCallbacks own = callbacks;
+  if (callbacks.progress) {
+    own.progress = [&callbacks](FitProgress progress) {
+      progress.fraction = kShareOfCoarseFit + (1.0 - kShareOfCoarseFit) * progress.fraction;
+      callbacks.progress(progress);
+    };
+  }
+  return own;
+}
+
 }  // namespace
 
 std::string ToString(FitStatus status) {
@@ -424,7 +506,22 @@ std::string ToString(FitStatus status) {
 
 FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
                  const FitCheckpoint* resume) {
-  return Fitter(scene, config, callbacks).Run(resume);
+  const std::optional<FitConfig> coarser = Coarser(scene, config);
+  if (!coarser || (resume != nullptr && !resume->coarse)) {
+    return Fitter(scene, config, callbacks).Run(resume);
+  }
+  const Scene coarse_scene = MakeScene(scene.recording, *coarser);
+  const FitCallbacks coarse_callbacks = OfCoarseFit(callbacks, coarse_scene.mesh);
+  const FitResult coarse = Fitter(coarse_scene, *coarser, coarse_callbacks).Run(resume);
+  const FitCallbacks fine_callbacks = OfFineFit(callbacks);
+  Fitter fine(scene, config, fine_callbacks);
+  const FitCheckpoint reached = fine.AfterWindows(coarse.theta);
+  FitResult result = fine.Run(&reached);
+  result.iterations += coarse.iterations;
+  result.simulations += coarse.simulations;
+  result.simulated_frames += coarse.simulated_frames;
+  result.seconds += coarse.seconds;
+  return result;
 }
 
 int SimulateFrames(const Scene& scene, const FitConfig& config, const FreeParameters& free,

@@ -29,6 +29,7 @@ std::string ToString(FitStatus status);
 
 // Where a fit stands; can be written to disk and gone on from.
 struct FitCheckpoint {
+  bool coarse = false;    // of the fit with a coarser grid, that goes first
   int next_window = 0;    // windows done so far; num_windows when only the polish is left
   Eigen::VectorXd theta;  // best so far
   // Information that the windows so far hand on: residuals information * (theta - mean).

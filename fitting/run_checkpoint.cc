@@ -50,6 +50,7 @@ Eigen::MatrixXd ToMatrix(const Json& json, Eigen::Index columns) {
 void RunFolder::WriteCheckpoint(const FitCheckpoint& checkpoint) const {
   Json json;
   json["format"] = kFormat;
+  json["coarse"] = checkpoint.coarse;
   json["next_window"] = checkpoint.next_window;
   json["theta"] = ToJson(checkpoint.theta);
   json["mean"] = ToJson(checkpoint.mean);
@@ -64,6 +65,7 @@ FitCheckpoint RunFolder::ReadCheckpoint() const {
   try {
     const Json json = Json::parse(text);
     if (json.at("format") != kFormat) throw std::invalid_argument("another format");
+    checkpoint.coarse = json.value("coarse", false);
     json.at("next_window").get_to(checkpoint.next_window);
     checkpoint.theta = ToVector(json.at("theta"));
     checkpoint.mean = ToVector(json.at("mean"));

@@ -135,29 +135,32 @@ Uncertainty QuantifyUncertainty(const FreeParameters& free, const Eigen::VectorX
                                 kLearned * entry.prior_sigma * entry.prior_sigma);
     if (entry.kind == FreeEntry::Kind::kParameter) physical.push_back(i);
   }
-  const int m = static_cast<int>(physical.size());
-  if (m == 0) return result;
-  // The marginal posterior covariance in units of the priors: eigenvalues 1 / (1 + s^2), s the
-  // singular values of the Jacobian with the other entries projected out.
-  Eigen::MatrixXd shrinkage(m, m);
   std::vector<FreeEntry> entries;
-  for (int a = 0; a < m; ++a) {
-    entries.push_back(free.entries()[physical[a]]);
-    for (int b = 0; b < m; ++b) {
-      shrinkage(a, b) =
-          covariance(physical[a], physical[b]) /
-          (free.entries()[physical[a]].prior_sigma * free.entries()[physical[b]].prior_sigma);
-    }
-  }
+  for (const int i : physical) entries.push_back(free.entries()[i]);
+  result.statements = DescribeUndetermined(entries, covariance(physical, physical));
+  return result;
+}
+
+std::vector<std::string> DescribeUndetermined(const std::vector<FreeEntry>& entries,
+                                              const Eigen::MatrixXd& covariance) {
+  std::vector<std::string> statements;
+  if (entries.empty()) return statements;
+  const auto count = static_cast<Eigen::Index>(entries.size());
+  Eigen::VectorXd sigma(count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    sigma[i] = entries[static_cast<std::size_t>(i)].prior_sigma;
+  // In units of the priors the covariance has the eigenvalues 1 / (1 + s^2), s the singular values
+  // of the Jacobian with all other entries projected out.
+  const Eigen::VectorXd inverse = sigma.cwiseInverse();
+  const Eigen::MatrixXd shrinkage = inverse.asDiagonal() * covariance * inverse.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(shrinkage);
   const int open = static_cast<int>((eigen.eigenvalues().array() > 0.5).count());  // s < 1
   const Eigen::MatrixXd basis = SparseBasis(eigen.eigenvectors().rightCols(open).transpose());
   for (int k = 0; k < open; ++k) {
-    Eigen::VectorXd direction = basis.row(k).transpose();
-    for (int a = 0; a < m; ++a) direction[a] *= entries[a].prior_sigma;
-    result.statements.push_back(Describe(entries, direction, basis.row(k).transpose()));
+    const Eigen::VectorXd share = basis.row(k).transpose();
+    statements.push_back(Describe(entries, share.cwiseProduct(sigma), share));
   }
-  return result;
+  return statements;
 }
 
 }  // namespace clothfit

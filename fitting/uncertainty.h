@@ -29,4 +29,9 @@ struct Uncertainty {
 Uncertainty QuantifyUncertainty(const FreeParameters& free, const Eigen::VectorXd& residuals,
                                 const RowMajorMatrix& jacobian);
 
+// The directions of these entries that the data leave to their priors, in words, from the entries'
+// posterior covariance (marginal, in the free vector's scale).
+std::vector<std::string> DescribeUndetermined(const std::vector<FreeEntry>& entries,
+                                              const Eigen::MatrixXd& covariance);
+
 }  // namespace clothfit

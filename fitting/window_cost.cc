@@ -4,6 +4,8 @@
 // Evaluation of a window.
 #include "fitting/window_cost.h"
 
+#include "fitting/simulation_cost.h"
+
 namespace clothfit {
 
 WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
@@ -30,31 +32,15 @@ WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
   return usable ? outcome : WindowSimulator::Outcome::kDiverged;
 }
 
-WindowCost::WindowCost(WindowSimulator* simulator, const ObservationResiduals* observations,
-                       const WindowStart* start, int num_free, int first, int last)
-    : simulator_(simulator),
-      observations_(observations),
-      start_(start),
-      first_(first),
-      last_(last) {
-  set_num_residuals(observations->Count(first, last));
-  mutable_parameter_block_sizes()->push_back(num_free);
-}
-
-bool WindowCost::Evaluate(double const* const* parameters, double* residuals,
-                          double** jacobians) const {
-  const int rows = num_residuals(), columns = parameter_block_sizes()[0];
-  const bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
-  Eigen::VectorXd r;
-  RowMajorMatrix jacobian;
-  const WindowSimulator::Outcome outcome =
-      EvaluateWindow(simulator_, *observations_, *start_,
-                     Eigen::Map<const Eigen::VectorXd>(parameters[0], columns), first_, last_, &r,
-                     derivatives ? &jacobian : nullptr);
-  if (outcome != WindowSimulator::Outcome::kComplete) return false;
-  Eigen::Map<Eigen::VectorXd>(residuals, rows) = r;
-  if (derivatives) Eigen::Map<RowMajorMatrix>(jacobians[0], rows, columns) = jacobian;
-  return true;
+ceres::CostFunction* MakeWindowCost(WindowSimulator* simulator,
+                                    const ObservationResiduals* observations,
+                                    const WindowStart* start, int num_free, int first, int last) {
+  const auto evaluate = [=](const Eigen::VectorXd& theta, Eigen::VectorXd* residuals,
+                            RowMajorMatrix* jacobian) {
+    return EvaluateWindow(simulator, *observations, *start, theta, first, last, residuals,
+                          jacobian) == WindowSimulator::Outcome::kComplete;
+  };
+  return new SimulationCost(observations->Count(first, last), num_free, evaluate);
 }
 
 LinearCost::LinearCost(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& offset)
@@ -79,20 +65,19 @@ bool EvaluateResiduals(const Scene& scene, const FitConfig& config, const FreePa
   WindowSimulator simulator(scene, config, free, false, nullptr);
   const ObservationResiduals observations(scene, config);
   const WindowStart start = simulator.FirstStart(theta);
-  const WindowCost cost(&simulator, &observations, &start, free.size(), 0, last_frame);
   const Eigen::VectorXd prior = free.PriorResiduals(theta);
-  const int rows = cost.num_residuals();
-  residuals->resize(rows + prior.size());
-  RowMajorMatrix observed(rows, free.size());
-  const double* parameters[] = {theta.data()};
-  double* jacobians[] = {observed.data()};
-  if (!cost.Evaluate(parameters, residuals->data(), jacobian != nullptr ? jacobians : nullptr))
+  Eigen::VectorXd observed;
+  RowMajorMatrix observed_jacobian;
+  if (EvaluateWindow(&simulator, observations, start, theta, 0, last_frame, &observed,
+                     jacobian != nullptr ? &observed_jacobian : nullptr) !=
+      WindowSimulator::Outcome::kComplete) {
     return false;
-  residuals->tail(prior.size()) = prior;
+  }
+  residuals->resize(observed.size() + prior.size());
+  *residuals << observed, prior;
   if (jacobian != nullptr) {
     jacobian->resize(residuals->size(), free.size());
-    jacobian->topRows(rows) = observed;
-    jacobian->bottomRows(prior.size()) = free.prior_jacobian();
+    *jacobian << observed_jacobian, free.prior_jacobian();
   }
   return true;
 }

@@ -19,23 +19,12 @@ WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
                                         int first, int last, Eigen::VectorXd* residuals,
                                         RowMajorMatrix* jacobian, WindowStart* end = nullptr);
 
-// Residuals of the frames first..last, of which `first` is the start's own or the one after it.
-class WindowCost : public ceres::CostFunction {
- public:
-  // The arguments must outlive this object.
-  WindowCost(WindowSimulator* simulator, const ObservationResiduals* observations,
-             const WindowStart* start, int num_free, int first, int last);
-
-  // False where the simulation diverges, is stopped, or a tracked point falls behind its camera.
-  bool Evaluate(double const* const* parameters, double* residuals,
-                double** jacobians) const override;
-
- private:
-  WindowSimulator* simulator_;
-  const ObservationResiduals* observations_;
-  const WindowStart* start_;
-  int first_, last_;
-};
+// The residuals of the frames first..last, of which `first` is the start's own or the one after it.
+// The arguments must outlive the cost, of which the caller is the owner. Its Evaluate is false
+// where the simulation diverges, is stopped, or a tracked point falls behind its camera.
+ceres::CostFunction* MakeWindowCost(WindowSimulator* simulator,
+                                    const ObservationResiduals* observations,
+                                    const WindowStart* start, int num_free, int first, int last);
 
 // information * (theta - mean): what earlier windows, or the prior, know.
 class LinearCost : public ceres::CostFunction {
@@ -51,7 +40,7 @@ class LinearCost : public ceres::CostFunction {
 };
 
 // All residuals (observations of frames 0..last_frame, open loop, then priors) at theta and, where
-// asked for, their Jacobian (residuals x free). False as in WindowCost.
+// asked for, their Jacobian (residuals x free). False as in MakeWindowCost.
 bool EvaluateResiduals(const Scene& scene, const FitConfig& config, const FreeParameters& free,
                        const Eigen::VectorXd& theta, int last_frame, Eigen::VectorXd* residuals,
                        Eigen::MatrixXd* jacobian);

@@ -27,8 +27,8 @@ struct AirDrag {
   static constexpr std::array<Parameter, 3> kParameters = {{
       {"normal", "kg/m^3", "k_n, quadratic drag along the normal", 0.6, 0.0, 1e-3, 20.0,
        Scale::kLog, 3.0},
-      {"saturation", "s^2/m^2", "k_f, weakens the quadratic drag at speed", 0.0, 0.0, 0.0, 10.0,
-       Scale::kLinear, 0.3},
+      {"saturation", "s^2/m^2", "k_f, weakens the quadratic drag at speed", 2.0, 0.0, 0.0, 30.0,
+       Scale::kLinear, 3.0},
       {"tangential", "kg/(m^2 s)", "k_t, linear drag along the surface", 0.02, 0.0, 1e-5, 2.0,
        Scale::kLog, 10.0},
   }};

@@ -31,7 +31,7 @@ struct Bending {
   static constexpr std::array<Parameter, 2> kParameters = {{
       {"stiffness", "N m", "k_e of the four-particle bending mode", 2e-5, 0.0, 1e-8, 1e-1,
        Scale::kLog, 10.0},
-      {"damping", "N s", "k_d of the four-particle bending mode", 5e-5, 0.0, 1e-10, 1e-2,
+      {"damping", "N s", "k_d of the four-particle bending mode", 3e-4, 0.0, 1e-10, 1e-2,
        Scale::kLog, 10.0},
   }};
   using Element = Hinge;

@@ -48,7 +48,7 @@ struct StretchSpring {
   static constexpr std::array<Parameter, 2> kParameters = {{
       {"stiffness", "N/m", "membrane stiffness along warp and weft", 1000.0, 0.0, 1.0, 1e5,
        Scale::kLog, 10.0},
-      {"damping", "N s/m", "damping of stretching", 1.0, 0.0, 1e-6, 100.0, Scale::kLog, 10.0},
+      {"damping", "N s/m", "damping of stretching", 3.0, 0.0, 1e-6, 100.0, Scale::kLog, 10.0},
   }};
   using Element = Spring;
 
@@ -77,7 +77,7 @@ struct ShearSpring {
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 2> kParameters = {{
       {"stiffness", "N/m", "shear modulus times thickness", 20.0, 0.0, 0.1, 1e4, Scale::kLog, 10.0},
-      {"damping", "N s/m", "damping of shearing", 0.5, 0.0, 1e-6, 100.0, Scale::kLog, 10.0},
+      {"damping", "N s/m", "damping of shearing", 3.0, 0.0, 1e-6, 100.0, Scale::kLog, 10.0},
   }};
   using Element = Spring;
 

@@ -67,7 +67,7 @@ double Sag(const ClothMesh& mesh, double side) {
   UseSuppleCloth(&simulation);
   KeepOnly({"stretch", "gravity"}, &simulation);
   Set("stretch.stiffness", 200.0, &simulation);
-  Scene scene;
+  TestScene scene;
   scene.handles = LocateOnCloth(mesh, top);
   scene.x =
       LayFlat(mesh, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ());
@@ -125,7 +125,7 @@ TEST(ClosedForm, ClothUnderItsOwnWeight) {
 // Shearing a cloth between two clamped edges: force over width is shear stiffness times angle, at
 // any resolution, for a grid and for triangles. Wide, so that the free ends count for little.
 double ShearForce(const ClothMesh& mesh, double height) {
-  Scene scene;
+  TestScene scene;
   std::vector<Eigen::Vector2d> held;
   for (const Eigen::Vector2d& uv : mesh.uv) {
     if (uv.y() == 0.0 || std::abs(uv.y() - height) < 1e-12) held.push_back(uv);

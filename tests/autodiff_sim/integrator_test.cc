@@ -18,7 +18,7 @@ namespace {
 
 // A cloth that hangs and has been pushed aside, smoothly, after `steps` steps of 0.1 s together.
 Eigen::VectorXd Pushed(Integrator integrator, int steps) {
-  Scene scene = SwingingCloth(5, 0.3);
+  TestScene scene = SwingingCloth(5, 0.3);
   scene.x =
       LayFlat(scene.mesh, {0.0, 0.0, 0.3}, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ());
   SimulationOptions options;
@@ -89,7 +89,7 @@ double Energy(const Simulation& simulation, const State& state) {
 // Implicit integrators take energy where they are inexact; they must not give any.
 TEST(Integrator, EnergyOfAHangingClothNeverGrows) {
   for (const Integrator integrator : {Integrator::kBackwardEuler, Integrator::kBdf2}) {
-    Scene scene = SwingingCloth(6, 0.3);
+    TestScene scene = SwingingCloth(6, 0.3);
     const std::vector<Eigen::Vector3d> places = scene.path(0.0);
     scene.path = [places](double) { return places; };
     SimulationOptions options;

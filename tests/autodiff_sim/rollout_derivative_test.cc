@@ -39,7 +39,7 @@ void Set(const std::string& name, double value, Rollout* rollout) {
   rollout->parameters[index] = value;
 }
 
-Rollout MakeRollout(const Scene& scene, const SimulationOptions& options) {
+Rollout MakeRollout(const TestScene& scene, const SimulationOptions& options) {
   Rollout rollout;
   rollout.make = [scene, options]() {
     Simulation simulation(scene.mesh, scene.world, scene.handles, options);
@@ -180,7 +180,7 @@ TEST(RolloutDerivative, ClothLiftedFromTheGround) {
 
 // Falls to the ground and slides on it.
 TEST(RolloutDerivative, ClothDroppedOnTheGround) {
-  Scene scene = LiftedCloth(5, 0.3);
+  TestScene scene = LiftedCloth(5, 0.3);
   scene.handles.clear();
   scene.x = LayFlat(scene.mesh, {0.0, 0.0, 0.05}, Eigen::Vector3d::UnitX(),
                     Eigen::Vector3d(0.0, 0.98, 0.2));
@@ -193,7 +193,7 @@ TEST(RolloutDerivative, ClothDroppedOnTheGround) {
 
 // A cloth drawn to points and rays that move, held at a point inside a triangle until half way.
 Rollout Attracted() {
-  Scene scene = SwingingCloth(5, 0.3);
+  TestScene scene = SwingingCloth(5, 0.3);
   scene.handles = LocateOnCloth(scene.mesh, {{0.027, 0.046}, {0.3, 0.0}});
   Rollout rollout = MakeRollout(scene, Precise(Integrator::kBdf2));
   const std::vector<SurfacePoint> targets =

@@ -84,7 +84,7 @@ Direction Initial(const std::string& name, Eigen::VectorXd Direction::*part, dou
 }
 
 Rollout Maxwell(Integrator integrator) {
-  const Scene scene = SwingingCloth(5, 0.3);
+  const TestScene scene = SwingingCloth(5, 0.3);
   SimulationOptions options;
   options.integrator = integrator;
   options.tolerance = 1e-12;
@@ -151,7 +151,7 @@ TEST(RolloutDerivative, ClothFromAFileHeldInsideTriangles) {
   WriteUnevenCloth(path);
   const ObjCloth cloth = ReadObj(path);
   std::remove(path.c_str());
-  Scene scene;
+  TestScene scene;
   scene.mesh = cloth.mesh;
   scene.handles = LocateOnCloth(scene.mesh, {{0.02, 0.02}, {0.27, 0.04}});
   scene.x.resize(3 * scene.mesh.num_particles());

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double kStep = 1.0 / 120.0;  // s
 
-Simulation MakeSimulation(const Scene& scene, const SimulationOptions& options = {}) {
+Simulation MakeSimulation(const TestScene& scene, const SimulationOptions& options = {}) {
   Simulation simulation(scene.mesh, scene.world, scene.handles, options);
   UseSuppleCloth(&simulation);
   return simulation;
 }
 
 // `steps` steps from rest; expects all to converge.
-State Simulate(const Scene& scene, int steps, Simulation* simulation) {
+State Simulate(const TestScene& scene, int steps, Simulation* simulation) {
   State state = simulation->MakeState(scene.x);
   const Drive drive = scene.MakeDrive();
   for (int i = 0; i < steps; ++i) {
@@ -33,7 +33,7 @@ State Simulate(const Scene& scene, int steps, Simulation* simulation) {
 }
 
 TEST(Simulation, SameResultTwiceToTheBit) {
-  const Scene scene = SwingingCloth(6, 0.3);
+  const TestScene scene = SwingingCloth(6, 0.3);
   Simulation first = MakeSimulation(scene), second = MakeSimulation(scene);
   const State a = Simulate(scene, 30, &first), b = Simulate(scene, 30, &second);
   EXPECT_EQ(a.x, b.x);
@@ -47,7 +47,7 @@ TEST(Simulation, SameResultTwiceToTheBit) {
 // Derivatives are looked at, not lived by: carrying them along does not move the cloth. The kept
 // factor differs, so the iterates do within the tolerance, 1e-9 of an edge a step.
 TEST(Simulation, DerivativesDoNotMoveTheCloth) {
-  const Scene scene = SwingingCloth(6, 0.3);
+  const TestScene scene = SwingingCloth(6, 0.3);
   Simulation simulation = MakeSimulation(scene);
   const State plain = Simulate(scene, 30, &simulation);
   simulation.Reset();
@@ -64,14 +64,14 @@ TEST(Simulation, DerivativesDoNotMoveTheCloth) {
 }
 
 TEST(Simulation, TimeIsThatOfTheSteps) {
-  const Scene scene = SwingingCloth(4, 0.3);
+  const TestScene scene = SwingingCloth(4, 0.3);
   Simulation simulation = MakeSimulation(scene);
   State state = Simulate(scene, 12, &simulation);
   EXPECT_NEAR(state.time, 12 * kStep, 1e-15);
 }
 
 // Everything that must not converge: it reports so, and leaves state and derivatives as they were.
-void ExpectDiverged(const Scene& scene, const Drive& drive, const Eigen::VectorXd* parameters,
+void ExpectDiverged(const TestScene& scene, const Drive& drive, const Eigen::VectorXd* parameters,
                     const Eigen::VectorXd* x = nullptr) {
   SimulationOptions options;
   options.max_halvings = 3;
@@ -95,7 +95,7 @@ void ExpectDiverged(const Scene& scene, const Drive& drive, const Eigen::VectorX
 }
 
 TEST(Simulation, NothingConvergesOnWhatIsNoNumber) {
-  const Scene scene = SwingingCloth(4, 0.3);
+  const TestScene scene = SwingingCloth(4, 0.3);
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double bad : {std::nan(""), infinite, -infinite}) {
     const Drive drive = [&](double time, bool) {
@@ -119,7 +119,7 @@ TEST(Simulation, NothingConvergesOnWhatIsNoNumber) {
 
 // Absurd parameters: whatever comes of it, a converged step is finite and solves its equation.
 TEST(Simulation, AbsurdParametersGiveNoNonsense) {
-  const Scene scene = SwingingCloth(4, 0.3);
+  const TestScene scene = SwingingCloth(4, 0.3);
   int diverged = 0, converged = 0;
   for (const double factor : {0.0, -1.0, -1e6, 1e12, 1e200}) {
     for (const char* name : {"cloth.areal_density", "stretch.stiffness", "bending.stiffness",
@@ -152,7 +152,7 @@ TEST(Simulation, AbsurdParametersGiveNoNonsense) {
 
 // A step that fails half way leaves the state where it got to, with the derivatives of that state.
 TEST(Simulation, FailsHalfWayAtTheLastGoodState) {
-  const Scene scene = SwingingCloth(4, 0.3);
+  const TestScene scene = SwingingCloth(4, 0.3);
   SimulationOptions options;
   options.max_halvings = 2;
   Simulation simulation = MakeSimulation(scene, options);
@@ -175,7 +175,7 @@ TEST(Simulation, FailsHalfWayAtTheLastGoodState) {
 }
 
 TEST(Simulation, HalvingsAreReported) {
-  const Scene scene = SwingingCloth(6, 0.3);
+  const TestScene scene = SwingingCloth(6, 0.3);
   SimulationOptions options;
   options.max_newton_iterations = 4;
   Simulation simulation = MakeSimulation(scene, options);
@@ -194,7 +194,7 @@ TEST(Simulation, HalvingsAreReported) {
 // Halving is the last resort: it makes another, if no worse, motion, and a motion that jumps as its
 // parameters change cannot be fitted. Here the cloth swings through and crumples.
 TEST(Simulation, SwingsThroughWithoutHalvings) {
-  const Scene scene = SwingingCloth(9, 0.3);
+  const TestScene scene = SwingingCloth(9, 0.3);
   for (int k = 0; k < 4; ++k) {
     Simulation simulation = MakeSimulation(scene);
     State state = simulation.MakeState(scene.x);
@@ -209,7 +209,7 @@ TEST(Simulation, SwingsThroughWithoutHalvings) {
 
 // At rest the handles carry the weight, each its share, straight up.
 TEST(Simulation, HandlesCarryTheWeight) {
-  Scene scene = SwingingCloth(6, 0.3);
+  TestScene scene = SwingingCloth(6, 0.3);
   scene.handles = LocateOnCloth(scene.mesh, {{0.02, 0.03}, {0.3, 0.0}});  // one inside a triangle
   scene.x =
       LayFlat(scene.mesh, {0.0, 0.0, 0.3}, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ());
@@ -244,7 +244,7 @@ TEST(Simulation, HandlesCarryTheWeight) {
 }
 
 TEST(Simulation, DerivativesTakeNoMoreMemoryAsTimeGoesOn) {
-  const Scene scene = SwingingCloth(4, 0.3);
+  const TestScene scene = SwingingCloth(4, 0.3);
   Simulation simulation = MakeSimulation(scene);
   State state = simulation.MakeState(scene.x);
   Sensitivity sensitivity(state, Eigen::MatrixXd::Identity(simulation.parameters().size(), 11));

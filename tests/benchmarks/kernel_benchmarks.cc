@@ -28,7 +28,7 @@ struct Parts {
   }
   void Assemble() { simulation.model().StepJacobian(Point(), 1.0 / 180.0, &jacobian); }
 
-  Scene scene;
+  TestScene scene;
   Simulation simulation;
   State at_rest;
   BlockSparseMatrix jacobian;

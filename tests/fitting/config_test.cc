@@ -35,6 +35,7 @@ FitConfig AwkwardConfig() {
   config.spline_spacing = 1.0 / 9.0;
   config.spline_acceleration = 100.0 / 3.0;
   config.spline_speed = 5.0 / 3.0;
+  config.coarse_resolution = 5;
   config.use_tracks = false;
   config.loss = LossKind::kCauchy;
   config.loss_scale = 2.0 / 3.0;
@@ -76,7 +77,9 @@ TEST(DefaultConfig, FollowsTheRecording) {
   EXPECT_EQ(config.parameters.at("cloth.areal_density").value, 3.5);
   EXPECT_EQ(config.parameters.at("cloth.areal_density").prior, 3.5);
   EXPECT_FALSE(config.parameters.at("cloth.areal_density").free);
-  EXPECT_EQ(config.initial_order, 1);
+  EXPECT_EQ(config.initial_order, 0);
+  EXPECT_TRUE(config.parameters.at("cloth.shrink_warp").free);
+  EXPECT_EQ(config.parameters.at("cloth.shrink_warp").value, 0.01);
   EXPECT_NO_THROW(config.Check("defaults"));
 }
 

@@ -10,7 +10,7 @@
 
 namespace clothfit {
 
-Drive Scene::MakeDrive() const {
+Drive TestScene::MakeDrive() const {
   return [points = handles, path = path](double time, bool) {
     StepInputs inputs;
     if (points.empty()) return inputs;
@@ -50,8 +50,8 @@ Eigen::VectorXd LayFlat(const ClothMesh& mesh, const Eigen::Vector3d& origin,
   return x;
 }
 
-Scene SwingingCloth(int n, double side) {
-  Scene scene;
+TestScene SwingingCloth(int n, double side) {
+  TestScene scene;
   scene.mesh = MakeGrid({side, side}, {n, n});
   const Eigen::Vector3d origin(0.0, 0.0, 0.3);
   scene.x = LayFlat(scene.mesh, origin, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
@@ -65,8 +65,8 @@ Scene SwingingCloth(int n, double side) {
   return scene;
 }
 
-Scene LiftedCloth(int n, double side) {
-  Scene scene;
+TestScene LiftedCloth(int n, double side) {
+  TestScene scene;
   scene.mesh = MakeGrid({side, side}, {n, n});
   scene.world.ground_height = 0.0;
   const Eigen::Vector3d origin(0.0, 0.0, 0.0017);  // where the ground about bears the weight

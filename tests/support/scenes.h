@@ -14,7 +14,7 @@
 
 namespace clothfit {
 
-struct Scene {
+struct TestScene {
   ClothMesh mesh;
   World world;
   Eigen::VectorXd x;  // m, 3N, at time 0
@@ -32,11 +32,11 @@ Eigen::VectorXd LayFlat(const ClothMesh& mesh, const Eigen::Vector3d& origin,
 
 // A square cloth of this side (m), n x n particles, horizontal, held at the two corners of its edge
 // v = 0, which swing to and fro by 5 cm; the rest falls and swings through.
-Scene SwingingCloth(int n, double side);
+TestScene SwingingCloth(int n, double side);
 
 // A square cloth of this side (m), n x n particles, that lies on the ground z = 0 within its
 // contact distance while one corner is lifted and drawn inwards.
-Scene LiftedCloth(int n, double side);
+TestScene LiftedCloth(int n, double side);
 
 // Gives the simulation a supple, damped cloth in air, so that what is measured on it does not
 // depend on clothfit's initial values. Terms that the simulation lacks are left out.
