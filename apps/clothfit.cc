@@ -41,6 +41,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddFitCommand(app, action);
   AddSimulateCommand(app, action);
   AddPredictCommand(app, action);
+  AddDrawCommand(app, action);
   AddCheckCommand(app, action);
   AddTermsCommand(app, action);
   AddGradcheckCommand(app, action);

@@ -24,6 +24,7 @@ using Action = std::function<int()>;
 void AddFitCommand(CLI::App* app, Action* action);
 void AddSimulateCommand(CLI::App* app, Action* action);
 void AddPredictCommand(CLI::App* app, Action* action);
+void AddDrawCommand(CLI::App* app, Action* action);
 void AddCheckCommand(CLI::App* app, Action* action);
 void AddTermsCommand(CLI::App* app, Action* action);
 void AddGradcheckCommand(CLI::App* app, Action* action);

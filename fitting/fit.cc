@@ -156,7 +156,7 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   options.max_num_iterations = max_iterations;
   options.function_tolerance = config_.function_tolerance;
   options.parameter_tolerance = 1e-7;
-  options.initial_trust_region_radius = 100.0;
+  options.initial_trust_region_radius = 1.0;       // half a Gauss-Newton step: the cost is rugged
   options.max_num_consecutive_invalid_steps = 20;  // a trial whose simulation diverges
   options.logging_type = ceres::SILENT;
   options.update_state_every_iteration = true;

@@ -89,7 +89,7 @@ std::string RecoveryAsMarkdown(const std::vector<RecoveredSeed>& seeds) {
     const ParameterSummary s = Summarise(seeds, i);
     const Coverage coverage = CountCoverage(seeds, s.first.name);
     text += fmt::format(
-        "| {} ({}) | {} | {} | {}/{} | {}/{} | {:+.3f} | {:.3f} | {:.3f} | {:.2f} |\n",
+        "| {} ({}) | {:.4g} | {:.4g} | {}/{} | {}/{} | {:+.3f} | {:.3f} | {:.3f} | {:.2f} |\n",
         s.first.name, s.first.unit, s.first.truth, s.first.start, s.determined, s.count,
         coverage.covered, coverage.total, s.mean_error, s.spread, s.mean_sigma, s.mean_abs_z);
   }

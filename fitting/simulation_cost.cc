@@ -27,8 +27,7 @@ bool SimulationCost::Evaluate(double const* const* parameters, double* residuals
   was_taken_ = is_asked;
   if (!has_residuals_) return false;
   Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = residuals_;
-  if (is_asked)
-    Eigen::Map<RowMajorMatrix>(jacobians[0], num_residuals(), columns) = jacobian_;
+  if (is_asked) Eigen::Map<RowMajorMatrix>(jacobians[0], num_residuals(), columns) = jacobian_;
   return true;
 }
 

@@ -27,12 +27,11 @@ TEST(Wind, IsFoundUpToTheGaugeOfMassAndForces) {
     EXPECT_NEAR(unknown.found / unknown.truth / (density.found / density.truth), 1.0, 1e-2) << name;
   }
   ASSERT_EQ(recovery.statements.size(), 1u);
-  EXPECT_THAT(recovery.statements.front(),
-              testing::AllOf(testing::HasSubstr("only the ratios of"),
-                             testing::HasSubstr("stretch.stiffness"),
-                             testing::HasSubstr("bending.stiffness"),
-                             testing::HasSubstr("cloth.areal_density"),
-                             testing::HasSubstr("wind.strength")));
+  EXPECT_THAT(recovery.statements.front(), testing::AllOf(testing::HasSubstr("only the ratios of"),
+                                                          testing::HasSubstr("stretch.stiffness"),
+                                                          testing::HasSubstr("bending.stiffness"),
+                                                          testing::HasSubstr("cloth.areal_density"),
+                                                          testing::HasSubstr("wind.strength")));
 }
 
 }  // namespace

@@ -99,18 +99,10 @@ struct NamedValue {
   double value;
 };
 constexpr NamedValue kTruth[] = {
-    {"cloth.areal_density", 0.2},
-    {"gravity.scale", 1.0},
-    {"stretch.stiffness", 300.0},
-    {"stretch.damping", 0.5},
-    {"shear.stiffness", 20.0},
-    {"shear.damping", 0.2},
-    {"bending.stiffness", 5e-5},
-    {"bending.damping", 5e-5},
-    {"wind.strength", 1.5},
-    {"wind.azimuth", 0.4},
-    {"wind.elevation", 0.3},
-    {"wind.frequency", 1.4},
+    {"cloth.areal_density", 0.2}, {"gravity.scale", 1.0},    {"stretch.stiffness", 300.0},
+    {"stretch.damping", 0.5},     {"shear.stiffness", 20.0}, {"shear.damping", 0.2},
+    {"bending.stiffness", 5e-5},  {"bending.damping", 5e-5}, {"wind.strength", 1.5},
+    {"wind.azimuth", 0.4},        {"wind.elevation", 0.3},   {"wind.frequency", 1.4},
     {"wind.phase", -0.8},
 };
 
@@ -125,8 +117,8 @@ class WindMotion {
   explicit WindMotion(const WindProblem& problem)
       : problem_(problem), simulation_(MakeSimulation(problem)), truth_(simulation_.parameters()) {
     const ClothMesh& mesh = simulation_.model().mesh();
-    x_ = LayFlat(mesh, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(),
-                 -Eigen::Vector3d::UnitZ());
+    x_ =
+        LayFlat(mesh, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ());
     const std::vector<Eigen::Vector2d> corners = {{0.0, 0.0}, {1.0, 0.0}};
     for (const SurfacePoint& corner : LocateOnCloth(mesh, corners))
       held_.handles.push_back({corner, corner.At(x_)});
@@ -251,8 +243,8 @@ WindRecovery RecoverWind(const WindProblem& problem) {
   ceres_problem.AddResidualBlock(
       new SimulationCost(motion.num_residuals(), static_cast<int>(count), evaluate), nullptr,
       theta.data());
-  ceres_problem.AddResidualBlock(
-      new LinearCost(Eigen::MatrixXd::Identity(count, count), start), nullptr, theta.data());
+  ceres_problem.AddResidualBlock(new LinearCost(Eigen::MatrixXd::Identity(count, count), start),
+                                 nullptr, theta.data());
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.initial_trust_region_radius = 1e4;
@@ -285,7 +277,8 @@ std::string WindAsMarkdown(const WindProblem& problem, const WindRecovery& recov
                         unknown.start, unknown.found, unknown.found / unknown.truth);
   }
   text += fmt::format(
-      "\n{} after {} iterations: {} simulations without and {} with derivatives, {:.1f} s; positions "
+      "\n{} after {} iterations: {} simulations without and {} with derivatives, {:.1f} s; "
+      "positions "
       "{:.3g} mm off at the start (rms), {:.2g} mm at the end.\n\n",
       recovery.converged ? "Converged" : "Not converged", recovery.iterations, recovery.simulations,
       recovery.differentiated, recovery.seconds, 1e3 * recovery.rms_before,

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "autodiff_sim/error.h"
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/whole_file.h"
+#include "tracking/recording_validation.h"
+
+namespace clothfit {
+namespace {
+
+using Positions = std::map<int, Eigen::VectorXd>;  // by frame
+
+const cv::Scalar kWhite(255, 255, 255), kInk(60, 50, 45), kThread(150, 130, 115);
+const cv::Scalar kMeasured(30, 30, 30), kMiss(40, 40, 220);  // BGR
+// The two sides of the cloth in full light: blue and orange, apart for every eye.
+const cv::Vec3d kFront(214, 160, 96), kBack(96, 170, 240);
+constexpr int kShift = 4;  // fractional bits of drawn coordinates
+
+// An orthographic view; pixels of a panel.
+struct View {
+  Eigen::Vector3d right, up, towards;  // unit, `towards` the eye
+  Eigen::Vector3d centre;              // m
+  double scale;                        // px/m
+  cv::Point2d origin;                  // px
+
+  cv::Point2d At(const Eigen::Vector3d& x) const {
+    const Eigen::Vector3d d = x - centre;
+    return {origin.x + scale * right.dot(d), origin.y - scale * up.dot(d)};
+  }
+};
+
+cv::Point Fixed(const cv::Point2d& p) {
+  return {cvRound(p.x * (1 << kShift)), cvRound(p.y * (1 << kShift))};
+}
+
+void DrawCloth(const ClothMesh& mesh, const Eigen::VectorXd& x, const View& view, cv::Mat* image) {
+  const auto corner = [&](std::size_t t, int k) {
+    return Eigen::Vector3d(x.segment<3>(3 * mesh.triangles[t][k]));
+  };
+  const auto depth = [&](std::size_t t) {
+    return view.towards.dot(corner(t, 0) + corner(t, 1) + corner(t, 2));
+  };
+  std::vector<std::size_t> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return depth(a) < depth(b); });
+  const Eigen::Vector3d light = (view.towards + view.up + 0.5 * view.right).normalized();
+  for (const std::size_t t : order) {
+    const Eigen::Vector3d normal =
+        (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).normalized();
+    const bool front = normal.dot(view.towards) > 0.0;
+    const double shade = 0.45 + 0.55 * std::abs(normal.dot(light));
+    const cv::Vec3d colour = shade * (front ? kFront : kBack);
+    std::vector<cv::Point> outline;
+    for (int k = 0; k < 3; ++k) outline.push_back(Fixed(view.At(corner(t, k))));
+    cv::fillConvexPoly(*image, outline, cv::Scalar(colour[0], colour[1], colour[2]), cv::LINE_AA,
+                       kShift);
+    cv::polylines(*image, outline, true, 0.85 * cv::Scalar(colour[0], colour[1], colour[2]), 1,
+                  cv::LINE_AA, kShift);
+  }
+}
+
+void DrawMarkers(const Scene& scene, int frame, const Eigen::VectorXd& x, const View& view,
+                 cv::Mat* image, double* rms) {
+  double squares = 0.0;
+  int count = 0;
+  for (const MarkerObservation& marker : scene.markers) {
+    if (marker.frame != frame) continue;
+    const Eigen::Vector3d simulated = marker.on_cloth.At(x);
+    cv::line(*image, Fixed(view.At(simulated)), Fixed(view.At(marker.position)), kMiss, 2,
+             cv::LINE_AA, kShift);
+    cv::circle(*image, Fixed(view.At(marker.position)), 4 << kShift, kWhite, cv::FILLED,
+               cv::LINE_AA, kShift);
+    cv::circle(*image, Fixed(view.At(marker.position)), 3 << kShift, kMeasured, cv::FILLED,
+               cv::LINE_AA, kShift);
+    squares += (simulated - marker.position).squaredNorm();
+    ++count;
+  }
+  *rms = count > 0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN();
+}
+
+void Write(const std::string& text, int line, const cv::Scalar& colour, cv::Mat* image) {
+  cv::putText(*image, text, {14, 26 + 24 * line}, cv::FONT_HERSHEY_SIMPLEX, 0.55, colour, 1,
+              cv::LINE_AA);
+}
+
+std::vector<int> ChooseFrames(const Scene& scene, const std::vector<int>& asked) {
+  const int last = scene.recording.frame_count - 1;
+  for (const int frame : asked) CheckFrame(scene.recording, frame, "--frames");
+  if (!asked.empty()) return asked;
+  return {last / 8, 3 * last / 8, 5 * last / 8, 7 * last / 8};
+}
+
+Positions Simulate(const FittedRun& fitted, const FreeParameters& free,
+                   const Eigen::VectorXd& theta, const std::vector<int>& frames) {
+  Positions positions;
+  const int last = *std::max_element(frames.begin(), frames.end());
+  const int reached = SimulateFrames(fitted.scene, fitted.config, free, theta, last,
+                                     [&](int frame, const State& state) {
+                                       if (std::count(frames.begin(), frames.end(), frame) > 0)
+                                         positions[frame] = state.x;
+                                     });
+  if (reached > last) return positions;
+  throw std::runtime_error(
+      fmt::format("the simulation fails after frame {}; frame {} is asked for", reached - 1, last));
+}
+
+Eigen::Vector3d Centre(const Eigen::VectorXd& x) {
+  return Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, x.size() / 3).rowwise().mean();
+}
+
+cv::Mat DrawPanel(const FittedRun& fitted, int frame, const Eigen::VectorXd& x, View view,
+                  const std::string& title, const PictureOptions& options) {
+  cv::Mat image(options.panel, options.panel, CV_8UC3, kWhite);
+  view.origin = {0.5 * options.panel, 0.56 * options.panel};
+  DrawCloth(fitted.scene.mesh, x, view, &image);
+  double rms = 0.0;
+  DrawMarkers(fitted.scene, frame, x, view, &image, &rms);
+  const char* kind = fitted.scene.IsHeldOut(frame)    ? ", held out"
+                     : fitted.scene.is_fitted[frame] ? ", fitted"
+                                                      : "";
+  Write(fmt::format("{}: {:.2f} s{}", title, fitted.scene.FrameTime(frame), kind), 0, kInk, &image);
+  if (std::isfinite(rms)) Write(fmt::format("{:.1f} mm rms", 1e3 * rms), 1, kMiss, &image);
+  return image;
+}
+
+}  // namespace
+
+void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,
+             const std::filesystem::path& file) {
+  const std::vector<int> frames = ChooseFrames(fitted.scene, options.frames);
+  const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
+  const Positions before = Simulate(fitted, free, free.start(), frames);
+  const Positions after = Simulate(fitted, free, run.ReadParameters(free), frames);
+
+  View view;
+  const double a = options.azimuth, e = options.elevation;
+  view.right = Eigen::Vector3d(std::cos(a), std::sin(a), 0.0);
+  view.towards = Eigen::Vector3d(std::sin(a) * std::cos(e), -std::cos(a) * std::cos(e), std::sin(e));
+  view.up = view.towards.cross(view.right);
+  view.scale = 0.68 * options.panel / fitted.scene.recording.cloth.size.maxCoeff();
+
+  cv::Mat rows;
+  for (const Positions* row : {&before, &after}) {
+    cv::Mat panels;
+    for (const int frame : frames) {
+      view.centre = Centre(after.at(frame));
+      const cv::Mat panel = DrawPanel(fitted, frame, row->at(frame), view,
+                                      row == &before ? "start" : "fit", options);
+      if (panels.empty()) {
+        panels = panel;
+      } else {
+        cv::hconcat(panels, panel, panels);
+      }
+    }
+    if (rows.empty()) {
+      rows = panels;
+    } else {
+      cv::vconcat(rows, panels, rows);
+    }
+  }
+  std::vector<unsigned char> encoded;
+  const std::string extension = file.extension().string();
+  if (extension != ".png" && extension != ".jpg") {
+    throw InputError(file.string(), "expected a name that ends in .png or .jpg");
+  }
+  cv::imencode(extension, rows, encoded);
+  WriteWholeFile(file, std::string_view(reinterpret_cast<const char*>(encoded.data()), encoded.size()));
+}
+
+}  // namespace clothfit
