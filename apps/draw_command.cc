@@ -46,17 +46,20 @@ void AddDrawCommand(CLI::App* app, Action* action) {
       ->required();
   command->add_option("--frames", options->picture.frames, "frames to draw; four if left out")
       ->type_name("N");
-  command->add_option("--azimuth", options->azimuth, "degrees about the vertical, from -y towards x")
+  command
+      ->add_option("--azimuth", options->azimuth, "degrees about the vertical, from -y towards x")
       ->capture_default_str();
   command->add_option("--elevation", options->elevation, "degrees above the horizon")
       ->capture_default_str();
   command->add_flag("--force", options->force, "replace FILE");
   command->footer(
-      "The upper row is the fit's start, the lower its result; black dots are the measured markers,\n"
+      "The upper row is the fit's start, the lower its result; black dots are the measured "
+      "markers,\n"
       "red lines lead to where the simulation has them.\n\n"
       "Example:\n"
       "  clothfit draw runs/demo -o demo.png --frames 20 80");
-  command->callback([options, action] { *action = [options] { return RunDrawCommand(*options); }; });
+  command->callback(
+      [options, action] { *action = [options] { return RunDrawCommand(*options); }; });
 }
 
 }  // namespace clothfit

@@ -66,13 +66,13 @@ struct FitConfig {
   bool attract = false;
 
   // strategy
-  double window = 0.33;  // s; windows hand state and information on; 0 = one window
+  double window = 0.0;  // s; windows hand state and information on; 0 = one window
   // First with no more particles than this along the longer side of a grid, then with all; 0: no
   int coarse_resolution = 9;
   bool polish = true;  // then fit all frames at once, open loop, from where the windows ended
   // Of Levenberg-Marquardt: of the polish; of each window without one, else fewer.
   int max_iterations = 30;
-  double function_tolerance = 1e-5;  // relative change of the cost at which to stop
+  double function_tolerance = 1e-6;  // relative change of the cost at which to stop
 
   // Throws InputError, naming `place` and the key, where a value is out of range.
   void Check(const std::string& place) const;

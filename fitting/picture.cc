@@ -130,9 +130,9 @@ cv::Mat DrawPanel(const FittedRun& fitted, int frame, const Eigen::VectorXd& x, 
   DrawCloth(fitted.scene.mesh, x, view, &image);
   double rms = 0.0;
   DrawMarkers(fitted.scene, frame, x, view, &image, &rms);
-  const char* kind = fitted.scene.IsHeldOut(frame)    ? ", held out"
+  const char* kind = fitted.scene.IsHeldOut(frame)   ? ", held out"
                      : fitted.scene.is_fitted[frame] ? ", fitted"
-                                                      : "";
+                                                     : "";
   Write(fmt::format("{}: {:.2f} s{}", title, fitted.scene.FrameTime(frame), kind), 0, kInk, &image);
   if (std::isfinite(rms)) Write(fmt::format("{:.1f} mm rms", 1e3 * rms), 1, kMiss, &image);
   return image;
@@ -142,6 +142,10 @@ cv::Mat DrawPanel(const FittedRun& fitted, int frame, const Eigen::VectorXd& x, 
 
 void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,
              const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  if (extension != ".png" && extension != ".jpg") {
+    throw InputError(file.string(), "expected a name that ends in .png or .jpg");
+  }
   const std::vector<int> frames = ChooseFrames(fitted.scene, options.frames);
   const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
   const Positions before = Simulate(fitted, free, free.start(), frames);
@@ -150,7 +154,8 @@ void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions
   View view;
   const double a = options.azimuth, e = options.elevation;
   view.right = Eigen::Vector3d(std::cos(a), std::sin(a), 0.0);
-  view.towards = Eigen::Vector3d(std::sin(a) * std::cos(e), -std::cos(a) * std::cos(e), std::sin(e));
+  view.towards =
+      Eigen::Vector3d(std::sin(a) * std::cos(e), -std::cos(a) * std::cos(e), std::sin(e));
   view.up = view.towards.cross(view.right);
   view.scale = 0.68 * options.panel / fitted.scene.recording.cloth.size.maxCoeff();
 
@@ -159,8 +164,8 @@ void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions
     cv::Mat panels;
     for (const int frame : frames) {
       view.centre = Centre(after.at(frame));
-      const cv::Mat panel = DrawPanel(fitted, frame, row->at(frame), view,
-                                      row == &before ? "start" : "fit", options);
+      const cv::Mat panel =
+          DrawPanel(fitted, frame, row->at(frame), view, row == &before ? "start" : "fit", options);
       if (panels.empty()) {
         panels = panel;
       } else {
@@ -174,12 +179,9 @@ void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions
     }
   }
   std::vector<unsigned char> encoded;
-  const std::string extension = file.extension().string();
-  if (extension != ".png" && extension != ".jpg") {
-    throw InputError(file.string(), "expected a name that ends in .png or .jpg");
-  }
   cv::imencode(extension, rows, encoded);
-  WriteWholeFile(file, std::string_view(reinterpret_cast<const char*>(encoded.data()), encoded.size()));
+  WriteWholeFile(file,
+                 std::string_view(reinterpret_cast<const char*>(encoded.data()), encoded.size()));
 }
 
 }  // namespace clothfit

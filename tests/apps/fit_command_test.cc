@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "fitting/run_folder.h"
 #include "tests/apps/command.h"
@@ -209,6 +211,26 @@ TEST_F(FitCommand, PredictRefusesWhatIsOutside) {
               HasSubstr("rec: is not the folder of a run"));
   EXPECT_THAT(BadInputLine(RunCommand({"predict", "gone", "--at", "empty.csv", "-o", "x"}, path())),
               HasSubstr("gone: no such folder"));
+}
+
+TEST_F(FitCommand, DrawsTheFitBeforeAndAfter) {
+  const std::vector<std::string> words = {"draw", "run", "-o", "p.png", "--frames", "3", "19"};
+  const CommandResult drawn = RunCommand(words, path());
+  ASSERT_EQ(drawn.status, 0) << drawn.err;
+  const cv::Mat picture = cv::imread((path() / "p.png").string());
+  ASSERT_EQ(picture.size(), cv::Size(840, 840));  // two frames, two rows
+  for (const cv::Rect& panel : {cv::Rect(0, 0, 420, 420), cv::Rect(420, 420, 420, 420)}) {
+    cv::Mat grey;
+    cv::cvtColor(picture(panel), grey, cv::COLOR_BGR2GRAY);
+    const int covered = cv::countNonZero(grey < 200);
+    EXPECT_GT(covered, 420 * 420 / 20) << "there is a cloth in it";
+    EXPECT_LT(covered, 420 * 420 * 3 / 4) << "and room around it";
+  }
+  EXPECT_THAT(BadInputLine(RunCommand(words, path())), HasSubstr("--force"));
+  EXPECT_THAT(BadInputLine(RunCommand({"draw", "run", "-o", "p.txt"}, path())),
+              HasSubstr("p.txt: expected a name that ends in .png or .jpg"));
+  EXPECT_THAT(BadInputLine(RunCommand({"draw", "run", "-o", "q.png", "--frames", "20"}, path())),
+              HasSubstr("--frames"));
 }
 
 }  // namespace
