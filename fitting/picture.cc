@@ -63,7 +63,7 @@ void DrawCloth(const ClothMesh& mesh, const Eigen::VectorXd& x, const View& view
     const Eigen::Vector3d normal =
         (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).normalized();
     const bool front = normal.dot(view.towards) > 0.0;
-    const double shade = 0.45 + 0.55 * std::abs(normal.dot(light));
+    const double shade = 0.6 + 0.4 * std::abs(normal.dot(light));
     const cv::Vec3d colour = shade * (front ? kFront : kBack);
     std::vector<cv::Point> outline;
     for (int k = 0; k < 3; ++k) outline.push_back(Fixed(view.At(corner(t, k))));
