@@ -117,6 +117,13 @@ double SignedArea(const ClothMesh& mesh, const std::array<int, 3>& t) {
   return 0.5 * (a.x() * b.y() - a.y() * b.x());
 }
 
+std::vector<RestTriangle> RestTriangles(const ClothMesh& mesh) {
+  std::vector<RestTriangle> triangles;
+  for (const std::array<int, 3>& nodes : mesh.triangles)
+    triangles.push_back({nodes, std::abs(SignedArea(mesh, nodes))});
+  return triangles;
+}
+
 ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution) {
   const int nu = resolution[0], nv = resolution[1];
   if (nu < 2 || nv < 2) {

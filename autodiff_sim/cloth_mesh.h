@@ -31,6 +31,12 @@ ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolu
 // m^2 in (u, v) of three particles, positive where they go round counter-clockwise.
 double SignedArea(const ClothMesh& mesh, const std::array<int, 3>& particles);
 
+struct RestTriangle {
+  std::array<int, 3> nodes;
+  double area;  // m^2
+};
+std::vector<RestTriangle> RestTriangles(const ClothMesh& mesh);
+
 // Throws InputError, naming `source` and the triangle, where an index is out of range, a coordinate
 // is not finite, a triangle is degenerate in (u, v) or turned over, an edge has more than two
 // triangles or both on one side, or a particle has none.

@@ -41,16 +41,9 @@ struct Wind {
       {"phase", "rad", "", 0.0, 0.0, -M_PI, M_PI, Scale::kLinear, 1.0},
   }};
 
-  struct Element {
-    std::array<int, 3> nodes;
-    double area;  // m^2, at rest
-  };
-
+  using Element = RestTriangle;
   static std::vector<Element> Elements(const TermContext& context) {
-    std::vector<Element> elements;
-    for (const std::array<int, 3>& triangle : context.mesh.triangles)
-      elements.push_back({triangle, SignedArea(context.mesh, triangle)});
-    return elements;
+    return RestTriangles(context.mesh);
   }
 
   template <class T>

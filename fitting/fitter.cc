@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/fitter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+
+#include "fitting/evaluation.h"
+
+namespace clothfit {
+namespace {
+
+using Outcome = WindowSimulator::Outcome;
+
+// Reports iterations and ends the solver when the fit is stopped.
+class IterationReporter : public ceres::IterationCallback {
+ public:
+  explicit IterationReporter(std::function<void(const ceres::IterationSummary&)> report,
+                             const std::atomic<bool>* stop)
+      : report_(std::move(report)), stop_(stop) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    report_(summary);
+    return stop_ != nullptr && *stop_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                      : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  std::function<void(const ceres::IterationSummary&)> report_;
+  const std::atomic<bool>* stop_;
+};
+
+}  // namespace
+
+Fitter::Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks)
+    : scene_(scene),
+      config_(config),
+      callbacks_(callbacks),
+      free_(config, scene, MakeParameterTable()),
+      observations_(scene, config),
+      simulator_(scene, config, free_, false, callbacks.stop),
+      attracting_(scene, config, free_, config.attract, callbacks.stop) {
+  window_frames_ =
+      config.window > 0.0
+          ? std::max(1, static_cast<int>(std::lround(config.window * scene.recording.frame_rate)))
+          : std::max(1, scene.last_fitted_frame);
+  for (int i = 0; i < free_.size(); ++i) {
+    const FreeEntry::Kind kind = free_.entries()[i].kind;
+    if (kind == FreeEntry::Kind::kInitialPosition || kind == FreeEntry::Kind::kInitialVelocity) {
+      offsets_.push_back(i);
+    }
+  }
+  num_windows_ = (std::max(1, scene.last_fitted_frame) + window_frames_ - 1) / window_frames_;
+}
+
+void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
+  if (iteration.step_is_successful) best_ = progress_.theta;
+  if (iteration.step_is_successful && callbacks_.checkpoint) {
+    FitCheckpoint checkpoint = progress_;
+    if (first_offsets_.size() > 0) checkpoint.theta(offsets_) = first_offsets_;
+    callbacks_.checkpoint(checkpoint);
+  }
+  if (!callbacks_.progress) return;
+  FitProgress progress;
+  progress.stage = stage_;
+  progress.iteration = iteration.iteration;
+  progress.cost = iteration.cost;
+  progress.rms = std::sqrt(2.0 * iteration.cost / std::max(1, rows));
+  constexpr double kExpectedIterations = 8.0;
+  progress.fraction =
+      stage_begin_ + stage_share_ * std::min(1.0, iteration.iteration / kExpectedIterations);
+  progress.simulated_frames = simulator_.simulated_frames() + attracting_.simulated_frames();
+  callbacks_.progress(progress);
+}
+
+ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const WindowStart& start,
+                                        int first, int last, int max_iterations,
+                                        const Eigen::MatrixXd& prior,
+                                        const Eigen::VectorXd& offset) {
+  ceres::Problem problem;
+  double* theta = progress_.theta.data();
+  ceres::CostFunction* cost =
+      MakeWindowCost(simulator, &observations_, &start, free_.size(), first, last);
+  const int rows = cost->num_residuals();
+  problem.AddResidualBlock(cost, nullptr, theta);
+  problem.AddResidualBlock(new LinearCost(prior, offset), nullptr, theta);
+  for (int i = 0; i < free_.size(); ++i) {
+    const FreeEntry& entry = free_.entries()[i];
+    if (std::isfinite(entry.lower)) problem.SetParameterLowerBound(theta, i, entry.lower);
+    if (std::isfinite(entry.upper)) problem.SetParameterUpperBound(theta, i, entry.upper);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = max_iterations;
+  options.function_tolerance = config_.function_tolerance;
+  options.parameter_tolerance = 1e-7;
+  options.initial_trust_region_radius = 1.0;       // half a Gauss-Newton step: the cost is rugged
+  options.max_num_consecutive_invalid_steps = 20;  // a trial whose simulation diverges
+  options.logging_type = ceres::SILENT;
+  options.update_state_every_iteration = true;
+  IterationReporter reporter([&](const ceres::IterationSummary& s) { Report(s, rows); },
+                             callbacks_.stop);
+  options.callbacks.push_back(&reporter);
+  ceres::Solver::Summary summary;
+  best_ = progress_.theta;
+  ceres::Solve(options, &problem, &summary);
+  progress_.theta = best_;  // Ceres takes back what it had reached when an evaluation fails
+  iterations_ += std::max(0, static_cast<int>(summary.iterations.size()) - 1);
+  Log(fmt::format("{}: cost {:.6g} -> {:.6g}, {} iterations, {}", stage_, summary.initial_cost,
+                  summary.final_cost, summary.iterations.size(), summary.message));
+  return summary;
+}
+
+void Fitter::Marginalise(const std::vector<int>& entries) {
+  std::vector<int> others;
+  for (int i = 0; i < free_.size(); ++i) {
+    if (std::find(entries.begin(), entries.end(), i) == entries.end()) others.push_back(i);
+  }
+  const Eigen::MatrixXd all = progress_.information.transpose() * progress_.information;
+  const Eigen::MatrixXd cross = all(others, entries);
+  const Eigen::MatrixXd own = all(entries, entries);
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(free_.size(), free_.size());
+  information(others, others) =
+      all(others, others) - cross * own.llt().solve(cross.transpose());  // Schur complement
+  for (const int i : entries) {
+    const double sigma = free_.entries()[i].prior_sigma;
+    information(i, i) = 1.0 / (sigma * sigma);
+    progress_.mean[i] = free_.entries()[i].prior;
+  }
+  progress_.information = information.llt().matrixU();
+}
+
+void Fitter::FreeWindowStart(WindowStart* start) {
+  if (offsets_.empty()) return;
+  if (first_offsets_.size() == 0) first_offsets_ = progress_.theta(offsets_);
+  Marginalise(offsets_);
+  Eigen::MatrixXd dx, dv;
+  free_.InitialDirections(&dx, &dv);
+  for (const int i : offsets_) {
+    progress_.theta[i] = start->theta[i] = free_.entries()[i].prior;
+    start->sensitivity.ReplaceDirection(i, dx.col(i), dv.col(i), start->state.previous_step);
+  }
+}
+
+void Fitter::CutRunawayTies(WindowStart* start) const {
+  const double largest = 0.1 * scene_.recording.cloth.size.norm();  // m, within the uncertainty
+  const Eigen::MatrixXd inverse = (progress_.information.transpose() * progress_.information)
+                                      .ldlt()
+                                      .solve(Eigen::MatrixXd::Identity(free_.size(), free_.size()));
+  const Eigen::MatrixXd dx = start->sensitivity.x();
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(dx.rows());
+  for (int i = 0; i < free_.size(); ++i) {
+    const double moved = dx.col(i).lpNorm<Eigen::Infinity>() * std::sqrt(inverse(i, i));
+    if (moved < largest) continue;
+    start->sensitivity.ReplaceDirection(i, none, none, start->state.previous_step);
+    Log(fmt::format("{}: its end follows {} too wildly to be handed on as more than a state",
+                    stage_, free_.entries()[i].name));
+  }
+}
+
+bool Fitter::RunWindow(int window, WindowStart* start) {
+  const int last = std::min(start->frame + window_frames_, scene_.last_fitted_frame);
+  const int first = window == 0 ? 0 : start->frame + 1;
+  if (window > 0) FreeWindowStart(start);
+  stage_ = fmt::format("window {} of {} (frames {}-{})", window + 1, num_windows_, first, last);
+  if (observations_.Count(first, last) > 0) {
+    // Before a polish the windows only have to come near.
+    constexpr int kIterationsToComeNear = 6;
+    const int most = config_.polish ? std::min(kIterationsToComeNear, config_.max_iterations)
+                                    : config_.max_iterations;
+    Minimise(&attracting_, *start, first, last, most, progress_.information,
+             progress_.information * progress_.mean);
+  }
+  if (Stopped()) return false;
+  Eigen::VectorXd residuals;
+  RowMajorMatrix jacobian;
+  WindowStart end;
+  if (EvaluateWindow(&attracting_, observations_, *start, progress_.theta, first, last, &residuals,
+                     &jacobian, &end) != Outcome::kComplete) {
+    Log(stage_ + ": the simulation does not reach the end of the window; the windows end here");
+    return false;
+  }
+  // What this window knows of theta, at the size that its residuals really have.
+  const double noise2 = std::max(
+      1.0, residuals.squaredNorm() / std::max<double>(1.0, static_cast<double>(residuals.size())));
+  const Eigen::MatrixXd information = jacobian.transpose() * jacobian / noise2 +
+                                      progress_.information.transpose() * progress_.information;
+  progress_.information = information.llt().matrixU();
+  progress_.mean = progress_.theta;
+  progress_.next_window = window + 1;
+  std::string values;
+  for (int i = 0; i < free_.size(); ++i) {
+    const FreeEntry& entry = free_.entries()[i];
+    if (entry.kind != FreeEntry::Kind::kParameter) continue;
+    values += fmt::format(" {} {:.4g}", entry.name, free_.UnitValue(i, progress_.theta[i]));
+  }
+  Log(stage_ + " hands on:" + values);
+  *start = std::move(end);
+  CutRunawayTies(start);
+  return true;
+}
+
+void Fitter::RunWindows() {
+  WindowStart start = attracting_.FirstStart(progress_.mean);
+  const double total = scene_.last_fitted_frame * (config_.polish ? 2.5 : 1.0);
+  if (progress_.next_window > 0) {  // resumed: back to where the windows had come
+    Eigen::VectorXd residuals;
+    WindowStart end;
+    const int frame = std::min(progress_.next_window * window_frames_, scene_.last_fitted_frame);
+    if (EvaluateWindow(&attracting_, observations_, start, progress_.mean, 0, frame, &residuals,
+                       nullptr, &end) != Outcome::kComplete) {
+      return;
+    }
+    start = std::move(end);
+  }
+  for (int w = progress_.next_window; w < num_windows_ && !Stopped(); ++w) {
+    stage_begin_ = w * window_frames_ / total;
+    stage_share_ = window_frames_ / total;
+    if (!RunWindow(w, &start)) break;
+  }
+  if (first_offsets_.size() > 0) progress_.theta(offsets_) = first_offsets_;
+}
+
+double Fitter::Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) const {
+  Eigen::VectorXd residuals;
+  const WindowStart start = simulator->FirstStart(theta);
+  if (EvaluateWindow(simulator, observations_, start, theta, 0, scene_.last_fitted_frame,
+                     &residuals, nullptr) != Outcome::kComplete) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return 0.5 * (residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());
+}
+
+void Fitter::Polish() {
+  stage_ = fmt::format("all frames (0-{})", scene_.last_fitted_frame);
+  stage_begin_ = 1.0 - (stage_share_ = num_windows_ > 1 ? 0.6 : 1.0);
+  const Eigen::VectorXd reached = progress_.theta;
+  const double at_reached = Cost(reached, &simulator_);
+  const double at_start = Cost(free_.start(), &simulator_);
+  if (at_start < at_reached) {
+    Log("the windows' result explains all frames worse than the start does; going on from the "
+        "start");
+    progress_.theta = free_.start();
+  }
+  const WindowStart start = simulator_.FirstStart(progress_.theta);
+  const ceres::Solver::Summary summary =
+      Minimise(&simulator_, start, 0, scene_.last_fitted_frame, config_.max_iterations,
+               free_.prior_jacobian(), -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
+  converged_ = summary.termination_type == ceres::CONVERGENCE;
+}
+
+FitResult Fitter::Run(const FitCheckpoint* resume) {
+  const auto begin = std::chrono::steady_clock::now();
+  FitResult result;
+  progress_.theta = free_.start();
+  progress_.information = free_.PriorInformation();
+  progress_.mean = free_.PriorMean();
+  result.before = EvaluateScene(scene_, config_, free_, free_.start());
+  WindowSimulator unstopped(scene_, config_, free_, false, nullptr);
+  result.cost_before = Cost(free_.start(), &unstopped);
+  if (resume != nullptr) progress_ = *resume;
+  if (free_.size() > 0 && (scene_.markers.size() + scene_.tracks.size()) > 0) {
+    const bool in_windows = num_windows_ > 1 || !config_.polish || config_.attract;
+    if (in_windows && progress_.next_window < num_windows_) RunWindows();
+    if (config_.polish && !Stopped()) Polish();
+    if (!config_.polish) converged_ = progress_.next_window == num_windows_;
+  } else {
+    converged_ = true;
+  }
+  Finish(&result);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One fit at one resolution: windows that hand state and information on, then all frames at once.
+// Behind RunFit; nothing else includes it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <ceres/solver.h>
+
+#include "fitting/fit.h"
+#include "fitting/uncertainty.h"
+#include "fitting/window_cost.h"
+
+namespace clothfit {
+
+class Fitter {
+ public:
+  // The arguments must outlive this object.
+  Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks);
+
+  FitResult Run(const FitCheckpoint* resume);
+  // Where a fit stands whose windows ended at this free vector.
+  FitCheckpoint AfterWindows(const Eigen::VectorXd& theta) const {
+    return {false, num_windows_, theta, free_.PriorInformation(), free_.PriorMean()};
+  }
+
+ private:
+  // Levenberg-Marquardt on one window and what is known besides. Returns Ceres' summary.
+  ceres::Solver::Summary Minimise(WindowSimulator* simulator, const WindowStart& start, int first,
+                                  int last, int max_iterations, const Eigen::MatrixXd& prior,
+                                  const Eigen::VectorXd& offset);
+  void RunWindows();
+  bool RunWindow(int window, WindowStart* start);
+  // Frees the state at a later window's start: the offsets of the initial state now are offsets
+  // there.
+  void FreeWindowStart(WindowStart* start);
+  // Cuts the ties of a window's start to what moves it so much that a linear tie means nothing.
+  void CutRunawayTies(WindowStart* start) const;
+  // What is known of everything but these entries, with the entries themselves back at their
+  // priors.
+  void Marginalise(const std::vector<int>& entries);
+  void Polish();
+  double Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) const;
+  void Log(const std::string& line) const {
+    if (callbacks_.log) callbacks_.log(line);
+  }
+  bool Stopped() const { return callbacks_.stop != nullptr && *callbacks_.stop; }
+  void Report(const ceres::IterationSummary& iteration, int rows);
+  // By how much of the cost a full Gauss-Newton step from here would lower it, were the problem
+  // linear: near 0 at a minimum, also where Levenberg-Marquardt's own small steps have come to
+  // rest.
+  double ExpectedDecrease(const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian) const;
+  void Finish(FitResult* result);
+  void FillEstimates(const Uncertainty& uncertainty, FitResult* result) const;
+
+  const Scene& scene_;
+  const FitConfig& config_;
+  const FitCallbacks& callbacks_;
+  FreeParameters free_;
+  ObservationResiduals observations_;
+  WindowSimulator simulator_, attracting_;
+  int window_frames_ = 0, num_windows_ = 0;
+  FitCheckpoint progress_;
+  std::vector<int> offsets_;       // entries of the free vector that offset a state
+  Eigen::VectorXd best_;           // of the stage under way
+  Eigen::VectorXd first_offsets_;  // their values at the recording's start
+  std::string stage_;
+  double stage_begin_ = 0.0, stage_share_ = 0.0;  // of the whole fit's work
+  int iterations_ = 0;
+  bool converged_ = false;
+  double noise_ = 1.0;
+};
+
+}  // namespace clothfit
