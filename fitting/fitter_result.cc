@@ -45,8 +45,9 @@ void Fitter::Finish(FitResult* result) {
   const WindowStart start = simulator.FirstStart(result->theta);
   Eigen::VectorXd residuals;
   RowMajorMatrix jacobian;
-  const WindowSimulator::Outcome outcome = EvaluateWindow(&simulator, observations_, start, result->theta, 0,
-                                         scene_.last_fitted_frame, &residuals, &jacobian);
+  const WindowSimulator::Outcome outcome =
+      EvaluateWindow(&simulator, observations_, start, result->theta, 0, scene_.last_fitted_frame,
+                     &residuals, &jacobian);
   result->steps = simulator.last_report();
   Uncertainty uncertainty;
   if (outcome == WindowSimulator::Outcome::kComplete) {
