@@ -11,6 +11,8 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/core/utils/logger.hpp>
 
 #include "apps/commands.h"
 #include "autodiff_sim/error.h"
@@ -39,6 +41,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
       "  clothfit predict runs/demo --at points.csv -o predicted.csv\n"
       "'clothfit COMMAND --help' tells more. Exit status: 0 done, 1 failed, 2 bad input.");
   AddFitCommand(app, action);
+  AddTrackCommand(app, action);
   AddSimulateCommand(app, action);
   AddPredictCommand(app, action);
   AddDrawCommand(app, action);
@@ -98,6 +101,8 @@ int Run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace clothfit;  // NOLINT(google-build-using-namespace): this file is the program
   openblas_set_num_threads(1);
+  cv::setNumThreads(1);  // cameras are looked at side by side instead
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // errors are told here
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is then an error that can be told
   try {
     return Run(argc, argv);

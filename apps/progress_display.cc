@@ -36,8 +36,7 @@ std::string TimeLeft(double seconds, double fraction) {
 }
 
 std::string Describe(const FitProgress& progress) {
-  return fmt::format("{}, iteration {}, residuals {:.3g} sigma", progress.stage, progress.iteration,
-                     progress.rms);
+  return fmt::format("iteration {}, residuals {:.3g} sigma", progress.iteration, progress.rms);
 }
 
 std::string Bar(double fraction) {
@@ -51,12 +50,15 @@ std::string Bar(double fraction) {
 ProgressDisplay::ProgressDisplay() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
 
 void ProgressDisplay::Show(const FitProgress& progress) {
-  const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
-  const double seconds = SecondsSince(start_);
-  const std::string state =
-      fmt::format("{:3.0f} %{}", 100.0 * fraction, TimeLeft(seconds, fraction));
+  Show(progress.stage, Describe(progress), progress.fraction);
+}
+
+void ProgressDisplay::Show(const std::string& stage, const std::string& state, double fraction) {
+  const double done = std::clamp(fraction, 0.0, 1.0);
+  const std::string text = fmt::format("{:3.0f} %{}  {}, {}", 100.0 * done,
+                                       TimeLeft(SecondsSince(start_), done), stage, state);
   if (is_terminal_) {
-    std::string line = fmt::format("{} {}  {}", Bar(fraction), state, Describe(progress));
+    std::string line = Bar(done) + " " + text;
     const size_t width = TerminalWidth() - 1;
     if (line.size() > width) line.resize(width);
     std::fprintf(stderr, "\r\x1b[K%s", line.c_str());  // erase to the end of the line
@@ -64,12 +66,12 @@ void ProgressDisplay::Show(const FitProgress& progress) {
     has_bar_ = true;
     return;
   }
-  const std::string line = state + "  " + Describe(progress) + "\n";
-  if (progress.stage == stage_ && SecondsSince(last_) < kPlainInterval) {
+  const std::string line = text + "\n";
+  if (stage == stage_ && SecondsSince(last_) < kPlainInterval) {
     unshown_ = line;
     return;
   }
-  stage_ = progress.stage;
+  stage_ = stage;
   last_ = Clock::now();
   unshown_.clear();
   std::fputs(line.c_str(), stderr);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How far a fit is, on the standard error: a bar on a terminal, else a plain line now and then.
+// How far a long work is, on the standard error: a bar on a terminal, else a plain line now and
+// then.
 #pragma once
 
 #include <chrono>
@@ -15,6 +16,8 @@ class ProgressDisplay {
  public:
   ProgressDisplay();
   void Show(const FitProgress& progress);
+  // `fraction` of the whole is done; plain lines of one stage come at intervals.
+  void Show(const std::string& stage, const std::string& state, double fraction);
   // Shows where it ended and leaves the bar's line; nothing is shown afterwards.
   void Finish();
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // clothfit study: measures clothfit itself.
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -9,9 +10,11 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/tracking_options.h"
 #include "autodiff_sim/error.h"
 #include "fitting/recovery_study.h"
 #include "tracking/text.h"
+#include "tracking/tracking_evaluation.h"
 
 namespace clothfit {
 namespace {
@@ -48,11 +51,7 @@ int RunRecoveryCommand(const StudyOptions& options) {
   return kExitSuccess;
 }
 
-}  // namespace
-
-void AddStudyCommand(CLI::App* app, Action* action) {
-  CLI::App* const study = app->add_subcommand("study", "measure clothfit itself");
-  study->require_subcommand(1);
+void AddRecoveryStudy(CLI::App* study, Action* action) {
   CLI::App* const recovery =
       study->add_subcommand("recovery", "fit recordings of known truth; do the intervals hold it?");
   const auto options = std::make_shared<StudyOptions>();
@@ -75,6 +74,71 @@ void AddStudyCommand(CLI::App* app, Action* action) {
   recovery->footer("Example:\n  clothfit study recovery --seeds 20 -o studies/recovery");
   recovery->callback(
       [options, action] { *action = [options] { return RunRecoveryCommand(*options); }; });
+}
+
+struct TrackingStudyOptions {
+  std::vector<std::string> recordings;
+  TrackingOptions tracking;
+  std::string output;
+  bool force = false;
+};
+
+int RunTrackingStudy(const TrackingStudyOptions& options) {
+  const std::filesystem::path folder = options.output;
+  if (std::filesystem::exists(folder / "tracking.md") && !options.force) {
+    throw InputError(options.output, "already holds a study; --force replaces it");
+  }
+  std::string table = TrackingTableHeader(), course = "recording,frame,tracks,markers\n", filters;
+  for (const std::string& path : options.recordings) {
+    const Recording recording = ReadRecording(path);
+    const TruthSurface truth(recording.path);
+    const std::filesystem::path out = folder / recording.name;
+    const auto start = std::chrono::steady_clock::now();
+    const TrackingResult found =
+        TrackWithDisplay(recording, options.tracking, out, Overwrite::kAllow, false);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const TrackingEvaluation evaluation =
+        EvaluateTracking(recording, truth, found.tracks, found.markers, out / "masks");
+    table += TrackingTableRow(recording.name, evaluation);
+    for (std::size_t f = 0; f < evaluation.tracks_in_frame.size(); ++f) {
+      course += fmt::format("{},{},{},{}\n", recording.name, f, evaluation.tracks_in_frame[f],
+                            evaluation.markers_in_frame[f]);
+    }
+    filters += fmt::format("\n{}: {}\n{:.1f} s, {:.1f} frames a second and camera\n",
+                           recording.name, DescribeTracking(recording, found), seconds,
+                           static_cast<double>(found.pictures.size()) / seconds);
+  }
+  WriteTextFile(folder / "tracking.md", table + filters);
+  WriteTextFile(folder / "tracking.csv", course);
+  fmt::print("{}{}", table, filters);
+  return kExitSuccess;
+}
+
+void AddTrackingStudy(CLI::App* study, Action* action) {
+  CLI::App* const tracking = study->add_subcommand(
+      "tracking", "track in synthetic recordings; how far from the truth is what is found?");
+  const auto options = std::make_shared<TrackingStudyOptions>();
+  tracking->add_option("recordings", options->recordings, "recordings with truth/")
+      ->type_name("RECORDING")
+      ->required();
+  tracking->add_option("-o,--output", options->output, "folder of the tables and of what is found")
+      ->type_name("FOLDER")
+      ->required();
+  AddTrackingOptions(tracking, &options->tracking);
+  tracking->add_flag("--force", options->force, "replace the tables that are there");
+  tracking->footer("Example:\n  clothfit study tracking lift1 lift2 lift3 -o studies/tracking");
+  tracking->callback(
+      [options, action] { *action = [options] { return RunTrackingStudy(*options); }; });
+}
+
+}  // namespace
+
+void AddStudyCommand(CLI::App* app, Action* action) {
+  CLI::App* const study = app->add_subcommand("study", "measure clothfit itself");
+  study->require_subcommand(1);
+  AddRecoveryStudy(study, action);
+  AddTrackingStudy(study, action);
 }
 
 }  // namespace clothfit

@@ -8,12 +8,11 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <variant>
+#include <utility>
 
 #include <ceres/cubic_interpolation.h>
 
 #include "autodiff_sim/error.h"
-#include "autodiff_sim/obj_file.h"
 #include "tracking/initial_placement.h"
 
 namespace clothfit {
@@ -34,26 +33,6 @@ std::vector<Eigen::Vector3d> FillGaps(const HandleDescription::Path& path) {
   for (int g = last + 1; last >= 0 && g < static_cast<int>(path.size()); ++g)
     filled[g] = *path[last];
   return filled;
-}
-
-void PlaceCloth(const Recording& recording, const FitConfig& config, Scene* scene) {
-  if (const MeshPlacement* mesh = std::get_if<MeshPlacement>(&recording.cloth.initial)) {
-    ObjCloth cloth = ReadObj(mesh->file.string());
-    scene->mesh = std::move(cloth.mesh);
-    scene->initial.resize(3 * scene->mesh.num_particles());
-    for (int i = 0; i < scene->mesh.num_particles(); ++i)
-      scene->initial.segment<3>(3 * i) = cloth.positions[i];
-    return;
-  }
-  std::array<int, 2> resolution = config.resolution;
-  for (int k = 0; k < 2; ++k) {
-    if (resolution[k] == 0) resolution[k] = recording.cloth.resolution[k];
-  }
-  scene->mesh = MakeGrid(recording.cloth.size, resolution);
-  const std::vector<Eigen::Vector3d> positions = InitialPositions(recording, scene->mesh.uv);
-  scene->initial.resize(3 * scene->mesh.num_particles());
-  for (int i = 0; i < scene->mesh.num_particles(); ++i)
-    scene->initial.segment<3>(3 * i) = positions[i];
 }
 
 void AddHandles(const Recording& recording, const FitConfig& config, Scene* scene) {
@@ -181,7 +160,9 @@ Scene MakeScene(const Recording& recording, const FitConfig& config) {
   scene.step = 1.0 / (recording.frame_rate * scene.steps_per_frame);
   scene.marker_sigma = recording.noise.marker.value_or(kDefaultMarkerSigma);
   scene.track_sigma = recording.noise.track.value_or(kDefaultTrackSigma);
-  PlaceCloth(recording, config, &scene);
+  PlacedCloth placed = PlaceCloth(recording, config.resolution);
+  scene.mesh = std::move(placed.mesh);
+  scene.initial = std::move(placed.x);
   AddHandles(recording, config, &scene);
   AddObservations(recording, config, &scene);
   ChooseFrames(recording, config, &scene);

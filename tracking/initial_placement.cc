@@ -3,7 +3,9 @@
 #include "tracking/initial_placement.h"
 
 #include <stdexcept>
+#include <utility>
 
+#include "autodiff_sim/obj_file.h"
 #include "tracking/thin_plate_spline.h"
 
 namespace clothfit {
@@ -43,6 +45,26 @@ Points PlaceAt(const MeshPlacement&, const std::vector<Eigen::Vector2d>&) {
 Points InitialPositions(const Recording& recording, const std::vector<Eigen::Vector2d>& uv) {
   return std::visit([&](const auto& placement) { return PlaceAt(placement, uv); },
                     recording.cloth.initial);
+}
+
+PlacedCloth PlaceCloth(const Recording& recording, const std::array<int, 2>& resolution) {
+  PlacedCloth placed;
+  std::vector<Eigen::Vector3d> positions;
+  if (const MeshPlacement* mesh = std::get_if<MeshPlacement>(&recording.cloth.initial)) {
+    ObjCloth cloth = ReadObj(mesh->file.string());
+    placed.mesh = std::move(cloth.mesh);
+    positions = std::move(cloth.positions);
+  } else {
+    std::array<int, 2> particles = resolution;
+    for (int k = 0; k < 2; ++k) {
+      if (particles[k] == 0) particles[k] = recording.cloth.resolution[k];
+    }
+    placed.mesh = MakeGrid(recording.cloth.size, particles);
+    positions = InitialPositions(recording, placed.mesh.uv);
+  }
+  placed.x.resize(3 * placed.mesh.num_particles());
+  for (int i = 0; i < placed.mesh.num_particles(); ++i) placed.x.segment<3>(3 * i) = positions[i];
+  return placed;
 }
 
 }  // namespace clothfit

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracking/marker_tracker.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <opencv2/core.hpp>
+
+namespace clothfit {
+
+using Eigen::Vector2d;
+
+MarkerTracker::MarkerTracker(std::vector<Camera> cameras, double frame_rate,
+                             const MarkerTrackerOptions& options)
+    : cameras_(std::move(cameras)), frame_rate_(frame_rate), options_(options) {}
+
+std::vector<TrackedMarker> MarkerTracker::Start(
+    const std::vector<Features>& views,
+    const std::vector<std::vector<std::optional<Vector2d>>>& uv) {
+  markers_.clear();
+  counts_.clear();
+  frame_ = 0;
+  // Strongest features first, camera by camera; each joins the nearest marker that its view has no
+  // part in yet, or begins one.
+  for (int c = 0; c < static_cast<int>(views.size()); ++c) {
+    for (int f = 0; f < views[c].size(); ++f) {
+      if (!uv[c][f]) continue;
+      TrackState* nearest = nullptr;
+      double distance = std::numeric_limits<double>::infinity();
+      for (TrackState& marker : markers_) {
+        const double here = (marker.uv - *uv[c][f]).norm();
+        if (here < distance) {
+          distance = here;
+          nearest = &marker;
+        }
+      }
+      const View view{c, views[c].descriptors.row(f).clone(), views[c].descriptors.row(f).clone(),
+                      views[c].pixels[f], 0};
+      const bool is_seen = nearest != nullptr && nearest->views.back().camera == c;
+      if (distance < options_.max_uv_distance && !is_seen) {
+        double best = std::numeric_limits<double>::infinity();
+        for (const View& other : nearest->views)
+          best = std::min(best, cv::norm(view.reference, other.reference, cv::NORM_L2));
+        if (best <= options_.max_view_descriptor_distance) {
+          nearest->views.push_back(view);
+          continue;
+        }
+        ++counts_["views differ"];
+      }
+      if (distance >= options_.min_marker_distance)
+        markers_.push_back({*uv[c][f], {view}, std::nullopt, 0});
+    }
+  }
+  markers_.erase(std::remove_if(markers_.begin(), markers_.end(),
+                                [](const TrackState& m) { return m.views.size() < 2; }),
+                 markers_.end());
+  std::vector<TrackedMarker> found;
+  for (int id = 0; id < static_cast<int>(markers_.size()); ++id) {
+    std::vector<Sighting> sightings;
+    for (const View& view : markers_[id].views) sightings.push_back({view.camera, view.pixel});
+    const std::optional<TrackedMarker> marker = Place(id, sightings);
+    if (!marker) continue;
+    markers_[id].position = marker->position;
+    found.push_back(*marker);
+  }
+  return found;
+}
+
+std::optional<int> MarkerTracker::FindAgain(const View& view, const TrackState& marker,
+                                            const Features& features) {
+  // Where it was; after frames without it, where the marker was, or anywhere near.
+  Vector2d expected = view.pixel;
+  if (view.frame != frame_ - 1 && marker.position && marker.frame > view.frame)
+    expected = ProjectPoint(cameras_[view.camera], *marker.position);
+  const int since = frame_ - std::max(view.frame, marker.frame);
+  const double gate = options_.max_image_move * std::min(since, 5);
+  const cv::Mat& descriptor =
+      options_.reidentification == Reidentification::kReference ? view.reference : view.last;
+  int best = -1;
+  double first = std::numeric_limits<double>::infinity(), second = first;
+  for (int f = 0; f < features.size(); ++f) {
+    const double move = (features.pixels[f] - expected).norm();
+    // Without the filter, anywhere within reach of what can be meant at all.
+    if (move > (options_.check_image_move ? gate : 10.0 * gate)) continue;
+    const double distance = features.Distance(f, descriptor);
+    constexpr double kSamePlace = 3.0;  // px: other scales and orientations of the same feature
+    const bool same = best >= 0 && (features.pixels[f] - features.pixels[best]).norm() < kSamePlace;
+    if (distance < first) {
+      if (!same) second = first;
+      first = distance;
+      best = f;
+    } else if (!same) {
+      second = std::min(second, distance);
+    }
+  }
+  if (best < 0 || first > options_.max_descriptor_distance || first > options_.max_ratio * second)
+    return std::nullopt;
+  return best;
+}
+
+std::vector<Sighting> MarkerTracker::Sight(TrackState* marker, const std::vector<Features>& views,
+                                           std::vector<int>* features) {
+  std::vector<Sighting> sightings;
+  for (std::size_t v = 0; v < marker->views.size(); ++v) {
+    const View& view = marker->views[v];
+    const Features& seen = views[view.camera];
+    const std::optional<int> feature = FindAgain(view, *marker, seen);
+    if (!feature) {
+      ++counts_["no feature"];
+      continue;
+    }
+    sightings.push_back({view.camera, seen.pixels[*feature]});
+    features->push_back(static_cast<int>(v));
+    features->push_back(*feature);
+  }
+  return sightings;
+}
+
+std::optional<TrackedMarker> MarkerTracker::Place(int id, const std::vector<Sighting>& sightings) {
+  TrackedMarker marker;
+  marker.id = id;
+  marker.uv = markers_[id].uv;
+  if (options_.check_reprojection || options_.place == MarkerPlace::kReprojection) {
+    TriangulationOptions triangulation = options_.triangulation;
+    if (!options_.check_reprojection) triangulation.gate = std::numeric_limits<double>::infinity();
+    const std::optional<Triangulation> found =
+        TriangulateRobustly(cameras_, sightings, triangulation);
+    if (!found) {
+      if (sightings.size() >= 2) ++counts_["reprojection"];
+      return std::nullopt;
+    }
+    counts_["reprojection"] += static_cast<int>(sightings.size()) - found->num_agreeing;
+    marker.position = found->position;
+    marker.num_cameras = found->num_agreeing;
+    if (options_.place == MarkerPlace::kReprojection) return marker;
+    std::vector<PluckerRay<double>> rays;
+    for (std::size_t i = 0; i < sightings.size(); ++i) {
+      if (!found->agrees[i]) continue;
+      const auto ray = RayThroughPixel(cameras_[sightings[i].camera], sightings[i].pixel);
+      if (ray) rays.push_back(*ray);
+    }
+    const std::optional<Eigen::Vector3d> mean = MeanClosestPoint(rays);
+    if (!mean) return std::nullopt;
+    marker.position = *mean;
+    return marker;
+  }
+  std::vector<PluckerRay<double>> rays;
+  for (const Sighting& s : sightings) {
+    const auto ray = RayThroughPixel(cameras_[s.camera], s.pixel);
+    if (ray) rays.push_back(*ray);
+  }
+  const std::optional<Eigen::Vector3d> mean = MeanClosestPoint(rays);
+  if (!mean) return std::nullopt;
+  marker.position = *mean;
+  marker.num_cameras = static_cast<int>(rays.size());
+  return marker;
+}
+
+std::vector<TrackedMarker> MarkerTracker::Advance(const std::vector<Features>& views) {
+  ++frame_;
+  std::vector<TrackedMarker> found;
+  std::vector<std::vector<int>> features_of;
+  for (int id = 0; id < static_cast<int>(markers_.size()); ++id) {
+    TrackState& state = markers_[id];
+    std::vector<int> features;
+    const std::vector<Sighting> sightings = Sight(&state, views, &features);
+    const std::optional<TrackedMarker> marker = Place(id, sightings);
+    if (!marker) continue;
+    if (options_.check_world_move && state.position &&
+        (marker->position - *state.position).norm() >
+            options_.max_world_speed * (frame_ - state.frame) / frame_rate_) {
+      ++counts_["world move"];
+      continue;
+    }
+    found.push_back(*marker);
+    features_of.push_back(std::move(features));
+  }
+  std::vector<bool> stays(found.size(), true);
+  if (options_.check_distances) stays = VoteOnDistances(found, options_);
+  std::vector<TrackedMarker> kept;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!stays[i]) {
+      ++counts_["distances"];
+      continue;
+    }
+    TrackState& state = markers_[found[i].id];
+    state.position = found[i].position;
+    state.frame = frame_;
+    for (std::size_t k = 0; k < features_of[i].size(); k += 2) {
+      View& view = state.views[features_of[i][k]];
+      const Features& seen = views[view.camera];
+      const int feature = features_of[i][k + 1];
+      // A view that the others contradict is not followed.
+      if ((ProjectPoint(cameras_[view.camera], found[i].position) - seen.pixels[feature]).norm() >
+          options_.triangulation.gate) {
+        continue;
+      }
+      view.pixel = seen.pixels[feature];
+      view.last = seen.descriptors.row(feature).clone();
+      view.frame = frame_;
+    }
+    kept.push_back(found[i]);
+  }
+  return kept;
+}
+
+std::vector<bool> VoteOnDistances(const std::vector<TrackedMarker>& markers,
+                                  const MarkerTrackerOptions& options) {
+  const std::size_t n = markers.size();
+  std::vector<std::vector<bool>> violates(n, std::vector<bool>(n, false));
+  std::vector<int> votes(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double world = (markers[i].position - markers[j].position).norm();
+      const double cloth = (markers[i].uv - markers[j].uv).norm();
+      if (world <= (1.0 + options.max_stretch) * cloth + options.distance_tolerance) continue;
+      violates[i][j] = violates[j][i] = true;
+      ++votes[i];
+      ++votes[j];
+    }
+  }
+  std::vector<bool> stays(n, true);
+  for (std::size_t left = n; left > 1; --left) {
+    const auto worst = std::max_element(votes.begin(), votes.end()) - votes.begin();
+    if (votes[worst] <= options.max_violations * static_cast<double>(left - 1)) break;
+    stays[worst] = false;
+    votes[worst] = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (violates[worst][j] && stays[j]) --votes[j];
+    }
+  }
+  return stays;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What tracking finds, as a recording on disk.
+#pragma once
+
+#include <filesystem>
+
+#include "tracking/track_recording.h"
+
+namespace clothfit {
+
+// Tracks and writes into the folder what a fit needs, as a recording without pictures:
+// recording.yaml, cameras.yaml, handles and the like as they are, masks/ as they are found or
+// copied, tracks.csv and markers.csv; beside it pictures.csv and filters.csv. Stopped early, the
+// folder holds what was found so far, and recording.yaml is written all the same.
+// Throws InputError as TrackRecording does, and where the folder already holds a recording (unless
+// allowed; then its masks, tracks and markers are replaced) or cannot be written.
+TrackingResult TrackIntoFolder(const Recording& recording, const TrackingOptions& options,
+                               const std::filesystem::path& folder, Overwrite overwrite,
+                               const TrackingCallbacks& callbacks = {});
+
+}  // namespace clothfit
