@@ -44,6 +44,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddTrackCommand(app, action);
   AddSimulateCommand(app, action);
   AddPredictCommand(app, action);
+  AddEvaluateCommand(app, action);
   AddDrawCommand(app, action);
   AddCheckCommand(app, action);
   AddTermsCommand(app, action);

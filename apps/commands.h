@@ -29,6 +29,7 @@ void AddCheckCommand(CLI::App* app, Action* action);
 void AddTermsCommand(CLI::App* app, Action* action);
 void AddGradcheckCommand(CLI::App* app, Action* action);
 void AddSynthesizeCommand(CLI::App* app, Action* action);
+void AddEvaluateCommand(CLI::App* app, Action* action);
 void AddTrackCommand(CLI::App* app, Action* action);
 void AddStudyCommand(CLI::App* app, Action* action);
 

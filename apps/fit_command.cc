@@ -13,6 +13,7 @@
 #include "apps/fit_result_text.h"
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
+#include "apps/tracking_options.h"
 #include "autodiff_sim/error.h"
 #include "fitting/fit_run.h"
 #include "tracking/text.h"
@@ -22,9 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct Interrupted {};
+
 struct FitOptions {
   ConfigOptions config;
-  std::string run;  // empty: runs/NAME
+  TrackingOptions tracking;  // where there are pictures only
+  std::string run;           // empty: runs/NAME
   std::optional<double> window;
   std::optional<int> initial_order, max_iterations;
   std::optional<std::vector<int>> frames;
@@ -104,20 +108,57 @@ int Report(const FitResult& result, const RunFolder& run, bool quiet) {
                            (run.path() / "log.txt").string());
 }
 
-int RunFitCommand(FitOptions options) {
-  if (options.resume) TakeOptionsOfRun(&options);
-  const Recording recording = ReadRecordingOf(options.config);
-  FitConfig config = ReadConfigOf(options.config, recording);
-  ApplyOptions(options, &config);
-  const Scene scene = MakeScene(recording, config);
-  CheckFittable(scene);
-
+RunFolder MakeRunFolder(const FitOptions& options, const Recording& recording) {
   using Existing = RunFolder::Existing;
   const Existing existing = options.resume  ? Existing::kResume
                             : options.force ? Existing::kReplace
                                             : Existing::kRefuse;
-  const RunFolder run(options.run.empty() ? DefaultRun(recording) : fs::path(options.run),
-                      existing);
+  return RunFolder(options.run.empty() ? DefaultRun(recording) : fs::path(options.run), existing);
+}
+
+bool HasPicturesOnly(const Recording& recording) {
+  return recording.markers.empty() && recording.tracks.empty() && HasPictures(recording);
+}
+
+// What is seen in the pictures becomes a recording of its own, inside the run.
+Recording TrackIntoRun(const Recording& recording, const RunFolder& run,
+                       const FitOptions& options) {
+  const fs::path folder = run.path() / "observations";
+  if (options.resume && fs::exists(folder / "recording.yaml")) return ReadRecording(folder);
+  const TrackingResult found =
+      TrackWithDisplay(recording, options.tracking, folder, Overwrite::kAllow, options.quiet);
+  if (!options.quiet) fmt::print("{}\n\n", DescribeTracking(recording, found));
+  std::fflush(stdout);
+  if (found.num_frames == recording.frame_count) return ReadRecording(folder);
+  std::error_code ignored;  // half of the observations would be taken for all
+  fs::remove(folder / "recording.yaml", ignored);
+  throw Interrupted();
+}
+
+int RunFitCommand(FitOptions options) {
+  if (options.resume) TakeOptionsOfRun(&options);
+  Recording recording = ReadRecordingOf(options.config);
+  FitConfig config = ReadConfigOf(options.config, recording);
+  ApplyOptions(options, &config);
+  Scene scene = MakeScene(recording, config);
+  const bool track = HasPicturesOnly(recording);
+  if (!track) CheckFittable(scene);
+  const RunFolder run = MakeRunFolder(options, recording);
+  if (track) {
+    try {
+      recording = TrackIntoRun(recording, run, options);
+    } catch (const Interrupted&) {
+      fmt::print(stderr,
+                 "clothfit: interrupted before the fit began; 'clothfit fit --force' "
+                 "begins again\n");
+      return kExitInterrupted;
+    }
+    config = ReadConfigOf(options.config, recording);
+    config.recording = recording.path.string();
+    ApplyOptions(options, &config);
+    scene = MakeScene(recording, config);
+    CheckFittable(scene);
+  }
   if (options.resume) RequireSameConfig(run, recording, config);
   if (!options.quiet) PrintWarnings(recording);
   return Report(FitWithDisplay(scene, config, run, options), run, options.quiet);

@@ -89,6 +89,8 @@ void CheckParameters(const std::string& place,
 FitConfig DefaultConfig(const Recording& recording) {
   FitConfig config;
   config.recording = recording.path.string();
+  // What is tracked in pictures has outliers.
+  if (!recording.tracks.empty()) config.loss = LossKind::kHuber;
   for (const NamedParameter& named : MakeParameterTable()) {
     config.parameters[named.name] = DefaultSetting(named.parameter);
   }

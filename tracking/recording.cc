@@ -13,6 +13,12 @@ std::optional<int> FindCamera(const Recording& recording, const std::string& nam
   return static_cast<int>(found - recording.cameras.begin());
 }
 
+bool HasPictures(const Recording& recording) {
+  return std::any_of(recording.files.begin(), recording.files.end(), [](const CameraFiles& files) {
+    return !files.images.empty() || files.video.has_value();
+  });
+}
+
 bool IsHeldOutFrame(const Recording& recording, int frame) {
   const std::optional<Splits::FrameRange>& range = recording.splits.held_out_frames;
   return range && frame >= range->first && frame <= range->last;

@@ -150,6 +150,9 @@ void WriteRecording(const Recording& recording, const std::filesystem::path& fol
 // Index of the camera of that name, if there is one.
 std::optional<int> FindCamera(const Recording& recording, const std::string& name);
 
+// Whether any camera has images or a video.
+bool HasPictures(const Recording& recording);
+
 bool IsHeldOutFrame(const Recording& recording, int frame);
 bool IsHeldOutCamera(const Recording& recording, int camera);
 

@@ -97,12 +97,6 @@ class CameraTracker {
   std::vector<TrackedPoint> seen_;
 };
 
-bool HasPictures(const Recording& recording) {
-  return std::any_of(recording.files.begin(), recording.files.end(), [](const CameraFiles& files) {
-    return !files.images.empty() || files.video.has_value();
-  });
-}
-
 class Run {
  public:
   Run(const Recording& recording, const TrackingOptions& options)
@@ -139,8 +133,10 @@ class Run {
     std::vector<Features> views;
     std::vector<FeaturePlaces> places;
     for (const auto& camera : cameras_) {
-      views.push_back(camera->features());
-      places.push_back(camera->places());
+      // Markers of a camera that is held out would tell the fit what it saw.
+      const bool is_used = !IsHeldOutCamera(recording_, camera->picture().camera);
+      views.push_back(is_used ? camera->features() : Features());
+      places.push_back(is_used ? camera->places() : FeaturePlaces());
     }
     const std::vector<TrackedMarker> found =
         frame == 0 ? markers_.Start(views, places) : markers_.Advance(views);

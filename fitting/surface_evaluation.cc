@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/surface_evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/prediction.h"
+#include "tracking/csv.h"
+#include "tracking/truth.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Vector3d;
+
+enum Part { kAll, kFitted, kHeldOut, kParts };
+
+struct Distances {
+  std::array<std::vector<double>, kParts> all;
+
+  // Returns the root mean square of these.
+  std::optional<double> Add(const std::vector<double>& distances, bool held_out) {
+    if (distances.empty()) return std::nullopt;
+    double sum = 0.0;
+    for (const double d : distances) {
+      all[kAll].push_back(d);
+      all[held_out ? kHeldOut : kFitted].push_back(d);
+      sum += d * d;
+    }
+    return std::sqrt(sum / static_cast<double>(distances.size()));
+  }
+};
+
+std::optional<SurfaceError> Summarise(std::vector<double> distances) {
+  if (distances.empty()) return std::nullopt;
+  std::sort(distances.begin(), distances.end());
+  SurfaceError error;
+  error.count = distances.size();
+  double sum = 0.0;
+  for (const double d : distances) sum += d * d;
+  const auto last = static_cast<double>(distances.size() - 1);
+  error.rms = std::sqrt(sum / static_cast<double>(distances.size()));
+  error.median = distances[static_cast<std::size_t>(0.5 * last)];
+  error.quantile95 = distances[static_cast<std::size_t>(0.95 * last)];
+  return error;
+}
+
+fs::path CloudFile(const fs::path& truth, int frame) {
+  return truth / "truth" / fmt::format("cloud_{:06d}.csv", frame);
+}
+
+std::vector<Vector3d> ReadCloud(const fs::path& file) {
+  std::vector<Vector3d> points;
+  ReadCsv(file, {"x", "y", "z"}, [&](const CsvRow& row) { points.push_back(row.Vector3(0)); });
+  return points;
+}
+
+std::vector<double> FromCloud(const std::vector<Vector3d>& cloud, const ClothMesh& mesh,
+                              const Eigen::VectorXd& x) {
+  std::vector<double> distances;
+  for (const Vector3d& point : cloud) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::array<int, 3>& t : mesh.triangles) {
+      least = std::min(
+          least, SquaredDistanceToTriangle(point, x.segment<3>(3 * t[0]), x.segment<3>(3 * t[1]),
+                                           x.segment<3>(3 * t[2])));
+    }
+    distances.push_back(std::sqrt(least));
+  }
+  return distances;
+}
+
+std::vector<double> ToCloud(const std::vector<Vector3d>& cloud, const Eigen::VectorXd& x) {
+  std::vector<double> distances;
+  for (Eigen::Index i = 0; i < x.size() && !cloud.empty(); i += 3) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vector3d& point : cloud)
+      least = std::min(least, (point - x.segment<3>(i)).squaredNorm());
+    distances.push_back(std::sqrt(least));
+  }
+  return distances;
+}
+
+class Truth {
+ public:
+  Truth(const fs::path& folder, const Scene& scene) : folder_(folder) {
+    if (HasTruthPoints(folder)) {
+      for (const TruthPoint& p : ReadTruthPoints(folder)) points_[p.frame].push_back(p);
+    }
+    for (auto& [frame, points] : points_) {
+      std::vector<Eigen::Vector2d> uv;
+      for (const TruthPoint& p : points) uv.push_back(p.uv);
+      if (uv != located_uv_) located_ = LocateOnCloth(scene.mesh, uv);
+      located_uv_ = std::move(uv);
+      on_cloth_[frame] = located_;
+    }
+    bool any_cloud = false;
+    for (int f = 0; f < scene.recording.frame_count && !any_cloud; ++f)
+      any_cloud = fs::exists(CloudFile(folder, f));
+    if (!any_cloud && points_.empty()) {
+      throw InputError((folder / "truth").string(),
+                       "nothing to compare with: expected points.csv or cloud_000000.csv ...");
+    }
+  }
+
+  std::vector<double> PointDistances(int frame, const Eigen::VectorXd& x) const {
+    std::vector<double> distances;
+    const auto found = points_.find(frame);
+    if (found == points_.end()) return distances;
+    const std::vector<SurfacePoint>& on_cloth = on_cloth_.at(frame);
+    for (std::size_t i = 0; i < on_cloth.size(); ++i)
+      distances.push_back((on_cloth[i].At(x) - found->second[i].position).norm());
+    return distances;
+  }
+  std::vector<Vector3d> Cloud(int frame) const {
+    const fs::path file = CloudFile(folder_, frame);
+    return fs::exists(file) ? ReadCloud(file) : std::vector<Vector3d>();
+  }
+
+ private:
+  fs::path folder_;
+  std::map<int, std::vector<TruthPoint>> points_;
+  std::map<int, std::vector<SurfacePoint>> on_cloth_;
+  std::vector<SurfacePoint> located_;
+  std::vector<Eigen::Vector2d> located_uv_;
+};
+
+}  // namespace
+
+// Ericson 2005, Real-Time Collision Detection, sec. 5.1.5, by the regions of the nearest feature.
+double SquaredDistanceToTriangle(const Vector3d& point, const Vector3d& a, const Vector3d& b,
+                                 const Vector3d& c) {
+  const Vector3d ab = b - a, ac = c - a, ap = point - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return ap.squaredNorm();
+  const Vector3d bp = point - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0.0 && d4 <= d3) return bp.squaredNorm();
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return (ap - d1 / (d1 - d3) * ab).squaredNorm();
+  const Vector3d cp = point - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0.0 && d5 <= d6) return cp.squaredNorm();
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return (ap - d2 / (d2 - d6) * ac).squaredNorm();
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 >= d3 && d5 >= d6)
+    return (bp - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).squaredNorm();
+  const double sum = va + vb + vc;
+  return (ap - vb / sum * ab - vc / sum * ac).squaredNorm();
+}
+
+SurfaceEvaluation EvaluateSurface(const RunFolder& run, const fs::path& truth_folder) {
+  const FittedRun fitted = ReadFittedRun(run);
+  const Scene& scene = fitted.scene;
+  const FreeParameters free(fitted.config, scene, MakeParameterTable());
+  const Truth truth(truth_folder, scene);
+  Distances points, from_cloud, to_cloud;
+  SurfaceEvaluation evaluation;
+  const auto compare = [&](int frame, const State& state) {
+    FrameErrors errors;
+    errors.frame = frame;
+    errors.held_out = scene.IsHeldOut(frame);
+    errors.points = points.Add(truth.PointDistances(frame, state.x), errors.held_out);
+    const std::vector<Vector3d> cloud = truth.Cloud(frame);
+    errors.from_cloud = from_cloud.Add(FromCloud(cloud, scene.mesh, state.x), errors.held_out);
+    errors.to_cloud = to_cloud.Add(ToCloud(cloud, state.x), errors.held_out);
+    evaluation.frames.push_back(errors);
+  };
+  const int last = scene.recording.frame_count - 1;
+  const int reached =
+      SimulateFrames(scene, fitted.config, free, run.ReadParameters(free), last, compare);
+  if (reached <= last) {
+    throw std::runtime_error(
+        fmt::format("the simulation fails after frame {} of {}", reached - 1, last + 1));
+  }
+  for (int part = 0; part < kParts; ++part) {
+    evaluation.points[part] = Summarise(points.all[part]);
+    evaluation.from_cloud[part] = Summarise(from_cloud.all[part]);
+    evaluation.to_cloud[part] = Summarise(to_cloud.all[part]);
+  }
+  return evaluation;
+}
+
+std::string SurfaceAsMarkdown(const SurfaceEvaluation& evaluation) {
+  std::string text =
+      "| distance, mm | frames | rms | median | 95 % | of |\n|---|---|---:|---:|---:|---:|\n";
+  constexpr const char* kNames[kParts] = {"all", "fitted", "held out"};
+  const auto add = [&](const std::string& what,
+                       const std::array<std::optional<SurfaceError>, 3>& errors) {
+    for (int part = 0; part < kParts; ++part) {
+      if (!errors[part]) continue;
+      text += fmt::format("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {} |\n", what, kNames[part],
+                          1e3 * errors[part]->rms, 1e3 * errors[part]->median,
+                          1e3 * errors[part]->quantile95, errors[part]->count);
+    }
+  };
+  add("same point of the cloth", evaluation.points);
+  add("true cloud to fitted surface", evaluation.from_cloud);
+  add("fitted particles to true cloud", evaluation.to_cloud);
+  return text;
+}
+
+std::string SurfaceAsCsv(const SurfaceEvaluation& evaluation) {
+  std::string text = "frame,held_out,points_rms,from_cloud_rms,to_cloud_rms\n";
+  const auto number = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.6f}", *value) : std::string();
+  };
+  for (const FrameErrors& f : evaluation.frames) {
+    text += fmt::format("{},{},{},{},{}\n", f.frame, f.held_out ? 1 : 0, number(f.points),
+                        number(f.from_cloud), number(f.to_cloud));
+  }
+  return text;
+}
+
+}  // namespace clothfit
