@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
@@ -15,12 +13,7 @@ namespace clothfit {
 namespace {
 
 constexpr std::size_t kNeighbours = 12;  // of which a motion is read off
-constexpr int kFewestNeighbours = 5;
-// A surface that is seen this much smaller or larger than in the first frame does not look alike.
-constexpr double kSmallestScale = 0.25, kLargestScale = 4.0;
-constexpr int kMargin = 10;  // px around the window, so that the flow finds its gradients
-constexpr double kLeastContrast = 2.0;  // grey levels
-constexpr double kLongestReach = 8.0;   // px that a lost point may be off its neighbours' guess
+constexpr double kLongestReach = 8.0;    // px that a lost point may be off its neighbours' guess
 
 cv::Mat Grey(const cv::Mat& image) {
   cv::Mat grey;
@@ -38,26 +31,6 @@ bool IsInside(const cv::Size& size, const cv::Point2f& p, float border) {
 bool IsSet(const cv::Mat& mask, const cv::Point2f& p) {
   return mask.empty() ||
          (IsInside(mask.size(), p, 0.0F) && mask.at<uchar>(cvRound(p.y), cvRound(p.x)) != 0);
-}
-
-struct MeanAndSpread {
-  double mean, spread;
-};
-MeanAndSpread Describe(const cv::Mat& patch) {
-  cv::Scalar mean, spread;
-  cv::meanStdDev(patch, mean, spread);
-  return {mean[0], spread[0]};
-}
-
-double Correlation(const cv::Mat& a, const cv::Mat& b) {
-  const MeanAndSpread of_a = Describe(a), of_b = Describe(b);
-  if (of_a.spread < kLeastContrast || of_b.spread < kLeastContrast) return -1.0;
-  double sum = 0.0;
-  for (int y = 0; y < a.rows; ++y) {
-    for (int x = 0; x < a.cols; ++x)
-      sum += (a.at<uchar>(y, x) - of_a.mean) * (b.at<uchar>(y, x) - of_b.mean);
-  }
-  return sum / (a.rows * a.cols * of_a.spread * of_b.spread);
 }
 
 }  // namespace
@@ -126,43 +99,20 @@ void PointTracker::FindNeighbours() {
   }
 }
 
-// An affine map through the live neighbours, nearer ones first, by least squares.
-PointTracker::LocalMotion PointTracker::MotionAround(const Point& point) const {
-  LocalMotion motion;
+LocalMotion PointTracker::MotionAround(const Point& point) const {
   std::vector<const Point*> used;
   for (const int n : point.neighbours) {
     if (points_[n].is_live && used.size() < kNeighbours) used.push_back(&points_[n]);
   }
-  if (static_cast<int>(used.size()) < kFewestNeighbours) return motion;
-  const double reach = (used.back()->uv - point.uv).norm();
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Matrix<double, 3, 2> rhs = Eigen::Matrix<double, 3, 2>::Zero();
+  if (used.empty()) return {};
+  // Nearer ones count more.
+  const double reach = std::max(1e-9, (used.back()->uv - point.uv).squaredNorm());
+  std::vector<MovedPoint> around;
   for (const Point* n : used) {
-    const double weight = 1.0 / (0.05 + (n->uv - point.uv).squaredNorm() / (reach * reach));
-    const cv::Point2f d = n->reference - point.reference;
-    const Eigen::Vector3d row(d.x, d.y, 1.0);
-    normal += weight * row * row.transpose();
-    rhs += weight * row * Eigen::RowVector2d(n->pixel.x, n->pixel.y);
+    const double weight = 1.0 / (0.05 + (n->uv - point.uv).squaredNorm() / reach);
+    around.push_back({n->reference, n->pixel, weight});
   }
-  const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
-  if (lu.rcond() < 1e-8) return motion;
-  const Eigen::Matrix<double, 3, 2> solution = lu.solve(rhs);
-  motion.linear = solution.topRows<2>().transpose();
-  motion.place =
-      cv::Point2f(static_cast<float>(solution(2, 0)), static_cast<float>(solution(2, 1)));
-  double sum = 0.0;
-  for (const Point* n : used) {
-    const cv::Point2f d = n->reference - point.reference;
-    const Eigen::Vector2d moved =
-        motion.linear * Eigen::Vector2d(d.x, d.y) + Eigen::Vector2d(motion.place.x, motion.place.y);
-    sum += (moved - Eigen::Vector2d(n->pixel.x, n->pixel.y)).squaredNorm();
-  }
-  motion.residual = std::sqrt(sum / static_cast<double>(used.size()));
-  // Seen edge-on or from behind, the surroundings do not look as they did.
-  const Eigen::Vector2d scales = Eigen::JacobiSVD<Eigen::Matrix2d>(motion.linear).singularValues();
-  motion.is_known =
-      motion.linear.determinant() > 0.0 && scales[1] > kSmallestScale && scales[0] < kLargestScale;
-  return motion;
+  return FitLocalMotion(point.reference, around);
 }
 
 void PointTracker::Flow(const cv::Mat& image) {
@@ -216,67 +166,20 @@ void PointTracker::CheckNeighbours() {
   for (Point* point : deviating) Lose(point, "neighbours");
 }
 
-void PointTracker::Register(const cv::Mat& image, std::vector<Registration>* registrations) const {
-  // All windows side by side in two pictures, so that one call finds all flows.
-  const int tile = options_.window + 2 * kMargin;
-  const float centre = 0.5F * static_cast<float>(tile - 1);
-  const int columns = std::max(1, static_cast<int>(std::sqrt(registrations->size())));
-  const int rows = static_cast<int>(registrations->size()) / columns + 1;
-  cv::Mat expected(rows * tile, columns * tile, CV_8U, cv::Scalar(0.0)), seen = expected.clone();
-  const cv::Rect middle(kMargin, kMargin, options_.window, options_.window);
-  std::vector<cv::Point2f> from;
-  for (std::size_t k = 0; k < registrations->size(); ++k) {
-    const Registration& r = (*registrations)[k];
-    const cv::Rect box(static_cast<int>(k) % columns * tile, static_cast<int>(k) / columns * tile,
-                       tile, tile);
-    const Eigen::Matrix2d inverse = r.motion.linear.inverse();
-    const cv::Point2f& reference = points_[r.point].reference;
-    const Eigen::Vector2d shift =
-        Eigen::Vector2d(reference.x, reference.y) - inverse * Eigen::Vector2d(centre, centre);
-    const cv::Matx23d map(inverse(0, 0), inverse(0, 1), shift.x(),  //
-                          inverse(1, 0), inverse(1, 1), shift.y());
-    cv::Mat bent, patch;
-    cv::warpAffine(first_, bent, map, {tile, tile}, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
-                   cv::BORDER_REPLICATE);
-    cv::getRectSubPix(image, {tile, tile}, r.place, patch);
-    // As light or as dark as what is seen: the cloth may have turned towards the light.
-    const MeanAndSpread of_bent = Describe(bent(middle)), of_patch = Describe(patch(middle));
-    const double gain = of_bent.spread > kLeastContrast ? of_patch.spread / of_bent.spread : 1.0;
-    bent.convertTo(expected(box), CV_8U, gain, of_patch.mean - gain * of_bent.mean);
-    patch.copyTo(seen(box));
-    from.emplace_back(static_cast<float>(box.x) + centre, static_cast<float>(box.y) + centre);
-  }
-  if (from.empty()) return;
-  std::vector<cv::Point2f> to = from;
-  std::vector<uchar> found;
-  const cv::Size window(options_.window, options_.window);
-  const cv::TermCriteria criteria(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.005);
-  cv::calcOpticalFlowPyrLK(expected, seen, from, to, found, cv::noArray(), window, 0, criteria,
-                           cv::OPTFLOW_USE_INITIAL_FLOW);
-  for (std::size_t k = 0; k < from.size(); ++k) {
-    Registration& r = (*registrations)[k];
-    if (found[k] == 0 || Length(to[k] - from[k]) > kMargin) continue;
-    cv::Mat a, b;
-    cv::getRectSubPix(expected, window, from[k], a);
-    cv::getRectSubPix(seen, window, to[k], b);
-    r.correlation = Correlation(a, b);
-    r.place += to[k] - from[k];
-  }
-}
-
 void PointTracker::CheckReference(const cv::Mat& image) {
-  std::vector<Registration> registrations;
+  std::vector<Patch> patches;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!points_[i].is_live) continue;
     const LocalMotion motion = MotionAround(points_[i]);
     if (motion.is_known) {
-      registrations.push_back({static_cast<int>(i), motion, points_[i].pixel, -1.0});
+      patches.push_back(
+          {static_cast<int>(i), points_[i].reference, motion, points_[i].pixel, -1.0});
     } else {
       Lose(&points_[i], "neighbours");
     }
   }
-  Register(image, &registrations);
-  for (const Registration& r : registrations) {
+  FindPatches(first_, image, options_.window, &patches);
+  for (const Patch& r : patches) {
     Point& point = points_[r.point];
     if (r.correlation < options_.min_correlation ||
         Length(r.place - point.pixel) > options_.max_drift) {
@@ -288,18 +191,18 @@ void PointTracker::CheckReference(const cv::Mat& image) {
 }
 
 void PointTracker::Redetect(const cv::Mat& image, const cv::Mat& mask) {
-  std::vector<Registration> registrations;
+  std::vector<Patch> patches;
   const float border = static_cast<float>(options_.window);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (points_[i].is_live) continue;
     const LocalMotion motion = MotionAround(points_[i]);
     if (motion.is_known && IsInside(image.size(), motion.place, border) &&
         IsSet(mask, motion.place)) {
-      registrations.push_back({static_cast<int>(i), motion, motion.place, -1.0});
+      patches.push_back({static_cast<int>(i), points_[i].reference, motion, motion.place, -1.0});
     }
   }
-  Register(image, &registrations);
-  for (const Registration& r : registrations) {
+  FindPatches(first_, image, options_.window, &patches);
+  for (const Patch& r : patches) {
     if (r.correlation < options_.redetect_correlation ||
         Length(r.place - r.motion.place) >
             std::min(kLongestReach, options_.max_deviation + 2.0 * r.motion.residual) ||

@@ -20,6 +20,7 @@
 
 #include "tracking/camera.h"
 #include "tracking/cloth_coordinates.h"
+#include "tracking/patch_search.h"
 
 namespace clothfit {
 
@@ -73,30 +74,12 @@ class PointTracker {
     std::vector<int> neighbours;  // the nearest on the cloth, nearest first
     bool is_live = true;
   };
-  // How the surroundings of a point have moved since the first frame: pixel = linear (reference -
-  // reference of the point) + place.
-  struct LocalMotion {
-    Eigen::Matrix2d linear;
-    cv::Point2f place;
-    double residual = 0.0;  // px, root mean square of the neighbours
-    bool is_known = false;
-  };
-
   void Lose(Point* point, const std::string& why);
   void FindNeighbours();
   LocalMotion MotionAround(const Point& point) const;
   void Flow(const cv::Mat& image);
   void CheckMask(const cv::Mat& mask);
   void CheckNeighbours();
-  // Fits each point's surroundings in the first frame to the picture, from the places given on;
-  // returns correlations.
-  struct Registration {
-    int point;
-    LocalMotion motion;
-    cv::Point2f place;          // px, from here; the result
-    double correlation = -1.0;  // -1: failed
-  };
-  void Register(const cv::Mat& image, std::vector<Registration>* registrations) const;
   void CheckReference(const cv::Mat& image);
   void Redetect(const cv::Mat& image, const cv::Mat& mask);
   std::vector<TrackedPoint> Live() const;
