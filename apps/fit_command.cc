@@ -193,7 +193,8 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
       ->transform(CLI::Transformer(losses))
       ->option_text("none|huber|cauchy");
   command->add_flag("--attract", options->attract,
-                    "let the markers pull at the cloth while fitting (attraction_point.linear)");
+                    "let markers and rays pull at the cloth while fitting (attraction_point.*, "
+                    "attraction_ray.*)");
   command->add_flag("--force", options->force, "replace the run that is there");
   command->add_flag("--resume", options->resume, "go on with an interrupted run")
       ->excludes("--force");

@@ -61,8 +61,8 @@ struct FitConfig {
   double loss_scale = 3.0;  // in sigmas
   std::optional<std::array<int, 2>>
       frames;  // inclusive range of frames to fit; all but held-out ones
-  // pull of the markers on the cloth while fitting, if attraction_point.linear is not 0: see
-  // docs/model.md
+  // pull of the markers and of the tracks' rays on the cloth while fitting, as strong as
+  // attraction_point.* and attraction_ray.* say: see docs/model.md
   bool attract = false;
 
   // strategy
@@ -102,7 +102,7 @@ std::vector<std::string> ConfigDifferences(const FitConfig& config, const FitCon
 void SetParameter(const std::string& place, const std::string& assignment, FitConfig* config);
 void SetFree(const std::string& place, const std::string& name, bool free, FitConfig* config);
 void SwitchOff(const std::string& place, const std::string& term, FitConfig* config);
-// Lets the markers pull at the cloth while fitting, by 1 N/m where the pull is 0.
+// Lets markers and rays pull at the cloth while fitting, each kind by 1 N/m where its pull is 0.
 void Attract(FitConfig* config);
 
 }  // namespace clothfit

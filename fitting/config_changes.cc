@@ -102,8 +102,12 @@ void SwitchOff(const std::string& place, const std::string& term, FitConfig* con
 
 void Attract(FitConfig* config) {
   config->attract = true;
-  ParameterSetting& pull = config->parameters["attraction_point.linear"];
-  if (pull.value == 0.0) pull.value = kDefaultAttraction;
+  for (const std::string term : {"attraction_point", "attraction_ray"}) {
+    ParameterSetting& linear = config->parameters[term + ".linear"];
+    const bool is_off =
+        linear.value == 0.0 && config->parameters[term + ".reciprocal"].value == 0.0;
+    if (is_off) linear.value = kDefaultAttraction;
+  }
 }
 
 }  // namespace clothfit

@@ -162,7 +162,7 @@ std::vector<ConfigKey> MakeConfigKeys() {
                 &FitConfig::loss_scale, Range::kAboveZero),
       FramesKey(),
       ChoiceKey("observations", "attract",
-                "markers pull at the cloth by attraction_point.* while fitting",
+                "markers and rays of tracks pull at the cloth by attraction_*.* while fitting",
                 &FitConfig::attract, kYesOrNo),
       NumberKey("strategy", "window", "s fitted together before going on; 0: all frames at once",
                 &FitConfig::window, Range::kAtLeastZero),

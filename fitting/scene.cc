@@ -71,7 +71,9 @@ void AddObservations(const Recording& recording, const FitConfig& config, Scene*
     const std::vector<SurfacePoint> points = LocateOnCloth(scene->mesh, uv);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Track& t = recording.tracks[i];
-      scene->tracks.push_back({t.frame, t.camera, t.id, points[i], t.pixel});
+      TrackObservation track{t.frame, t.camera, t.id, points[i], t.pixel, std::nullopt};
+      if (config.attract) track.ray = RayThroughPixel(recording.cameras[t.camera], t.pixel);
+      scene->tracks.push_back(track);
     }
   }
   const auto by_frame = [](const auto& a, const auto& b) { return a.frame < b.frame; };

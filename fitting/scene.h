@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 
 #include "autodiff_sim/simulation.h"
 #include "fitting/config.h"
+#include "tracking/plucker_ray.h"
 #include "tracking/recording.h"
 
 namespace clothfit {
@@ -26,6 +28,7 @@ struct TrackObservation {
   int frame, camera, id;
   SurfacePoint on_cloth;
   Eigen::Vector2d pixel;
+  std::optional<PluckerRay<double>> ray;  // where the cloth is attracted to it
 };
 
 // A point of the cloth that is held, and where, as a function of time.

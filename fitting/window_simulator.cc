@@ -60,6 +60,13 @@ StepInputs WindowSimulator::Inputs(double time, bool with_directions) const {
          ++marker) {
       inputs.points.push_back({marker->on_cloth, marker->position});
     }
+    const auto track_by_frame = [](const TrackObservation& t, int f) { return t.frame < f; };
+    auto track =
+        std::lower_bound(scene_.tracks.begin(), scene_.tracks.end(), frame, track_by_frame);
+    for (; track != scene_.tracks.end() && track->frame == frame; ++track) {
+      if (scene_.IsFitted(*track) && track->ray)
+        inputs.rays.push_back({track->on_cloth, track->ray->direction, track->ray->moment});
+    }
   }
   if (with_directions) {
     bool any = false;
