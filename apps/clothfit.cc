@@ -47,19 +47,20 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddGradcheckCommand(app, action);
   AddSynthesizeCommand(app, action);
   AddStudyCommand(app, action);
+  AddImportCommand(app, action);
 }
 
 // "did you mean '--frames'?" for an option that is none, or a command.
 std::string NearestName(const CLI::App& app, const std::string& wrong) {
   std::vector<std::string> names;
-  const auto parsed = app.get_subcommands();
-  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  const CLI::App* command = &app;  // the innermost that was named, such as motive of import
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
   if (wrong.rfind('-', 0) == 0) {
-    for (const CLI::Option* option : command.get_options()) {
+    for (const CLI::Option* option : command->get_options()) {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
-  } else if (parsed.empty()) {
-    for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; })) {
+  } else {
+    for (const CLI::App* one : command->get_subcommands([](const CLI::App*) { return true; })) {
       names.push_back(one->get_name());
     }
   }

@@ -30,5 +30,6 @@ void AddTermsCommand(CLI::App* app, Action* action);
 void AddGradcheckCommand(CLI::App* app, Action* action);
 void AddSynthesizeCommand(CLI::App* app, Action* action);
 void AddStudyCommand(CLI::App* app, Action* action);
+void AddImportCommand(CLI::App* app, Action* action);
 
 }  // namespace clothfit
