@@ -1,146 +1,64 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// clothfit import: makes recordings of what other programs write. Here: motion capture.
-#include <memory>
-
+// clothfit import: makes recordings, or parts of them, of what other programs write.
 #include <fmt/format.h>
 
 #include "apps/commands.h"
 #include "apps/import_commands.h"
-#include "autodiff_sim/error.h"
-#include "tracking/import_motive.h"
-#include "tracking/take_recording.h"
 #include "tracking/text.h"
 
 namespace clothfit {
-namespace {
 
-struct MotiveOptions {
-  std::string file, output, layout, save_layout;
-  std::string up = "y";
-  std::vector<double> size;
-  std::vector<int> resolution;
-  TakeOptions take;
-  bool no_grid = false, force = false;
-};
-
-TakeOptions TakeOptionsOf(const MotiveOptions& options) {
-  TakeOptions take = options.take;
-  if (!options.size.empty()) take.size = Eigen::Vector2d(options.size[0], options.size[1]);
-  if (!options.resolution.empty()) {
-    take.resolution = Eigen::Vector2i(options.resolution[0], options.resolution[1]);
-  }
-  if (!options.layout.empty()) {
-    take.layout = ReadLayout(options.layout);
-    take.layout_file = options.layout;
-  }
-  take.snap_to_grid = !options.no_grid;
-  return take;
+SceneStart SceneOptions::Start() const {
+  const auto vector = [](const std::vector<double>& three) {
+    return Eigen::Vector3d(three[0], three[1], three[2]);
+  };
+  SceneStart start;
+  if (!size.empty()) start.size = Eigen::Vector2d(size[0], size[1]);
+  start.frame_count = frames;
+  start.frame_rate = rate;
+  start.ground_height = ground;
+  if (!origin.empty()) start.origin = vector(origin);
+  if (!u_axis.empty()) start.u_axis = vector(u_axis);
+  if (!v_axis.empty()) start.v_axis = vector(v_axis);
+  return start;
 }
 
-int RunImportMotive(const MotiveOptions& options) {
-  CheckNotThere(std::filesystem::path(options.output) / "recording.yaml", options.force);
-  if (!options.save_layout.empty()) CheckNotThere(options.save_layout, options.force);
-  const UpAxis up = options.up == "y" ? UpAxis::kY : UpAxis::kZ;
-  ImportedTake imported =
-      MakeTakeRecording(ReadMotiveTake(options.file, up), TakeOptionsOf(options));
-  Recording& recording = imported.recording;
-  recording.name = NameOfFolder(options.output);
-  WriteRecording(recording, options.output, Overwrite::kAllow);
-  const std::string layout = LayoutAsCsv(imported.marker_names, imported.uv);
-  if (!options.save_layout.empty()) WriteTextFile(options.save_layout, layout);
-  fmt::print("{}: {} frames at {} Hz, {} markers, {} handles, cloth of {:.4f} x {:.4f} m\n",
-             options.output, recording.frame_count, recording.frame_rate,
-             imported.uv.size() - recording.handles.size(), recording.handles.size(),
-             recording.cloth.size.x(), recording.cloth.size.y());
-  for (const std::string& note : imported.notes) fmt::print("{}\n", note);
-  fmt::print("{}", layout);
-  return kExitSuccess;
+bool SceneOptions::AnyGiven() const {
+  return !size.empty() || !origin.empty() || !u_axis.empty() || !v_axis.empty() || ground || rate ||
+         frames;
 }
 
-void AddClothOptions(CLI::App* command, MotiveOptions* options) {
-  TakeOptions& take = options->take;
-  command
-      ->add_option("--size", options->size,
-                   "m along u and v; else what the markers span, and the margin")
+void AddSceneOptions(CLI::App* command, SceneOptions* options) {
+  command->add_option("--size", options->size, "of the cloth, m along u and v")
       ->type_name("U V")
       ->expected(2);
-  command->add_option("--margin", take.margin, "cloth beyond the outermost markers, m")
+  command
+      ->add_option("--ground", options->ground,
+                   "height of a ground, m; the cloth lies on it unless --origin is given")
       ->type_name("M");
-  command
-      ->add_option("--resolution", options->resolution,
-                   "particles along u and v; else 21 on the longer side")
-      ->type_name("NU NV")
-      ->expected(2);
-  command->add_option("--density", take.areal_density, "of the cloth, kg/m^2, where it is known")
-      ->type_name("KG/M2");
-  command->add_option("--ground", take.ground_height, "height of a ground, m")->type_name("M");
+  command->add_option("--origin", options->origin, "where (0, 0) of the flat cloth is at first, m")
+      ->type_name("X Y Z")
+      ->expected(3);
+  command->add_option("--u-axis", options->u_axis, "direction of u at first; else x")
+      ->type_name("X Y Z")
+      ->expected(3);
+  command->add_option("--v-axis", options->v_axis, "direction of v at first; else y")
+      ->type_name("X Y Z")
+      ->expected(3);
+  command->add_option("--rate", options->rate, "frames a second")->type_name("HZ");
 }
 
-void AddMarkerOptions(CLI::App* command, MotiveOptions* options) {
-  TakeOptions& take = options->take;
-  command
-      ->add_option("--handle,--handles", take.handles,
-                   "markers that something holds, separated by commas; NAME= renames")
-      ->type_name("[NAME=]MARKER")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("--ignore", take.ignored, "markers to leave out, separated by commas")
-      ->type_name("MARKER")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--least-seen", take.least_seen,
-                   "leave out markers seen in less than this share of the frames")
-      ->type_name("SHARE")
-      ->capture_default_str();
-  command
-      ->add_option("--layout", options->layout,
-                   "table name,u,v (m) of every marker; else found from their distances")
-      ->type_name("FILE");
-  command->add_option("--save-layout", options->save_layout, "write the layout as such a table")
-      ->type_name("FILE");
-  command->add_flag("--no-grid", options->no_grid, "do not look for a regular grid");
-  command->add_option("--sigma", take.marker_sigma, "of the markers, m; else from their jitter")
-      ->type_name("M");
-  command->add_option("--held-out", take.held_out_share, "share of the frames, at the end")
-      ->type_name("SHARE");
-}
-
-void AddImportMotive(CLI::App* import, Action* action) {
-  CLI::App* const command =
-      import->add_subcommand("motive", "markers that OptiTrack Motive exported as CSV");
-  const auto options = std::make_shared<MotiveOptions>();
-  command->add_option("FILE", options->file, "exported by Motive with its header")->required();
-  command->add_option("-o,--output", options->output, "folder of the recording")
-      ->type_name("RECORDING")
-      ->required();
-  command->add_option("--up", options->up, "axis of FILE that points up")
-      ->check(CLI::IsMember({"y", "z"}))
-      ->capture_default_str();
-  AddMarkerOptions(command, options.get());
-  AddClothOptions(command, options.get());
-  command->add_flag("--force", options->force, "replace what is there");
-  command->footer(
-      "Example:\n"
-      "  clothfit import motive take.csv -o take --handle 'left=Unlabeled 1022' "
-      "--handle 'right=Unlabeled 1023'");
-  command->callback(
-      [options, action] { *action = [options] { return RunImportMotive(*options); }; });
-}
-
-}  // namespace
-
-void CheckNotThere(const std::filesystem::path& file, bool force) {
-  if (force || !std::filesystem::exists(file)) return;
-  throw InputError(file.string(), "exists already; --force replaces it");
-}
-
-std::string NameOfFolder(const std::filesystem::path& folder) {
-  const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
-  const std::filesystem::path last = whole.filename();  // empty where it ends in a slash
-  return last.empty() ? whole.parent_path().filename().string() : last.string();
+void PrintWhatIsMissing(const std::filesystem::path& folder, const SceneStart& start) {
+  if (!std::filesystem::exists(folder / "recording.yaml")) {
+    fmt::print("{} is not written: it needs {} too\n", (folder / "recording.yaml").string(),
+               JoinNames(MissingOptions(start)));
+  }
+  if (!std::filesystem::exists(folder / "cameras.yaml")) {
+    fmt::print("{} is needed too: see 'clothfit import colmap' and 'opencv'\n",
+               (folder / "cameras.yaml").string());
+  }
 }
 
 void AddImportCommand(CLI::App* app, Action* action) {
@@ -148,6 +66,9 @@ void AddImportCommand(CLI::App* app, Action* action) {
       "import", "make recordings of motion capture, calibrated cameras and videos");
   import->require_subcommand(1);
   AddImportMotive(import, action);
+  AddImportColmap(import, action);
+  AddImportOpencv(import, action);
+  AddImportVideo(import, action);
 }
 
 }  // namespace clothfit
