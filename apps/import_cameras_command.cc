@@ -46,7 +46,8 @@ int ImportCameras(std::vector<Camera> cameras, const std::vector<std::string>& n
   if (MissingOptions(start).empty()) WriteStart(start, folder, Overwrite::kRefuse);
   fmt::print("{}: {} cameras\n", (folder / "cameras.yaml").string(), cameras.size());
   for (const Camera& camera : cameras) {
-    const Eigen::Vector3d centre = CameraCentre(camera);
+    const Eigen::Array3d millimetres = (CameraCentre(camera) * 1e3).array().round();
+    const Eigen::Array3d centre = millimetres / 1e3 + 0.0;  // no "-0.000"
     fmt::print("{}: {} x {} px, at ({:.3f}, {:.3f}, {:.3f}) m\n", camera.name, camera.width,
                camera.height, centre.x(), centre.y(), centre.z());
   }
