@@ -29,7 +29,7 @@ ColmapWords::ColmapWords(const std::filesystem::path& file, const ColmapLine& li
 std::string ColmapWords::Text(const char* key) {
   rest_ = TrimBlanks(rest_);
   const size_t end = std::min(rest_.find_first_of(" \t"), rest_.size());
-  const std::string word(rest_.substr(0, end));
+  std::string word(rest_.substr(0, end));
   rest_.remove_prefix(end);
   if (word.empty()) Fail(fmt::format("{} is missing", key));
   return word;

@@ -135,7 +135,7 @@ bool LooksAgainstAxis(const Eigen::Vector3d& normal) {
 // sides are not so certain that the line between two handles cannot say better.
 Eigen::Vector2d DirectionOfU(const std::vector<size_t>& handles, bool may_turn, const Points& uv) {
   if (handles.size() >= 2) {
-    const Eigen::Vector2d between = uv[handles[1]] - uv[handles[0]];
+    Eigen::Vector2d between = uv[handles[1]] - uv[handles[0]];
     Eigen::Index along = 0;
     between.cwiseAbs().maxCoeff(&along);
     const double tangent = std::abs(between[1 - along]) / std::abs(between[along]);

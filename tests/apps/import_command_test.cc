@@ -26,7 +26,9 @@ class ImportCommand : public testing::Test {
  protected:
   void SetUp() override {
     std::vector<Eigen::Vector2d> uv;
-    for (int i = 0; i < 12; ++i) uv.emplace_back(0.1 * (i % 4), 0.09 * (i / 4));
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 4; ++column) uv.emplace_back(0.1 * column, 0.09 * row);
+    }
     folder_.Write("take.csv", MotiveCsv(BentSheetTake(uv, 1e-4), "Millimeters", 1e-3));
     folder_.Write("model/cameras.txt", kModelCameras);
     folder_.Write("model/images.txt", kModelImages);
