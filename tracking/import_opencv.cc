@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/import_opencv.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,8 @@ class Calibration {
     if (!fs::is_regular_file(file)) throw InputError(file.string(), "no such file");
     try {
       storage_.open(file.string(), cv::FileStorage::READ);
-    } catch (const cv::Exception& error) {
-      throw InputError(file.string(), "cannot be read by OpenCV's FileStorage (" + error.err + ")");
+    } catch (const std::exception&) {
+      throw InputError(file.string(), "cannot be read by OpenCV's FileStorage");
     }
     if (!storage_.isOpened()) {
       throw InputError(file.string(), "cannot be read by OpenCV's FileStorage");
@@ -48,8 +49,15 @@ class Calibration {
   // Under the first of these keys that is there.
   std::optional<Value> Find(const std::vector<std::string>& keys) const {
     for (const std::string& key : keys) {
-      const cv::FileNode node = storage_[key];
-      if (!node.empty()) return Value{file_.string() + ": " + key, NumbersIn(node, key)};
+      const std::string place = file_.string() + ": " + key;
+      try {
+        const cv::FileNode node = storage_[key];
+        if (!node.empty()) return Value{place, NumbersIn(node, place)};
+      } catch (const InputError&) {
+        throw;
+      } catch (const std::exception&) {  // damaged files make OpenCV throw more than its own kind
+        throw InputError(place, "expected a matrix or a list of numbers in a file of OpenCV's");
+      }
     }
     return std::nullopt;
   }
@@ -63,24 +71,19 @@ class Calibration {
 
  private:
   // Of a matrix, a list or a single number.
-  std::vector<double> NumbersIn(const cv::FileNode& node, const std::string& key) const {
-    const std::string place = file_.string() + ": " + key;
+  static std::vector<double> NumbersIn(const cv::FileNode& node, const std::string& place) {
     std::vector<double> numbers;
-    try {
-      if (node.isMap()) {
-        cv::Mat matrix;
-        node >> matrix;
-        matrix.reshape(1).convertTo(matrix, CV_64F);
-        for (int row = 0; row < matrix.rows; ++row) {
-          for (int column = 0; column < matrix.cols; ++column) {
-            numbers.push_back(matrix.at<double>(row, column));
-          }
+    if (node.isMap()) {
+      cv::Mat matrix;
+      node >> matrix;
+      matrix.reshape(1).convertTo(matrix, CV_64F);
+      for (int row = 0; row < matrix.rows; ++row) {
+        for (int column = 0; column < matrix.cols; ++column) {
+          numbers.push_back(matrix.at<double>(row, column));
         }
-      } else {
-        AppendNumbers(node, place, &numbers);
       }
-    } catch (const cv::Exception& error) {
-      throw InputError(place, "expected a matrix or a list of numbers (" + error.err + ")");
+    } else {
+      AppendNumbers(node, place, &numbers);
     }
     for (const double number : numbers) {
       if (!std::isfinite(number)) throw InputError(place, "expected finite numbers");

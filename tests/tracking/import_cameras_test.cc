@@ -213,6 +213,9 @@ TEST_F(OpencvFile, RefusesWhatIsMissingOrWrong) {
   EXPECT_THAT(ErrorOf(without("[64, 48]", "[64.5, 48]")), HasSubstr("imageSize: expected width"));
   EXPECT_THAT(ErrorOf(without("[1, 2, 3]", "far")), HasSubstr("T: expected a matrix or a list"));
   EXPECT_THAT(InputErrorOf([] { ReadOpencvCamera("gone.yml"); }), HasSubstr("gone.yml: no such"));
+  EXPECT_THAT(
+      InputErrorOf([&] { ReadOpencvCamera(folder_.Write("list.yml", "%YAML:1.0\n---\n- 1\n")); }),
+      HasSubstr("list.yml: camera_matrix: expected a matrix or a list"));
   const fs::path file = folder_.Write("text.xml", "no calibration");
   EXPECT_THAT(InputErrorOf([&] { ReadOpencvCamera(file); }),
               HasSubstr("text.xml: cannot be read by OpenCV's FileStorage"));
