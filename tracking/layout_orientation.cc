@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -173,9 +174,15 @@ std::optional<MarkerGrid> SnapToGrid(const std::vector<size_t>& members, Points*
 }
 
 void OrientLayout(const std::vector<size_t>& handles, const std::vector<Eigen::Vector3d>& positions,
-                  const std::optional<MarkerGrid>& grid, std::vector<Eigen::Vector2d>* uv) {
-  Points turned = TurnedTo(grid ? grid->side : SideOfSmallestRectangle(*uv), *uv);
-  turned = TurnedTo(DirectionOfU(handles, !grid.has_value(), turned), turned);
+                  MarkerGrid* grid, std::vector<Eigen::Vector2d>* uv) {
+  Points turned = TurnedTo(grid != nullptr ? grid->side : SideOfSmallestRectangle(*uv), *uv);
+  const Eigen::Vector2d direction = DirectionOfU(handles, grid == nullptr, turned);
+  if (grid != nullptr && std::abs(direction.y()) > std::abs(direction.x())) {
+    std::swap(grid->count.x(), grid->count.y());
+    std::swap(grid->spacing.x(), grid->spacing.y());
+    grid->side = Eigen::Vector2d(-grid->side.y(), grid->side.x());
+  }
+  turned = TurnedTo(direction, turned);
   bool mirror = LooksAgainstAxis(FrontNormal(turned, positions));
   if (handles.size() >= 2) {
     constexpr double kAside =

@@ -12,7 +12,7 @@ namespace clothfit {
 namespace {
 
 // Of all frames that see a pair, the share whose distances are passed over.
-constexpr double kOutlierShare = 0.003;
+constexpr double kOutlierShare = 0.01;
 
 double LargestDistance(const HandleDescription::Path& a, const HandleDescription::Path& b) {
   std::vector<double> distances;
@@ -35,9 +35,12 @@ struct PairDistance {
 
   template <class T>
   bool operator()(const T* a, const T* b, T* residual) const {
-    constexpr double kNoise = 5e-4;    // m
-    constexpr double kStretch = 5e-3;  // of the distance
-    constexpr double kSlack = 1e-2;    // of the distance
+    constexpr double kNoise = 5e-4;  // m
+    // Of the distance. A cloth that is pulled taut while it moves stretches by a percent or two,
+    // and half a percent here makes layouts of simulated takes 0.2 % larger still than they come
+    // out.
+    constexpr double kStretch = 1.5e-2;
+    constexpr double kSlack = 1e-2;
     using std::sqrt;
     const T flat = sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + 1e-12);
     const T excess = flat - measured;

@@ -49,13 +49,14 @@ std::optional<MarkerGrid> SnapToGrid(const std::vector<size_t>& members,
 
 // Turns and mirrors a layout, and moves it to where the smallest u and v are zero.
 //
-// Its sides are those of the grid, or else of the smallest rectangle around the markers. With two
-// handles or more, u runs from the first towards the second (along the line between them where
-// there is no grid and it is within 10 degrees of a side) and v towards the other markers.
-// Otherwise u runs along the longer side and away from the first handle or marker, and v so that
-// the front, from where u turns counter-clockwise to v, looks along the positive one of the world's
-// axis it is nearest to while the markers are at `positions` (m, world).
+// Its sides are those of the grid (null: there is none), which are put in the order u, v, or else
+// of the smallest rectangle around the markers. With two handles or more, u runs from the first
+// towards the second (along the line between them where there is no grid and it is within 10
+// degrees of a side) and v towards the other markers. Otherwise u runs along the longer side and
+// away from the first handle or marker, and v so that the front, from where u turns
+// counter-clockwise to v, looks along the positive one of the world's axis it is nearest to while
+// the markers are at `positions` (m, world).
 void OrientLayout(const std::vector<size_t>& handles, const std::vector<Eigen::Vector3d>& positions,
-                  const std::optional<MarkerGrid>& grid, std::vector<Eigen::Vector2d>* uv);
+                  MarkerGrid* grid, std::vector<Eigen::Vector2d>* uv);
 
 }  // namespace clothfit

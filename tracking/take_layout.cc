@@ -37,8 +37,7 @@ Eigen::Vector2d UpperCorner(const std::vector<Eigen::Vector2d>& uv) {
 
 // Of all markers, or else of those that nothing holds.
 std::optional<MarkerGrid> FindGrid(const std::vector<size_t>& held,
-                                   std::vector<Eigen::Vector2d>* uv,
-                                   std::vector<std::string>* notes) {
+                                   std::vector<Eigen::Vector2d>* uv) {
   std::vector<size_t> all, free;
   for (size_t i = 0; i < uv->size(); ++i) {
     all.push_back(i);
@@ -46,13 +45,6 @@ std::optional<MarkerGrid> FindGrid(const std::vector<size_t>& held,
   }
   std::optional<MarkerGrid> grid = SnapToGrid(all, uv);
   if (!grid) grid = SnapToGrid(free, uv);
-  if (grid) {
-    notes->push_back(
-        fmt::format("{} x {} markers sit on a grid, {:.1f} and {:.1f} mm apart (rms "
-                    "{:.1f} mm)",
-                    grid->count.x(), grid->count.y(), kMillimetres * grid->spacing.x(),
-                    kMillimetres * grid->spacing.y(), kMillimetres * grid->rms));
-  }
   return grid;
 }
 
@@ -84,8 +76,15 @@ std::vector<Eigen::Vector2d> FoundLayout(const MarkerTake& take, const std::vect
   for (const MarkerPath& marker : take.markers) positions.push_back(*marker.positions.front());
   std::vector<Eigen::Vector2d> uv = FindFlatLayout(distances);
   std::optional<MarkerGrid> grid;
-  if (options.snap_to_grid) grid = FindGrid(held, &uv, notes);
-  OrientLayout(held, positions, grid, &uv);
+  if (options.snap_to_grid) grid = FindGrid(held, &uv);
+  OrientLayout(held, positions, grid ? &*grid : nullptr, &uv);
+  if (grid) {
+    notes->push_back(
+        fmt::format("{} x {} markers sit on a grid, {:.1f} and {:.1f} mm apart (rms "
+                    "{:.1f} mm)",
+                    grid->count.x(), grid->count.y(), kMillimetres * grid->spacing.x(),
+                    kMillimetres * grid->spacing.y(), kMillimetres * grid->rms));
+  }
   PlaceOnCloth(options, &uv);
   return uv;
 }

@@ -134,7 +134,7 @@ TEST(OrientLayout, DoesNotDependOnTheOrientationBefore) {
     for (int step = 0; step < 12; ++step) {
       Points uv = Turned(exact, 0.1 + step * M_PI / 6.0);
       for (Eigen::Vector2d& point : uv) point.y() *= mirror ? -1.0 : 1.0;
-      OrientLayout({}, positions, std::nullopt, &uv);
+      OrientLayout({}, positions, nullptr, &uv);
       for (size_t i = 0; i < uv.size(); ++i) EXPECT_LT((uv[i] - exact[i]).norm(), 1e-9);
       ++checked;
     }
@@ -142,12 +142,28 @@ TEST(OrientLayout, DoesNotDependOnTheOrientationBefore) {
   EXPECT_EQ(checked, 24);
 }
 
+TEST(OrientLayout, TellsTheGridInTheOrderOfUAndV) {
+  const Points exact = Grid(4, 3, 0.1, 0.08);
+  int checked = 0;
+  for (const double angle : {0.2, 0.2 + 0.5 * M_PI}) {
+    Points uv = Turned(exact, angle);
+    std::optional<MarkerGrid> grid = SnapToGrid(All(uv), &uv);
+    ASSERT_TRUE(grid);
+    OrientLayout({}, Lying(exact), &*grid, &uv);
+    EXPECT_EQ(grid->count, Eigen::Vector2i(4, 3));
+    EXPECT_LT((grid->spacing - Eigen::Vector2d(0.1, 0.08)).norm(), 1e-12);
+    for (size_t i = 0; i < uv.size(); ++i) EXPECT_LT((uv[i] - exact[i]).norm(), 1e-9);
+    ++checked;
+  }
+  EXPECT_EQ(checked, 2);
+}
+
 TEST(OrientLayout, FrontOfALyingClothLooksUp) {
   const Points below = Grid(4, 3, 0.1, 0.08);
   std::vector<Eigen::Vector3d> positions = Lying(below);
   for (Eigen::Vector3d& position : positions) position.y() *= -1.0;  // seen from below
   Points uv = below;
-  OrientLayout({}, positions, std::nullopt, &uv);
+  OrientLayout({}, positions, nullptr, &uv);
   EXPECT_LT((uv[0] - Eigen::Vector2d(0.0, 0.16)).norm(), 1e-9);
   EXPECT_GT(LayoutDifference(uv, below), 0.05);
   EXPECT_LT(LayoutDifference(uv, below, true), 1e-9);
@@ -157,10 +173,10 @@ TEST(OrientLayout, TwoHandlesGiveTheDirections) {
   const Points exact = Grid(3, 4, 0.1, 0.09);
   const std::vector<Eigen::Vector3d> positions = Lying(exact);
   Points uv = Turned(exact, 1.0);
-  OrientLayout({0, 2}, positions, std::nullopt, &uv);
+  OrientLayout({0, 2}, positions, nullptr, &uv);
   for (size_t i = 0; i < uv.size(); ++i) EXPECT_LT((uv[i] - exact[i]).norm(), 1e-9);
   uv = Turned(exact, 1.0);
-  OrientLayout({2, 0}, positions, std::nullopt, &uv);  // the cloth stays at v > 0 all the same
+  OrientLayout({2, 0}, positions, nullptr, &uv);  // the cloth stays at v > 0 all the same
   EXPECT_LT((uv[2] - Eigen::Vector2d(0.0, 0.0)).norm(), 1e-9);
   EXPECT_LT((uv[0] - Eigen::Vector2d(0.2, 0.0)).norm(), 1e-9);
   EXPECT_LT((uv[11] - Eigen::Vector2d(0.0, 0.27)).norm(), 1e-9);
@@ -169,7 +185,7 @@ TEST(OrientLayout, TwoHandlesGiveTheDirections) {
 TEST(OrientLayout, HandlesAtOppositeCornersDoNotTurnTheSides) {
   const Points exact = Grid(3, 3, 0.1, 0.09);
   Points uv = Turned(exact, 0.3);
-  OrientLayout({0, 8}, Lying(exact), std::nullopt, &uv);
+  OrientLayout({0, 8}, Lying(exact), nullptr, &uv);
   for (size_t i = 0; i < uv.size(); ++i) EXPECT_LT((uv[i] - exact[i]).norm(), 1e-9);
 }
 

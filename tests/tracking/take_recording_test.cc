@@ -211,9 +211,8 @@ TEST_P(RealTake, IsLaidOutAsItWas) {
     }
   }
   ASSERT_EQ(known.size(), imported.uv.size());
-  // The layout in the recording has a scatter of 1.3 and 2.4 mm itself, and does not keep a
-  // measured distance from exceeding the flat one: it is smaller by 0.6 and 1.3 %.
-  EXPECT_LT(LayoutDifference(imported.uv, known), 0.006);
+  // Both scatter by 1.3 to 2.6 mm about the measured distances, and were made in different ways.
+  EXPECT_LT(LayoutDifference(imported.uv, known), 0.003);
   EXPECT_EQ(imported.recording.frame_count, recording.frame_count);
   EXPECT_EQ(imported.recording.markers.size(), recording.markers.size());
   EXPECT_LT(imported.recording.handles[0].uv.y(), 0.001);
