@@ -51,30 +51,42 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddGradcheckCommand(app, action);
   AddSynthesizeCommand(app, action);
   AddStudyCommand(app, action);
+  AddImportCommand(app, action);
+}
+
+// The innermost command that was named: motive for "import motive".
+const CLI::App& InnermostCommand(const CLI::App& app) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  return parsed.empty() ? app : InnermostCommand(*parsed.front());
+}
+
+std::vector<std::string> NamesOfCommands(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* one : command.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(one->get_name());
+  }
+  return names;
 }
 
 // "did you mean '--frames'?" for an option that is none, or a command.
-std::string NearestName(const CLI::App& app, const std::string& wrong) {
+std::string NearestName(const CLI::App& command, const std::string& wrong) {
   std::vector<std::string> names;
-  const auto parsed = app.get_subcommands();
-  const CLI::App& command = parsed.empty() ? app : *parsed.front();
   if (wrong.rfind('-', 0) == 0) {
     for (const CLI::Option* option : command.get_options()) {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
-  } else if (parsed.empty()) {
-    for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; })) {
-      names.push_back(one->get_name());
-    }
+  } else {
+    names = NamesOfCommands(command);
   }
   return names.empty() ? "one argument too many" : Suggestion(wrong, names);
 }
 
 std::string Describe(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining(true);
+  const CLI::App& command = InnermostCommand(app);
   const bool is_unknown = !unknown.empty() && (dynamic_cast<const CLI::ExtrasError*>(&error) ||
-                                               app.get_subcommands().empty());
-  if (is_unknown) return unknown.front() + ": " + NearestName(app, unknown.front());
+                                               !NamesOfCommands(command).empty());
+  if (is_unknown) return unknown.front() + ": " + NearestName(command, unknown.front());
   return std::string(error.what()) + "; see --help";
 }
 

@@ -108,9 +108,10 @@ int RunTrackingStudy(const TrackingStudyOptions& options) {
     filters += fmt::format("\n{}: {}\n{:.1f} s, {:.1f} frames a second and camera\n",
                            recording.name, DescribeTracking(recording, found), seconds,
                            static_cast<double>(found.pictures.size()) / seconds);
+    WriteTextFile(folder / "tracking.md", table + filters);  // what there is, should it end early
+    WriteTextFile(folder / "tracking.csv", course);
+    if (found.num_frames < recording.frame_count) return kExitInterrupted;
   }
-  WriteTextFile(folder / "tracking.md", table + filters);
-  WriteTextFile(folder / "tracking.csv", course);
   fmt::print("{}{}", table, filters);
   return kExitSuccess;
 }

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit import: makes recordings, or parts of them, of what other programs write.
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/import_commands.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+
+SceneStart SceneOptions::Start() const {
+  const auto vector = [](const std::vector<double>& three) {
+    return Eigen::Vector3d(three[0], three[1], three[2]);
+  };
+  SceneStart start;
+  if (!size.empty()) start.size = Eigen::Vector2d(size[0], size[1]);
+  start.frame_count = frames;
+  start.frame_rate = rate;
+  start.ground_height = ground;
+  if (!origin.empty()) start.origin = vector(origin);
+  if (!u_axis.empty()) start.u_axis = vector(u_axis);
+  if (!v_axis.empty()) start.v_axis = vector(v_axis);
+  return start;
+}
+
+bool SceneOptions::AnyGiven() const {
+  return !size.empty() || !origin.empty() || !u_axis.empty() || !v_axis.empty() || ground || rate ||
+         frames;
+}
+
+void AddSceneOptions(CLI::App* command, SceneOptions* options) {
+  command->add_option("--size", options->size, "of the cloth, m along u and v")
+      ->type_name("U V")
+      ->expected(2);
+  command
+      ->add_option("--ground", options->ground,
+                   "height of a ground, m; the cloth lies on it unless --origin is given")
+      ->type_name("M");
+  command->add_option("--origin", options->origin, "where (0, 0) of the flat cloth is at first, m")
+      ->type_name("X Y Z")
+      ->expected(3);
+  command->add_option("--u-axis", options->u_axis, "direction of u at first; else x")
+      ->type_name("X Y Z")
+      ->expected(3);
+  command->add_option("--v-axis", options->v_axis, "direction of v at first; else y")
+      ->type_name("X Y Z")
+      ->expected(3);
+  command->add_option("--rate", options->rate, "frames a second")->type_name("HZ");
+}
+
+void PrintWhatIsMissing(const std::filesystem::path& folder, const SceneStart& start) {
+  if (!std::filesystem::exists(folder / "recording.yaml")) {
+    fmt::print("{} is not written: it needs {} too\n", (folder / "recording.yaml").string(),
+               JoinNames(MissingOptions(start)));
+  }
+  if (!std::filesystem::exists(folder / "cameras.yaml")) {
+    fmt::print("{} is needed too: see 'clothfit import colmap' and 'opencv'\n",
+               (folder / "cameras.yaml").string());
+  }
+}
+
+void AddImportCommand(CLI::App* app, Action* action) {
+  CLI::App* const import = app->add_subcommand(
+      "import", "make recordings of motion capture, calibrated cameras and videos");
+  import->require_subcommand(1);
+  AddImportMotive(import, action);
+  AddImportColmap(import, action);
+  AddImportOpencv(import, action);
+  AddImportVideo(import, action);
+}
+
+}  // namespace clothfit

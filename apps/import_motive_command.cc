@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit import motive: a recording of motion capture.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/import_commands.h"
+#include "tracking/import_motive.h"
+#include "tracking/recording_start.h"
+#include "tracking/take_recording.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+struct MotiveOptions {
+  std::string file, output, layout, save_layout;
+  std::string up = "y";
+  std::vector<double> size;
+  std::vector<int> resolution;
+  TakeOptions take;
+  bool no_grid = false, force = false;
+};
+
+TakeOptions TakeOptionsOf(const MotiveOptions& options) {
+  TakeOptions take = options.take;
+  if (!options.size.empty()) take.size = Eigen::Vector2d(options.size[0], options.size[1]);
+  if (!options.resolution.empty()) {
+    take.resolution = Eigen::Vector2i(options.resolution[0], options.resolution[1]);
+  }
+  if (!options.layout.empty()) {
+    take.layout = ReadLayout(options.layout);
+    take.layout_file = options.layout;
+  }
+  take.snap_to_grid = !options.no_grid;
+  return take;
+}
+
+int RunImportMotive(const MotiveOptions& options) {
+  const Overwrite overwrite = OverwriteIf(options.force);
+  CheckMayWrite(std::filesystem::path(options.output) / "recording.yaml", overwrite);
+  if (!options.save_layout.empty()) CheckMayWrite(options.save_layout, overwrite);
+  const UpAxis up = options.up == "y" ? UpAxis::kY : UpAxis::kZ;
+  ImportedTake imported =
+      MakeTakeRecording(ReadMotiveTake(options.file, up), TakeOptionsOf(options));
+  Recording& recording = imported.recording;
+  recording.name = NameOfFolder(options.output);
+  WriteRecording(recording, options.output, Overwrite::kAllow);
+  const std::string layout = LayoutAsCsv(imported.marker_names, imported.uv);
+  if (!options.save_layout.empty()) WriteTextFile(options.save_layout, layout);
+  fmt::print("{}: {} frames at {} Hz, {} markers, {} handles, cloth of {:.4f} x {:.4f} m\n",
+             options.output, recording.frame_count, recording.frame_rate,
+             imported.uv.size() - recording.handles.size(), recording.handles.size(),
+             recording.cloth.size.x(), recording.cloth.size.y());
+  for (const std::string& note : imported.notes) fmt::print("{}\n", note);
+  fmt::print("{}", layout);
+  return kExitSuccess;
+}
+
+void AddClothOptions(CLI::App* command, MotiveOptions* options) {
+  TakeOptions& take = options->take;
+  command
+      ->add_option("--size", options->size,
+                   "m along u and v; else what the markers span, and the margin")
+      ->type_name("U V")
+      ->expected(2);
+  command->add_option("--margin", take.margin, "cloth beyond the outermost markers, m")
+      ->type_name("M");
+  command
+      ->add_option("--resolution", options->resolution,
+                   "particles along u and v; else 21 on the longer side")
+      ->type_name("NU NV")
+      ->expected(2);
+  command->add_option("--density", take.areal_density, "of the cloth, kg/m^2, where it is known")
+      ->type_name("KG/M2");
+  command->add_option("--ground", take.ground_height, "height of a ground, m")->type_name("M");
+}
+
+void AddMarkerOptions(CLI::App* command, MotiveOptions* options) {
+  TakeOptions& take = options->take;
+  command
+      ->add_option("--handle,--handles", take.handles,
+                   "markers that something holds, separated by commas; NAME= renames")
+      ->type_name("[NAME=]MARKER")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--ignore", take.ignored, "markers to leave out, separated by commas")
+      ->type_name("MARKER")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--least-seen", take.least_seen,
+                   "leave out markers seen in less than this share of the frames")
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command
+      ->add_option("--layout", options->layout,
+                   "table name,u,v (m) of every marker; else found from their distances")
+      ->type_name("FILE");
+  command->add_option("--save-layout", options->save_layout, "write the layout as such a table")
+      ->type_name("FILE");
+  command->add_flag("--no-grid", options->no_grid, "do not look for a regular grid");
+  command->add_option("--sigma", take.marker_sigma, "of the markers, m; else from their jitter")
+      ->type_name("M");
+  command->add_option("--held-out", take.held_out_share, "share of the frames, at the end")
+      ->type_name("SHARE");
+}
+
+}  // namespace
+
+void AddImportMotive(CLI::App* import, Action* action) {
+  CLI::App* const command =
+      import->add_subcommand("motive", "markers that OptiTrack Motive exported as CSV");
+  const auto options = std::make_shared<MotiveOptions>();
+  command->add_option("FILE", options->file, "exported by Motive with its header")->required();
+  command->add_option("-o,--output", options->output, "folder of the recording")
+      ->type_name("RECORDING")
+      ->required();
+  command->add_option("--up", options->up, "axis of FILE that points up")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->capture_default_str();
+  AddMarkerOptions(command, options.get());
+  AddClothOptions(command, options.get());
+  command->add_flag("--force", options->force, "replace what is there");
+  command->footer(
+      "Example:\n"
+      "  clothfit import motive take.csv -o take --handle 'left=Unlabeled 1022' "
+      "--handle 'right=Unlabeled 1023'");
+  command->callback(
+      [options, action] { *action = [options] { return RunImportMotive(*options); }; });
+}
+
+}  // namespace clothfit

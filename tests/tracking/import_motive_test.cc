@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracking/import_motive.h"
+
+#include <gtest/gtest.h>
+
+#include "test_folder.h"
+#include "tests/support/motive_file.h"
+
+namespace clothfit {
+namespace {
+
+using testing::HasSubstr;
+
+// As Motive exports a rigid body beside a labelled and an unlabelled marker, which is lost once.
+const char* const kExport =
+    "Format Version,1.25,Take Name,\"a, b\",Take Notes,,Capture Frame Rate,240.000000,"
+    "Export Frame Rate,120.000000,Rotation Type,Quaternion,Length Units,Millimeters,"
+    "Coordinate Space,Global\n"
+    "\n"
+    ",Type,Rigid Body,Rigid Body,Rigid Body,Rigid Body Marker,Rigid Body Marker,Rigid Body Marker,"
+    "Rigid Body Marker,Marker,Marker,Marker,Marker,Marker,Marker\n"
+    ",Name,Hand,Hand,Hand,Hand:Marker 001,Hand:Marker 001,Hand:Marker 001,Hand:Marker 001,"
+    "Cloth:a,Cloth:a,Cloth:a,\"Unlabeled 1020\",\"Unlabeled 1020\",\"Unlabeled 1020\"\n"
+    ",ID,1,1,1,2,2,2,2,\"A1\",\"A1\",\"A1\",\"B,2\",\"B,2\",\"B,2\"\n"
+    ",Parent,,,,,,,,,,,,,\n"
+    ",,Position,Position,Position,Position,Position,Position,Marker Quality,"
+    "Position,Position,Position,Position,Position,Position\n"
+    "Frame,Time (Seconds),X,Y,Z,X,Y,Z,,X,Y,Z,X,Y,Z\n"
+    "10,0.083333,1,2,3,4,5,6,0.9,100,200,300,-1000,1500,20\n"
+    "12,0.091667,1,2,3,4,5,6,0.9,101,201,301,,,\n"
+    "16,0.108333,1,2,3,4,5,6,0.9,,,,-1001,1501,21\n";
+
+class MotiveFile : public testing::Test {
+ protected:
+  MarkerTake Read(const std::string& text, UpAxis up = UpAxis::kY) const {
+    return ReadMotiveTake(folder_.Write("take.csv", text), up);
+  }
+
+  // The error after one replacement in the file above.
+  std::string ErrorWith(const std::string& from, const std::string& to) const {
+    std::string text = kExport;
+    const size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return InputErrorOf([&] { Read(text.replace(at, from.size(), to)); });
+  }
+
+  TestFolder folder_;
+};
+
+TEST_F(MotiveFile, GivesItsMarkersInMetresWithZUp) {
+  const MarkerTake take = Read(kExport);
+  EXPECT_EQ(take.frame_rate, 120.0);
+  ASSERT_EQ(take.num_frames(), 4u);  // every other number of the capture; 14 lacks
+  ASSERT_EQ(NamesOf(take), (std::vector<std::string>{"Cloth:a", "Unlabeled 1020"}));
+  const HandleDescription::Path& labelled = take.markers[0].positions;
+  EXPECT_LT((*labelled[0] - Eigen::Vector3d(0.1, -0.3, 0.2)).norm(), 1e-15);
+  EXPECT_LT((*labelled[1] - Eigen::Vector3d(0.101, -0.301, 0.201)).norm(), 1e-15);
+  EXPECT_FALSE(labelled[2]);
+  EXPECT_FALSE(labelled[3]);
+  const HandleDescription::Path& unlabelled = take.markers[1].positions;
+  EXPECT_FALSE(unlabelled[1]);
+  EXPECT_LT((*unlabelled[3] - Eigen::Vector3d(-1.001, -0.021, 1.501)).norm(), 1e-15);
+}
+
+TEST_F(MotiveFile, MayHaveZUp) {
+  const MarkerTake take = Read(kExport, UpAxis::kZ);
+  EXPECT_LT((*take.markers[0].positions[0] - Eigen::Vector3d(0.1, 0.2, 0.3)).norm(), 1e-15);
+}
+
+TEST_F(MotiveFile, UnitsAreHonoured) {
+  const MarkerTake take = BentSheetTake({{0.0, 0.0}, {0.1, 0.02}});
+  int checked = 0;
+  for (const auto& [units, metres] : {std::pair("Meters", 1.0), std::pair("Centimeters", 0.01),
+                                      std::pair("Millimeters", 0.001)}) {
+    const MarkerTake read = Read(MotiveCsv(take, units, metres));
+    ASSERT_EQ(read.num_frames(), take.num_frames());
+    EXPECT_LT((*read.markers[1].positions[7] - *take.markers[1].positions[7]).norm(), 1e-12);
+    ++checked;
+  }
+  EXPECT_EQ(checked, 3);
+  EXPECT_THAT(ErrorWith("Millimeters", "Furlongs"),
+              HasSubstr("take.csv: line 1: Length Units: expected Meters, Centimeters or "
+                        "Millimeters, found 'Furlongs'"));
+  EXPECT_THAT(ErrorWith("Length Units", "Units"), HasSubstr("'Length Units' is missing"));
+}
+
+TEST_F(MotiveFile, RefusesWrongHeaders) {
+  EXPECT_THAT(InputErrorOf([&] { Read("frame,x,y,z\n"); }),
+              HasSubstr("expected 'Format Version,...' as Motive exports it"));
+  EXPECT_THAT(InputErrorOf([&] { Read(""); }), HasSubstr("take.csv"));
+  EXPECT_THAT(InputErrorOf([] { ReadMotiveTake("gone.csv"); }), HasSubstr("gone.csv: no such"));
+  EXPECT_THAT(ErrorWith("Export Frame Rate,120.000000", "Export Frame Rate,fast"),
+              HasSubstr("Export Frame Rate: expected a number above 0, found 'fast'"));
+  EXPECT_THAT(ErrorWith("Frame,Time", "Frames,Time"), HasSubstr("expected a row 'Frame,Time"));
+  EXPECT_THAT(ErrorWith(",Name,Hand", ",Label,Hand"), HasSubstr("the row 'Name' is missing"));
+  EXPECT_THAT(ErrorWith("X,Y,Z\n10", "X,Y,W\n10"),
+              HasSubstr("line 8: marker 'Unlabeled 1020' has no column Z"));
+}
+
+TEST_F(MotiveFile, RefusesFilesWithoutMarkers) {
+  std::string text = kExport;
+  for (size_t at = 0; (at = text.find(",Marker", at)) != std::string::npos;) {
+    text.replace(at, 7, ",Bone");
+  }
+  EXPECT_THAT(InputErrorOf([&] { Read(text); }),
+              HasSubstr("expected columns of type Marker, found Bone, Rigid Body"));
+}
+
+TEST_F(MotiveFile, RefusesWrongRows) {
+  EXPECT_THAT(ErrorWith(",-1001,1501,21", ",-1001,1501"),
+              HasSubstr("take.csv: line 11: expected 15 fields, found 14"));
+  EXPECT_THAT(ErrorWith(",201,301", ",nan,301"),
+              HasSubstr("line 10: Cloth:a Y: expected a finite number or nothing, found 'nan'"));
+  EXPECT_THAT(ErrorWith(",201,301", ",,301"),
+              HasSubstr("line 10: Cloth:a: expected X, Y and Z or none of them"));
+  EXPECT_THAT(ErrorWith("\n12,", "\n10,"), HasSubstr("Frame: expected more than 10, found 10"));
+  EXPECT_THAT(ErrorWith("\n12,", "\nx,"), HasSubstr("Frame: expected an integer, found 'x'"));
+  EXPECT_THAT(ErrorWith("16,0.108333", "16,0.208333"),
+              HasSubstr("Time (Seconds): expected 0.108 after 3 frames at 120 Hz, found 0.208"));
+}
+
+}  // namespace
+}  // namespace clothfit

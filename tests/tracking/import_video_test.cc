@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Videos and cameras put into folders that hold a recording, or do not yet.
+#include "tracking/import_video.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "test_folder.h"
+#include "tracking/images.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+
+class VideoImport : public testing::Test {
+ protected:
+  // Frame i is grey with value 40 * (i + 1).
+  fs::path WriteVideo(const std::string& name, int frame_count, double rate = 25.0,
+                      int width = 64) const {
+    fs::path file = folder_.path() / name;
+    cv::VideoWriter writer(file.string(), cv::CAP_OPENCV_MJPEG,
+                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), rate, cv::Size(width, 48));
+    EXPECT_TRUE(writer.isOpened());
+    for (int i = 0; i < frame_count; ++i) {
+      writer.write(cv::Mat(48, width, CV_8UC3, cv::Scalar::all(40 * (i + 1))));
+    }
+    return file;
+  }
+
+  fs::path recording() const { return folder_.path() / "rec"; }
+
+  static Camera CameraOf(const std::string& name) {
+    Camera camera;
+    camera.name = name;
+    camera.width = 64;
+    camera.height = 48;
+    return camera;
+  }
+
+  std::string ErrorOf(const std::vector<NamedVideo>& videos,
+                      Overwrite overwrite = Overwrite::kRefuse) const {
+    return InputErrorOf([&] { ImportVideos(videos, {}, recording(), overwrite); });
+  }
+
+  static SceneStart LyingCloth() {
+    SceneStart start;
+    start.size = Eigen::Vector2d(0.5, 0.4);
+    start.ground_height = 0.0;
+    return start;
+  }
+
+  TestFolder folder_;
+};
+
+TEST_F(VideoImport, BeginsARecording) {
+  const fs::path left = WriteVideo("GX01.avi", 5);
+  const fs::path right = WriteVideo("GX02.avi", 4);
+  WriteCameras({CameraOf("left"), CameraOf("right")}, recording(), Overwrite::kRefuse);
+  const ImportedVideos imported = ImportVideos({{"left", left}, {"right", right}}, LyingCloth(),
+                                               recording(), Overwrite::kRefuse);
+  EXPECT_EQ(imported.frame_count, 5);
+  EXPECT_EQ(imported.frame_rate, 25.0);
+  EXPECT_TRUE(fs::exists(left));
+  const Recording read = ReadRecording(recording());
+  EXPECT_EQ(read.name, "rec");
+  EXPECT_EQ(read.frame_count, 5);
+  EXPECT_EQ(read.frame_rate, 25.0);
+  EXPECT_EQ(read.cloth.size, Eigen::Vector2d(0.5, 0.4));
+  EXPECT_EQ(read.ground_height, 0.0);
+  EXPECT_NEAR(LoadImage(read, 0, 3).at<cv::Vec3b>(5, 5)[0], 160, 4);  // JPEG is lossy
+  EXPECT_TRUE(LoadImage(read, 1, 4).empty());
+  EXPECT_EQ(ReadTextFile(recording() / "videos" / "left.avi"), ReadTextFile(left));
+}
+
+TEST_F(VideoImport, SaysWhatARecordingStillNeeds) {
+  EXPECT_EQ(JoinNames(MissingOptions({})), "--size, --frames, --rate, --ground or --origin");
+  SceneStart start = LyingCloth();
+  EXPECT_EQ(JoinNames(MissingOptions(start)), "--frames, --rate");
+  ImportVideos({{"left", WriteVideo("a.avi", 3)}}, {}, recording(), Overwrite::kRefuse);
+  EXPECT_TRUE(fs::exists(recording() / "videos" / "left.avi"));
+  EXPECT_FALSE(fs::exists(recording() / "recording.yaml"));
+}
+
+TEST_F(VideoImport, ChecksARecordingThatIsThere) {
+  const fs::path file = WriteVideo("a.avi", 5);
+  const auto with_scene = [&](const std::string& rate, const std::string& count) {
+    folder_.Write("rec/recording.yaml",
+                  "frame_rate: " + rate + "   # Hz\nframe_count: " + count + "\nname: x\n");
+  };
+  with_scene("25", "9");
+  ImportVideos({{"left", file}}, {}, recording(), Overwrite::kRefuse);  // a video may end earlier
+  fs::remove_all(recording() / "videos");
+  with_scene("30", "9");
+  EXPECT_THAT(ErrorOf({{"left", file}}),
+              HasSubstr("recording.yaml: frame_rate: 30, but the videos have 5 frames at 25 Hz"));
+  with_scene("25", "4");
+  EXPECT_THAT(ErrorOf({{"left", file}}),
+              HasSubstr("recording.yaml: frame_count: 4, but the videos have 5 frames at 25 Hz; "
+                        "--force sets it"));
+  EXPECT_FALSE(fs::exists(recording() / "videos"));
+  with_scene("30", "4");
+  ImportVideos({{"left", file}}, {}, recording(), Overwrite::kAllow);
+  EXPECT_EQ(ReadTextFile(recording() / "recording.yaml"),
+            "frame_rate: 25 # Hz\nframe_count: 5\nname: x\n");
+}
+
+TEST_F(VideoImport, OverwritesNothingUnlessAllowed) {
+  const fs::path first = WriteVideo("a.avi", 3);
+  const fs::path second = WriteVideo("b.avi", 4);
+  folder_.Write("rec/videos/left.mp4", "of before");
+  EXPECT_THAT(ErrorOf({{"left", first}}), HasSubstr("left.mp4: exists already; --force replaces"));
+  ImportVideos({{"left", first}}, {}, recording(), Overwrite::kAllow);
+  EXPECT_FALSE(fs::exists(recording() / "videos" / "left.mp4"));  // a camera has one video
+  ImportVideos({{"left", second}}, {}, recording(), Overwrite::kAllow);
+  EXPECT_EQ(InspectVideo(recording() / "videos" / "left.avi").frame_count, 4);
+  // A video that is in its place already stays there.
+  ImportVideos({{"left", recording() / "videos" / "left.avi"}}, {}, recording(), Overwrite::kAllow);
+  EXPECT_EQ(InspectVideo(recording() / "videos" / "left.avi").frame_count, 4);
+}
+
+TEST_F(VideoImport, RefusesWrongVideos) {
+  const fs::path file = WriteVideo("a.avi", 3);
+  EXPECT_THAT(ErrorOf({{"left", folder_.path() / "gone.avi"}}),
+              HasSubstr("gone.avi: no such file"));
+  EXPECT_THAT(ErrorOf({{"left", folder_.Write("no.avi", "none")}}),
+              HasSubstr("no.avi: cannot be read as a video"));
+  EXPECT_THAT(ErrorOf({{"a/b", file}}), HasSubstr("'a/b' cannot name a camera"));
+  EXPECT_THAT(ErrorOf({{"left", file}, {"left", file}}), HasSubstr("'left' has two videos"));
+  EXPECT_THAT(ErrorOf({{"left", file}, {"right", WriteVideo("c.avi", 3, 30.0)}}),
+              HasSubstr("c.avi: expected 25 Hz as in"));
+  WriteCameras({CameraOf("left"), CameraOf("right")}, recording(), Overwrite::kRefuse);
+  EXPECT_THAT(ErrorOf({{"lefd", file}}),
+              HasSubstr("'lefd' is no camera of cameras.yaml; did you mean 'left'?"));
+  EXPECT_THAT(ErrorOf({{"left", WriteVideo("d.avi", 3, 25.0, 32)}}),
+              HasSubstr("d.avi: expected 64 x 48 px as in cameras.yaml, found 32 x 48"));
+  EXPECT_FALSE(fs::exists(recording() / "videos"));
+}
+
+TEST_F(VideoImport, WritesCamerasThatFitTheFolder) {
+  folder_.Write("rec/masks/left/000003.png", "");
+  folder_.Write("rec/markers.csv", "frame,id,u,v,x,y,z\n0,0,0,0,0,0,0\n");
+  EXPECT_THAT(
+      InputErrorOf([&] { WriteCameras({CameraOf("lfet")}, recording(), Overwrite::kRefuse); }),
+      HasSubstr("'left' is no camera of cameras.yaml; did you mean 'lfet'?"));
+  EXPECT_FALSE(fs::exists(recording() / "cameras.yaml"));
+  WriteCameras({CameraOf("left")}, recording(), Overwrite::kRefuse);
+  EXPECT_THAT(
+      InputErrorOf([&] { WriteCameras({CameraOf("left")}, recording(), Overwrite::kRefuse); }),
+      HasSubstr("cameras.yaml: exists already; --force replaces it"));
+  SceneStart start = LyingCloth();
+  start.frame_rate = 30.0;
+  start.frame_count = 10;
+  WriteStart(start, recording(), Overwrite::kRefuse);
+  const Recording read = ReadRecording(recording());
+  EXPECT_EQ(read.markers.size(), 1u);  // what lay there before stays
+  EXPECT_EQ(read.cameras.size(), 1u);
+  EXPECT_THAT(InputErrorOf([&] { WriteStart(start, recording(), Overwrite::kRefuse); }),
+              HasSubstr("recording.yaml: exists already"));
+}
+
+}  // namespace
+}  // namespace clothfit

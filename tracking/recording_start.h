@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The beginning of a recording: files that are put into a folder one by one, whether a recording is
+// there already or is to become one.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tracking/recording.h"
+
+namespace clothfit {
+
+// What recording.yaml has to say. Cameras and videos know only some of it.
+struct SceneStart {
+  std::optional<Eigen::Vector2d> size;  // m, of the cloth
+  std::optional<int> frame_count;
+  std::optional<double> frame_rate;       // Hz
+  std::optional<double> ground_height;    // m; the cloth lies on it unless an origin is given
+  std::optional<Eigen::Vector3d> origin;  // m, world, of the flat cloth at frame 0
+  Eigen::Vector3d u_axis = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d v_axis = Eigen::Vector3d::UnitY();
+};
+
+// The options of the command that still have to be given: "--size", for example.
+std::vector<std::string> MissingOptions(const SceneStart& start);
+
+// "take" for "runs/take" and "runs/take/".
+std::string NameOfFolder(const std::filesystem::path& folder);
+
+// Throws InputError where the file exists, unless it may be replaced.
+void CheckMayWrite(const std::filesystem::path& file, Overwrite overwrite);
+
+// Writes recording.yaml and nothing else. Everything has to be there, and right, in `start`; throws
+// InputError otherwise.
+void WriteStart(const SceneStart& start, const std::filesystem::path& folder, Overwrite overwrite);
+
+// Writes cameras.yaml. Throws InputError where a camera is wrong, or where the pictures or tracks
+// that lie in the folder are of another one.
+void WriteCameras(const std::vector<Camera>& cameras, const std::filesystem::path& folder,
+                  Overwrite overwrite);
+
+}  // namespace clothfit

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The recording made of a take of optical motion capture.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tracking/marker_take.h"
+#include "tracking/recording.h"
+
+namespace clothfit {
+
+struct TakeOptions {
+  std::vector<std::string> handles;           // markers that something holds: MARKER or NAME=MARKER
+  std::vector<std::string> ignored;           // markers to leave out
+  std::optional<LayoutByName> layout;         // empty: found from the distances
+  std::filesystem::path layout_file;          // where the layout stands, for messages
+  std::optional<Eigen::Vector2d> size;        // m; empty: what the markers span, and the margin
+  std::optional<double> margin;               // m of cloth beyond the outermost markers
+  std::optional<Eigen::Vector2i> resolution;  // particles; empty: 21 along the longer side
+  std::optional<double> areal_density;        // kg/m^2
+  std::optional<double> ground_height;        // m
+  std::optional<double> marker_sigma;         // m; empty: from the jitter
+  double held_out_share = 0.0;                // of the frames, at the end
+  double least_seen = 0.2;   // a marker seen in a smaller share of them is left out
+  bool snap_to_grid = true;  // where a grid explains the layout that was found
+};
+
+struct ImportedTake {
+  Recording recording;
+  std::vector<std::string> marker_names;  // of the markers and handles, as in the file
+  std::vector<Eigen::Vector2d> uv;        // m, theirs
+  std::vector<std::string> notes;         // what was found and decided, one sentence each
+};
+
+// The recording begins at the first frame that has every marker, which is also where its cloth is
+// placed. Throws InputError where a name is unknown, there are fewer than four markers, no frame
+// has all of them, or they do not fit on the cloth.
+ImportedTake MakeTakeRecording(MarkerTake take, const TakeOptions& options);
+
+}  // namespace clothfit
