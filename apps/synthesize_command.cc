@@ -10,6 +10,7 @@
 
 #include "apps/commands.h"
 #include "autodiff_sim/error.h"
+#include "tracking/synthetic_presets.h"
 #include "tracking/synthetic_recording.h"
 #include "tracking/text.h"
 
@@ -17,7 +18,7 @@ namespace clothfit {
 namespace {
 
 struct SynthesizeOptions {
-  std::string output;
+  std::string output, preset;
   std::string scenario = ToString(SyntheticScenario::kTwoCornerSwing);
   std::vector<double> size;
   std::vector<int> resolution, markers;
@@ -42,7 +43,15 @@ SyntheticOptions OptionsOf(const SynthesizeOptions& options) {
     made.name =
         std::filesystem::path(options.output).lexically_normal().parent_path().filename().string();
   }
-  made.scenario = ParseSyntheticScenario("--scenario", options.scenario);
+  if (!options.preset.empty()) {
+    const std::string name = made.name;
+    made = PresetOptions("--preset", options.preset);
+    made.name = name;
+    made.frame_count = std::min(made.frame_count, options.made.frame_count);
+    made.truth_points = {61, 61};
+  } else {
+    made.scenario = ParseSyntheticScenario("--scenario", options.scenario);
+  }
   if (!options.size.empty()) made.size = {options.size[0], options.size[1]};
   if (!options.resolution.empty()) made.resolution = {options.resolution[0], options.resolution[1]};
   if (!options.markers.empty()) made.markers = {options.markers[0], options.markers[1]};
@@ -60,8 +69,10 @@ int RunSynthesizeCommand(const SynthesizeOptions& options) {
   if (std::filesystem::exists(folder / "recording.yaml") && !options.force) {
     throw InputError(options.output, "already holds a recording; --force replaces it");
   }
-  const SyntheticRecording synthetic = MakeSyntheticRecording(made);
-  WriteSyntheticRecording(synthetic, folder, Overwrite::kAllow);
+  const SyntheticRecording synthetic =
+      Synthesize(made, folder, Overwrite::kAllow, [](double share, const std::string& stage) {
+        std::fprintf(stderr, "\r%3.0f %% %s   ", 100.0 * share, stage.c_str());
+      });
   fmt::print("{}: {} frames, {} markers, {} tracks\n", options.output, made.frame_count,
              synthetic.recording.markers.size(), synthetic.recording.tracks.size());
   return kExitSuccess;
@@ -69,6 +80,7 @@ int RunSynthesizeCommand(const SynthesizeOptions& options) {
 
 void AddSceneOptions(CLI::App* command, SynthesizeOptions* options) {
   SyntheticOptions& made = options->made;
+  command->add_option("--preset", options->preset, "");
   command->add_option("--scenario", options->scenario, JoinNames(SyntheticScenarioNames()))
       ->type_name("NAME");
   command->add_option("--size", options->size, "m along u and v")->type_name("U V")->expected(2);

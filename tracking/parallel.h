@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pieces of work that do not depend on one another, done by several threads.
+#pragma once
+
+#include <functional>
+
+namespace clothfit {
+
+// `asked`, or as many as the machine runs at once where that is 0.
+int NumThreads(int asked);
+
+// Calls work(piece, worker) for each piece from 0 to count - 1, in any order; worker is 0 to
+// num_threads - 1 and does one piece at a time. Throws what the first failing piece threw, after
+// the others have stopped.
+void ParallelFor(int count, int num_threads,
+                 const std::function<void(int piece, int worker)>& work);
+
+}  // namespace clothfit
