@@ -89,7 +89,7 @@ Vector3f RandomColour(UniformNumbers* numbers) {
 // Leaves of one octave of sizes (diameter, m) that cover about `coverage` of the cloth.
 void AddLeaves(const Vector2d& size, double diameter, double coverage, UniformNumbers* numbers,
                std::vector<Leaf>* leaves) {
-  const double mean_area = 0.4 * diameter * diameter;
+  const double mean_area = 0.7 * diameter * diameter;
   const int count = static_cast<int>(std::ceil(coverage * size.prod() / mean_area));
   for (int i = 0; i < count; ++i) {
     Leaf leaf;

@@ -11,6 +11,8 @@
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 
+#include "tracking/parallel.h"
+
 namespace clothfit {
 namespace {
 
@@ -19,6 +21,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr double kShadowMargin = 0.003;  // m, within which a surface does not shade itself
+constexpr double kLeastSlant = 0.05;     // cosine; a surface seen edge-on is averaged no further
 
 cv::Vec3f ToPixel(const Vector3f& colour) { return {colour[0], colour[1], colour[2]}; }
 Vector3f FromPixel(const cv::Vec3f& colour) { return {colour[0], colour[1], colour[2]}; }
@@ -55,24 +58,20 @@ class PixelBounds {
 }  // namespace
 
 Renderer::Renderer(const Camera& camera, const Room& room, const ClothLook& cloth,
-                   const PlaneTexture& floor, int samples)
+                   const PlaneTexture& floor, int samples, int num_threads)
     : camera_(camera),
       centre_(CameraCentre(camera)),
       room_(room),
       cloth_(cloth),
       floor_(floor),
-      samples_(samples) {
-  directions_.reserve(static_cast<std::size_t>(samples) * samples * camera.width * camera.height);
-  for (int y = 0; y < camera.height; ++y) {
-    for (int x = 0; x < camera.width; ++x) {
-      for (int s = 0; s < samples * samples; ++s) {
-        const Vector2d in_pixel((s % samples + 0.5) / samples - 0.5,
-                                (s / samples + 0.5) / samples - 0.5);
-        directions_.push_back(Direction(Vector2d(x, y) + in_pixel));
-      }
-    }
-  }
-  RenderEmpty();
+      samples_(samples),
+      directions_(static_cast<std::size_t>(samples) * samples * camera.width * camera.height),
+      lit_(camera.height, camera.width, CV_32FC3),
+      dark_(camera.height, camera.width, CV_32FC3) {
+  ParallelFor(camera.height, num_threads, [this](int y, int) {
+    FindDirections(y);
+    RenderEmpty(y);
+  });
 }
 
 // Where a strong lens shows nothing that is, the picture shows what the pinhole would.
@@ -83,34 +82,46 @@ Vector3d Renderer::Direction(const Vector2d& pixel) const {
   return *PixelDirection(pinhole, pixel);
 }
 
-void Renderer::RenderEmpty() {
-  lit_.create(camera_.height, camera_.width, CV_32FC3);
-  dark_.create(camera_.height, camera_.width, CV_32FC3);
-  const int count = samples_ * samples_;
-  for (int y = 0; y < camera_.height; ++y) {
-    for (int x = 0; x < camera_.width; ++x) {
-      Vector3f lit = Vector3f::Zero(), dark = Vector3f::Zero();
-      for (int s = 0; s < count; ++s) {
-        const Vector3d& direction =
-            directions_[static_cast<std::size_t>((y * camera_.width + x) * count + s)];
-        const RoomPoint point = HitRoom(room_, centre_, direction);
-        const double slant = std::max(0.05, -point.normal.dot(direction));
-        const double footprint = point.distance / (camera_.fx * samples_ * std::sqrt(slant));
-        const Vector3f colour = RoomColour(room_, floor_, point, footprint);
-        lit += static_cast<float>(Irradiance(room_, point.position, point.normal, true)) * colour;
-        dark += static_cast<float>(Irradiance(room_, point.position, point.normal, false)) * colour;
-      }
-      lit_.at<cv::Vec3f>(y, x) = ToPixel(lit / static_cast<float>(count));
-      dark_.at<cv::Vec3f>(y, x) = ToPixel(dark / static_cast<float>(count));
+std::size_t Renderer::SampleIndex(int x, int y, int sample) const {
+  return static_cast<std::size_t>((y * camera_.width + x) * samples_ * samples_ + sample);
+}
+
+void Renderer::FindDirections(int y) {
+  for (int x = 0; x < camera_.width; ++x) {
+    for (int s = 0; s < samples_ * samples_; ++s) {
+      const Vector2d in_pixel((s % samples_ + 0.5) / samples_ - 0.5,
+                              (s / samples_ + 0.5) / samples_ - 0.5);
+      directions_[SampleIndex(x, y, s)] = Direction(Vector2d(x, y) + in_pixel);
     }
   }
 }
 
+void Renderer::RenderEmpty(int y) {
+  const int count = samples_ * samples_;
+  for (int x = 0; x < camera_.width; ++x) {
+    Vector3f lit = Vector3f::Zero(), dark = Vector3f::Zero();
+    for (int s = 0; s < count; ++s) {
+      const Vector3d& direction = directions_[SampleIndex(x, y, s)];
+      const RoomPoint point = HitRoom(room_, centre_, direction);
+      const double slant = std::max(kLeastSlant, -point.normal.dot(direction));
+      const Vector3f colour =
+          RoomColour(room_, floor_, point, Footprint(point.distance, slant));
+      lit += static_cast<float>(Irradiance(room_, point.position, point.normal, true)) * colour;
+      dark += static_cast<float>(Irradiance(room_, point.position, point.normal, false)) * colour;
+    }
+    lit_.at<cv::Vec3f>(y, x) = ToPixel(lit / static_cast<float>(count));
+    dark_.at<cv::Vec3f>(y, x) = ToPixel(dark / static_cast<float>(count));
+  }
+}
+
+double Renderer::Footprint(double distance, double slant) const {
+  return distance / (camera_.fx * samples_ * std::sqrt(slant));
+}
+
 Vector3f Renderer::ShadeCloth(const ClothSurface& cloth, const SeenPoint& seen) const {
   const Vector3d to_eye = (centre_ - seen.position).normalized();
-  const double slant = std::max(0.05, seen.facet.dot(to_eye));
-  const double footprint = seen.distance / (camera_.fx * samples_ * std::sqrt(slant));
-  const Vector3f colour = cloth_.texture.At(seen.uv, footprint);
+  const double slant = std::max(kLeastSlant, seen.facet.dot(to_eye));
+  const Vector3f colour = cloth_.texture.At(seen.uv, Footprint(seen.distance, slant));
   const Vector3d to_lamp = (room_.lamp - seen.position).normalized();
   const double cosine = seen.normal.dot(to_lamp);
   const bool is_lit = cosine > 0.0 && seen.facet.dot(to_lamp) > 0.0 &&

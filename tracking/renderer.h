@@ -30,10 +30,11 @@ struct ClothLook {
 // run at the same time, each with a surface of its own.
 class Renderer {
  public:
-  // Each pixel is the mean of samples x samples rays. The room, the look and the floor's texture
+  // Each pixel is the mean of samples x samples rays. The empty room is rendered at once, by
+  // num_threads. The room, the look and the floor's texture
   // must outlive it.
   Renderer(const Camera& camera, const Room& room, const ClothLook& cloth,
-           const PlaneTexture& floor, int samples);
+           const PlaneTexture& floor, int samples, int num_threads = 1);
 
   // CV_32FC3, blue, green, red; see Room about the unit. The room without the cloth.
   const cv::Mat& empty() const { return lit_; }
@@ -43,10 +44,12 @@ class Renderer {
   cv::Mat Mask(const ClothSurface& cloth) const;
 
  private:
-  struct Region;  // pixels to look at
-
+  // m, the width of what a sample sees of a surface, whose cosine to the ray is `slant`.
+  double Footprint(double distance, double slant) const;
+  std::size_t SampleIndex(int x, int y, int sample) const;
   Eigen::Vector3d Direction(const Eigen::Vector2d& pixel) const;
-  void RenderEmpty();
+  void FindDirections(int y);
+  void RenderEmpty(int y);
   Eigen::Vector3f ShadeCloth(const ClothSurface& cloth, const SeenPoint& seen) const;
   bool IsInShadow(const ClothSurface& cloth, const Eigen::Vector3d& direction) const;
   Eigen::Vector3f Sample(const ClothSurface& cloth, int x, int y, int sample,

@@ -14,21 +14,46 @@ namespace {
 
 constexpr double kWhite = 255.0;  // grey levels
 
+// The grey level of an amount of light, 1 for the full scale; interpolated in a table, to 0.01 of a
+// level where there is any light to speak of.
+class GreyLevels {
+ public:
+  explicit GreyLevels(double gamma) {
+    for (int i = 0; i <= kLast; ++i)
+      table_.push_back(kWhite * std::pow(Root(i) * Root(i), 1.0 / gamma));
+  }
+  double operator()(double light) const {
+    const double place = kPerOne * std::sqrt(std::clamp(light, 0.0, kMost));
+    const int before = std::min(static_cast<int>(place), kLast - 1);
+    const double rest = place - before;
+    return (1.0 - rest) * table_[static_cast<std::size_t>(before)] +
+           rest * table_[static_cast<std::size_t>(before) + 1];
+  }
+
+ private:
+  // By the root of the light, as the levels grow steeply in the dark.
+  static constexpr double kMost = 4.0;
+  static constexpr int kPerOne = 512, kLast = 2 * kPerOne;
+  static double Root(int i) { return static_cast<double>(i) / kPerOne; }
+
+  std::vector<double> table_;
+};
+
 }  // namespace
 
 cv::Mat Expose(const cv::Mat& brightness, const Sensor& sensor, double gain, std::uint64_t seed,
                std::uint64_t stream) {
   NormalNumbers numbers(seed, stream);
+  const GreyLevels levels(sensor.gamma);
   cv::Mat picture(brightness.size(), CV_8UC3);
   for (int y = 0; y < picture.rows; ++y) {
     for (int x = 0; x < picture.cols; ++x) {
       const cv::Vec3f& in = brightness.at<cv::Vec3f>(y, x);
       cv::Vec3b& out = picture.at<cv::Vec3b>(y, x);
       for (int k = 0; k < 3; ++k) {
-        const double light = sensor.exposure * gain * std::max(0.0, static_cast<double>(in[k]));
-        const double level = kWhite * std::pow(light, 1.0 / sensor.gamma);
-        const double variance =
-            sensor.noise * sensor.noise + sensor.shot_noise * sensor.shot_noise * level / kWhite;
+        const double level = levels(sensor.exposure * gain * static_cast<double>(in[k]));
+        const double variance = sensor.noise * sensor.noise +
+                                sensor.shot_noise * sensor.shot_noise * level / kWhite;
         out[k] = cv::saturate_cast<uchar>(level + std::sqrt(variance) * numbers.Next());
       }
     }
@@ -36,18 +61,11 @@ cv::Mat Expose(const cv::Mat& brightness, const Sensor& sensor, double gain, std
   return picture;
 }
 
-cv::Mat ExposeMean(const cv::Mat& brightness, const Sensor& sensor, int count, std::uint64_t seed,
-                   std::uint64_t stream) {
-  cv::Mat sum = cv::Mat::zeros(brightness.size(), CV_32FC3);
-  for (int i = 0; i < count; ++i) {
-    cv::Mat one;
-    Expose(brightness, sensor, 1.0, seed, stream + static_cast<std::uint64_t>(i))
-        .convertTo(one, CV_32FC3);
-    sum += one;
-  }
-  cv::Mat mean;
-  sum.convertTo(mean, CV_8UC3, 1.0 / count);
-  return mean;
+Sensor Averaged(const Sensor& sensor, int count) {
+  Sensor averaged = sensor;
+  averaged.noise /= std::sqrt(count);
+  averaged.shot_noise /= std::sqrt(count);
+  return averaged;
 }
 
 double LightGain(double time, double amount) {

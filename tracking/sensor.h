@@ -24,9 +24,8 @@ struct Sensor {
 cv::Mat Expose(const cv::Mat& brightness, const Sensor& sensor, double gain, std::uint64_t seed,
                std::uint64_t stream);
 
-// The mean of `count` such pictures, rounded once.
-cv::Mat ExposeMean(const cv::Mat& brightness, const Sensor& sensor, int count, std::uint64_t seed,
-                   std::uint64_t stream);
+// A sensor whose pictures are the mean of `count` of this one's.
+Sensor Averaged(const Sensor& sensor, int count);
 
 // Gain of the light at a time (s): 1 at the time 0, afterwards slowly within about 1 +- amount.
 double LightGain(double time, double amount);

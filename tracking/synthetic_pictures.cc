@@ -54,12 +54,13 @@ Sensor SensorOf(const PictureOptions& options) {
   return sensor;
 }
 
-// One stream of noise a picture; the first ones are of the background.
-constexpr int kBackgroundPictures = 16;
+constexpr int kBackgroundPictures = 16;  // that a background is the mean of
+
+// One stream of noise a picture; frame -1 is the background.
 std::uint64_t Stream(const Studio& studio, int camera, int frame) {
-  const int pictures = studio.recording.frame_count + kBackgroundPictures;
+  const int pictures = studio.recording.frame_count + 1;
   return 1000 + static_cast<std::uint64_t>(camera) * static_cast<std::uint64_t>(pictures) +
-         static_cast<std::uint64_t>(frame + kBackgroundPictures);
+         static_cast<std::uint64_t>(frame + 1);
 }
 
 // What reaches the camera at a frame: the mean over the exposure, whose middle is the frame's time.
@@ -89,11 +90,11 @@ void WriteCamera(const Studio& studio, int camera, const fs::path& folder,
                  const std::function<void()>& count_picture) {
   const PictureOptions& options = studio.options;
   const Camera& one = studio.recording.cameras[static_cast<std::size_t>(camera)];
-  const Renderer renderer(one, studio.room, studio.cloth, studio.floor, options.samples);
-  WritePicture(ExposeMean(renderer.empty(), studio.sensor, kBackgroundPictures, studio.seed,
-                          Stream(studio, camera, -kBackgroundPictures)),
-               folder / "background" / (one.name + ".png"));
   const int num_threads = NumThreads(options.threads);
+  const Renderer renderer(one, studio.room, studio.cloth, studio.floor, options.samples,
+                          num_threads);
+  const Sensor calm = Averaged(studio.sensor, kBackgroundPictures);
+  WritePicture(Expose(renderer.empty(), calm, 1.0, studio.seed, Stream(studio, camera, -1)), folder / "background" / (one.name + ".png"));
   std::vector<ClothSurface> cloths;
   for (int i = 0; i < num_threads; ++i) cloths.emplace_back(studio.surface.mesh);
   FrameWriter writer(folder, one, studio.recording.frame_rate, options.video);
