@@ -23,8 +23,7 @@ void MakeFolder(const fs::path& folder) {
 int FourCc(const std::string& container) {
   if (container == "mp4") return cv::VideoWriter::fourcc('m', 'p', '4', 'v');
   if (container == "avi") return cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
-  if (container == "mkv") return cv::VideoWriter::fourcc('F', 'F', 'V', '1');
-  throw InputError("video", "'" + container + "': expected mp4, mkv or avi");
+  return cv::VideoWriter::fourcc('F', 'F', 'V', '1');
 }
 
 }  // namespace
@@ -38,6 +37,11 @@ void WritePicture(const cv::Mat& picture, const fs::path& file) {
     is_written = false;
   }
   if (!is_written) throw InputError(file.string(), "cannot be written");
+}
+
+const std::vector<std::string>& VideoContainers() {
+  static const std::vector<std::string> containers = {"mkv", "mp4", "avi"};
+  return containers;
 }
 
 fs::path FrameFile(const fs::path& folder, const Camera& camera, int frame) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <opencv2/core/mat.hpp>
 
@@ -29,11 +30,13 @@ std::filesystem::path FrameFile(const std::filesystem::path& folder, const Camer
 // truth/masks/, so that none is taken for one of this. Other files stay.
 void RemovePictures(const std::filesystem::path& recording_folder);
 
+// mp4 (MPEG-4, loses a little), avi (Motion JPEG, likewise), mkv (FFV1, loses nothing).
+const std::vector<std::string>& VideoContainers();
+
 // The frames of one camera, as images/CAMERA/%06d.png or videos/CAMERA.container.
 class FrameWriter {
  public:
-  // `video`: empty for PNG, else the container: mp4 (MPEG-4, loses a little), avi (Motion JPEG,
-  // likewise), mkv (FFV1, loses nothing). Throws InputError where it cannot be written.
+  // `video`: empty for PNG, else the container. Throws InputError where it cannot be written.
   FrameWriter(const std::filesystem::path& recording_folder, const Camera& camera,
               double frame_rate, const std::string& video);
   ~FrameWriter();

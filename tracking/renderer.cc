@@ -104,8 +104,7 @@ void Renderer::RenderEmpty(int y) {
       const Vector3d& direction = directions_[SampleIndex(x, y, s)];
       const RoomPoint point = HitRoom(room_, centre_, direction);
       const double slant = std::max(kLeastSlant, -point.normal.dot(direction));
-      const Vector3f colour =
-          RoomColour(room_, floor_, point, Footprint(point.distance, slant));
+      const Vector3f colour = RoomColour(room_, floor_, point, Footprint(point.distance, slant));
       lit += static_cast<float>(Irradiance(room_, point.position, point.normal, true)) * colour;
       dark += static_cast<float>(Irradiance(room_, point.position, point.normal, false)) * colour;
     }

@@ -52,8 +52,8 @@ cv::Mat Expose(const cv::Mat& brightness, const Sensor& sensor, double gain, std
       cv::Vec3b& out = picture.at<cv::Vec3b>(y, x);
       for (int k = 0; k < 3; ++k) {
         const double level = levels(sensor.exposure * gain * static_cast<double>(in[k]));
-        const double variance = sensor.noise * sensor.noise +
-                                sensor.shot_noise * sensor.shot_noise * level / kWhite;
+        const double variance =
+            sensor.noise * sensor.noise + sensor.shot_noise * sensor.shot_noise * level / kWhite;
         out[k] = cv::saturate_cast<uchar>(level + std::sqrt(variance) * numbers.Next());
       }
     }

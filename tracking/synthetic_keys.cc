@@ -154,8 +154,8 @@ SyntheticKey ParametersKey() {
 }
 
 SyntheticKey HiddenHandlesKey() {
-  SyntheticKey key = BareKey("hide_handle", "NAME",
-                             "do not tell the path of this handle; may be repeated");
+  SyntheticKey key =
+      BareKey("hide_handle", "NAME", "do not tell the path of this handle; may be repeated");
   key.kind = Kind::kList;
   key.set = [](const Words& words, SyntheticOptions* options) {
     options->hidden_handles = words;
@@ -197,9 +197,9 @@ using Options = SyntheticOptions;
 
 std::vector<SyntheticKey> SceneKeys() {
   return {
-      NameKey<SyntheticScenario>(
-          "scenario", SyntheticScenarioNames(), "what happens", ParseSyntheticScenario,
-          [](Options& o) -> SyntheticScenario& { return o.scenario; }),
+      NameKey<SyntheticScenario>("scenario", SyntheticScenarioNames(), "what happens",
+                                 ParseSyntheticScenario,
+                                 [](Options& o) -> SyntheticScenario& { return o.scenario; }),
       VectorKey<Eigen::Vector2d>("size", "U V", "m along u and v", 2,
                                  [](Options& o) -> Eigen::Vector2d& { return o.size; }),
       VectorKey<Eigen::Vector2i>("resolution", "NU NV", "particles along u and v", 2,

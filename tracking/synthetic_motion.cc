@@ -76,8 +76,8 @@ SyntheticMotion CornerLift(const Vector2d& size, double duration) {
     const Vector2d along = size / length, aside(-along.y(), along.x());
     const Vector2d across =
         length *
-        ((0.25 * SmoothStep((s - 0.1) / 0.45) + 0.03 * swing * std::sin(0.55 * t)) * along +
-         0.07 * swing * std::sin(0.8 * t) * aside);
+        ((0.23 * SmoothStep((s - 0.1) / 0.45) + 0.03 * swing * std::sin(0.55 * t)) * along +
+         0.05 * swing * std::sin(0.8 * t) * aside);
     const double height = length * (0.45 * SmoothStep(s / 0.5) + 0.02 * swing * std::sin(1.1 * t));
     return Vector3d(across.x(), across.y(), kLying + height);
   };

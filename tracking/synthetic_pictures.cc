@@ -9,10 +9,12 @@
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 
+#include "autodiff_sim/error.h"
 #include "tracking/cloth_surface.h"
 #include "tracking/parallel.h"
 #include "tracking/picture_writer.h"
 #include "tracking/renderer.h"
+#include "tracking/text.h"
 
 namespace clothfit {
 namespace {
@@ -94,7 +96,8 @@ void WriteCamera(const Studio& studio, int camera, const fs::path& folder,
   const Renderer renderer(one, studio.room, studio.cloth, studio.floor, options.samples,
                           num_threads);
   const Sensor calm = Averaged(studio.sensor, kBackgroundPictures);
-  WritePicture(Expose(renderer.empty(), calm, 1.0, studio.seed, Stream(studio, camera, -1)), folder / "background" / (one.name + ".png"));
+  WritePicture(Expose(renderer.empty(), calm, 1.0, studio.seed, Stream(studio, camera, -1)),
+               folder / "background" / (one.name + ".png"));
   std::vector<ClothSurface> cloths;
   for (int i = 0; i < num_threads; ++i) cloths.emplace_back(studio.surface.mesh);
   FrameWriter writer(folder, one, studio.recording.frame_rate, options.video);
@@ -120,6 +123,27 @@ void WriteCamera(const Studio& studio, int camera, const fs::path& folder,
 }
 
 }  // namespace
+
+void PictureOptions::Check(const std::string& place) const {
+  const auto expect = [&place](bool right, const std::string& option, const std::string& expected) {
+    if (!right) throw InputError(place + ": " + option, "expected " + expected);
+  };
+  const auto within = [](double value, double most) { return value >= 0.0 && value <= most; };
+  expect(size.minCoeff() >= 16 && size.maxCoeff() <= 8192, "picture size",
+         fmt::format("16 to 8192 px, found {} x {}", size.x(), size.y()));
+  expect(within(specular, 10.0), "specular", "a share from 0 to 10");
+  expect(samples >= 1 && samples <= 16, "samples", "1 to 16 along x and y");
+  expect(within(noise, 255.0), "sensor noise", "0 to 255 grey levels");
+  expect(within(shot_noise, 255.0), "shot noise", "0 to 255 grey levels");
+  expect(within(light_drift, 0.9), "light drift", "a share from 0 to 0.9");
+  expect(within(exposure, 1.0), "exposure", "0 to 1 s");
+  expect(exposure_samples >= 1 && exposure_samples <= 1000, "exposure samples", "1 to 1000");
+  expect(threads >= 0 && threads <= 1024, "threads", "0 to 1024");
+  const std::vector<std::string>& containers = VideoContainers();
+  if (video.empty() || std::find(containers.begin(), containers.end(), video) != containers.end())
+    return;
+  throw InputError(place + ": video", "'" + video + "': " + Suggestion(video, containers));
+}
 
 Eigen::VectorXd SyntheticSurface::At(double time) const {
   const double place = std::clamp(time / interval, 0.0, static_cast<double>(positions.size() - 1));

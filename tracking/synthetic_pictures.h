@@ -43,6 +43,9 @@ struct PictureOptions {
   int exposure_samples = 5;   // moments that one exposure is the mean of
   std::string video;          // empty: PNG; else the container: mp4, mkv or avi
   int threads = 0;            // 0: as many as the machine runs; the pictures do not depend on it
+
+  // Throws InputError, naming `place` and the option, where a value is of no use.
+  void Check(const std::string& place) const;
 };
 
 // Called with the share that is done, 0 to 1, and what is being done; never from two threads at a

@@ -13,6 +13,7 @@
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "tracking/picture_writer.h"
+#include "tracking/synthetic_keys.h"
 #include "tracking/synthetic_observations.h"
 #include "tracking/text.h"
 
@@ -202,6 +203,9 @@ void SyntheticOptions::Check(const std::string& place) const {
          "sigmas of 0 or more");
   Expect(truth_points.minCoeff() >= 2, place + ": truth points", "2 or more along u and v");
   CheckHiddenHandles(*this, place + ": hidden handles");
+  if (!images) return;
+  Expect(num_cameras >= 1, place + ": cameras", "1 or more, where there are images");
+  pictures.Check(place);
 }
 
 SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options,
@@ -234,6 +238,12 @@ void WriteSyntheticRecording(const SyntheticRecording& synthetic,
 
 SyntheticRecording Synthesize(const SyntheticOptions& options, const std::filesystem::path& folder,
                               Overwrite overwrite, const SyntheticProgress& progress) {
+  options.Check("synthetic recording");
+  // What cannot be written is told before the simulation, which takes a while.
+  if (overwrite == Overwrite::kRefuse && std::filesystem::exists(folder / "recording.yaml"))
+    throw InputError(folder.string(), "already holds a recording; --force replaces it");
+  const std::filesystem::path config = folder / "truth" / "synthesize.yaml";
+  WriteTextFile(config, SyntheticConfigAsYaml(options));
   SyntheticRecording synthetic = MakeSyntheticRecording(options, progress);
   if (overwrite == Overwrite::kAllow) RemovePictures(folder);
   WriteSyntheticRecording(synthetic, folder, overwrite);
