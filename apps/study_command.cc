@@ -91,7 +91,7 @@ int RunTrackingStudy(const TrackingStudyOptions& options) {
   std::string table = TrackingTableHeader(), course = "recording,frame,tracks,markers\n", filters;
   for (const std::string& path : options.recordings) {
     const Recording recording = ReadRecording(path);
-    const TruthSurface truth(recording.path);
+    const TruthSurface truth = TruthSurface::Read(recording.path);
     const std::filesystem::path out = folder / recording.name;
     const auto start = std::chrono::steady_clock::now();
     const TrackingResult found =

@@ -3,111 +3,91 @@
 //
 // clothfit synthesize: a recording made by simulation, with its truth.
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/share_display.h"
 #include "autodiff_sim/error.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic_keys.h"
+#include "tracking/synthetic_presets.h"
 #include "tracking/text.h"
 
 namespace clothfit {
 namespace {
 
 struct SynthesizeOptions {
-  std::string output;
-  std::string scenario = ToString(SyntheticScenario::kTwoCornerSwing);
-  std::vector<double> size;
-  std::vector<int> resolution, markers;
-  std::vector<std::string> set;
-  SyntheticOptions made;
-  bool hide_density = false, force = false;
+  std::string output, config, preset;
+  std::map<std::string, std::vector<std::string>> words;  // by the key's name
+  std::map<std::string, bool> flags;
+  bool force = false;
 };
 
-// "air_drag.normal=0.8"
-std::pair<std::string, double> ParseAssignment(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const std::optional<double> value =
-      equals == std::string::npos ? std::nullopt : ParseNumber(text.substr(equals + 1));
-  if (!value) throw InputError("--set", "'" + text + "': expected TERM.PARAMETER=NUMBER");
-  return {text.substr(0, equals), *value};
+// The last part of the folder's path: "demo/" is demo.
+std::string NameOf(const std::string& output) {
+  const std::filesystem::path path = std::filesystem::absolute(output).lexically_normal();
+  const std::string name = path.filename().string();
+  return name.empty() ? path.parent_path().filename().string() : name;
 }
 
-SyntheticOptions OptionsOf(const SynthesizeOptions& options) {
-  SyntheticOptions made = options.made;
-  made.name = std::filesystem::path(options.output).lexically_normal().filename().string();
-  if (made.name.empty()) {  // "demo/"
-    made.name =
-        std::filesystem::path(options.output).lexically_normal().parent_path().filename().string();
+// What the command line says goes before what the config file says.
+SyntheticSettings SettingsOf(const SynthesizeOptions& options) {
+  SyntheticSettings settings;
+  if (!options.config.empty()) settings = ReadSyntheticConfig(options.config);
+  if (!options.preset.empty()) settings["preset"] = {"--preset", {options.preset}};
+  for (const SyntheticKey& key : SyntheticKeys()) {
+    SyntheticSetting& setting = settings[key.name];
+    if (const auto words = options.words.find(key.name);
+        words != options.words.end() && !words->second.empty()) {
+      // Of parameters the command line changes some; those of the file stay.
+      if (key.kind != SyntheticKey::Kind::kMap) setting.words.clear();
+      setting.words.insert(setting.words.end(), words->second.begin(), words->second.end());
+      setting.place = key.option;
+    } else if (const auto flag = options.flags.find(key.name); flag != options.flags.end()) {
+      setting = {key.option, {flag->second ? "true" : "false"}};
+    }
+    if (setting.place.empty()) settings.erase(key.name);
   }
-  made.scenario = ParseSyntheticScenario("--scenario", options.scenario);
-  if (!options.size.empty()) made.size = {options.size[0], options.size[1]};
-  if (!options.resolution.empty()) made.resolution = {options.resolution[0], options.resolution[1]};
-  if (!options.markers.empty()) made.markers = {options.markers[0], options.markers[1]};
-  for (const std::string& assignment : options.set)
-    made.parameters.insert_or_assign(ParseAssignment(assignment).first,
-                                     ParseAssignment(assignment).second);
-  made.tell_density = !options.hide_density;
-  made.Check("synthesize");
-  return made;
+  return settings;
 }
 
 int RunSynthesizeCommand(const SynthesizeOptions& options) {
-  const SyntheticOptions made = OptionsOf(options);
-  const std::filesystem::path folder = options.output;
-  if (std::filesystem::exists(folder / "recording.yaml") && !options.force) {
-    throw InputError(options.output, "already holds a recording; --force replaces it");
-  }
-  const SyntheticRecording synthetic = MakeSyntheticRecording(made);
-  WriteSyntheticRecording(synthetic, folder, Overwrite::kAllow);
-  fmt::print("{}: {} frames, {} markers, {} tracks\n", options.output, made.frame_count,
-             synthetic.recording.markers.size(), synthetic.recording.tracks.size());
+  SyntheticOptions made = MakeSyntheticOptions(SettingsOf(options));
+  made.name = NameOf(options.output);
+  made.Check("synthesize");
+  ShareDisplay display;
+  const SyntheticRecording synthetic =
+      Synthesize(made, options.output, options.force ? Overwrite::kAllow : Overwrite::kRefuse,
+                 [&](double share, const std::string& stage) { display.Show(share, stage); });
+  display.Finish();
+  fmt::print("{}: {} frames, {} markers, {} tracks, {} pictures\n", options.output,
+             made.frame_count, synthetic.recording.markers.size(),
+             synthetic.recording.tracks.size(),
+             made.images ? made.frame_count * made.num_cameras : 0);
   return kExitSuccess;
 }
 
-void AddSceneOptions(CLI::App* command, SynthesizeOptions* options) {
-  SyntheticOptions& made = options->made;
-  command->add_option("--scenario", options->scenario, JoinNames(SyntheticScenarioNames()))
-      ->type_name("NAME");
-  command->add_option("--size", options->size, "m along u and v")->type_name("U V")->expected(2);
-  command->add_option("--resolution", options->resolution, "particles along u and v")
-      ->type_name("NU NV")
-      ->expected(2);
-  command
-      ->add_option("--refinement", made.refinement,
-                   "simulate with this many times as many cells each way")
-      ->type_name("N");
-  command->add_option("--frames", made.frame_count, "number of frames")->type_name("N");
-  command->add_option("--rate", made.frame_rate, "frames a second")->type_name("HZ");
-  command->add_option("--steps", made.steps_per_frame, "simulated steps a frame")->type_name("N");
-  command
-      ->add_option("--set", options->set,
-                   "value of a parameter, else its initial one; may be repeated")
-      ->type_name("TERM.PARAMETER=VALUE")
-      ->allow_extra_args(false);
-}
-
-void AddObservationOptions(CLI::App* command, SynthesizeOptions* options) {
-  SyntheticOptions& made = options->made;
-  command->add_option("--markers", options->markers, "markers along u and v; 0 0: none")
-      ->type_name("MU MV")
-      ->expected(2);
-  command->add_option("--noise", made.marker_sigma, "sigma of the markers, m")->type_name("M");
-  command->add_option("--cameras", made.num_cameras, "cameras around the cloth that track points")
-      ->type_name("N");
-  command->add_option("--track-noise", made.track_sigma, "sigma of the tracks, px")
-      ->type_name("PX");
-  command->add_option("--seed", made.seed, "of the noise")->type_name("N");
-  command->add_option("--held-out", made.held_out_share, "share of the frames, at the end")
-      ->type_name("SHARE");
-  command
-      ->add_option("--hide-handle", made.hidden_handles,
-                   "do not tell the path of this handle; may be repeated")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  command->add_flag("--hide-density", options->hide_density, "do not tell the areal density");
+void AddKey(CLI::App* command, const SyntheticKey& key, SynthesizeOptions* options) {
+  const std::string name = key.option.substr(2);
+  if (key.kind == SyntheticKey::Kind::kFlag) {
+    command->add_flag_function(
+        key.option + ",!--no-" + name,
+        [options, name = key.name](std::int64_t count) { options->flags[name] = count > 0; },
+        key.doc);
+    return;
+  }
+  CLI::Option* const option =
+      command->add_option(key.option, options->words[key.name], key.doc)->type_name(key.type);
+  if (key.kind == SyntheticKey::Kind::kValues) {
+    option->expected(key.count);
+  } else {
+    option->allow_extra_args(false);
+  }
 }
 
 }  // namespace
@@ -119,12 +99,18 @@ void AddSynthesizeCommand(CLI::App* app, Action* action) {
   command->add_option("-o,--output", options->output, "folder of the recording")
       ->type_name("RECORDING")
       ->required();
-  AddSceneOptions(command, options.get());
-  AddObservationOptions(command, options.get());
+  command
+      ->add_option("--preset", options->preset,
+                   "with images, to be changed by the other options; " + JoinNames(PresetNames()))
+      ->type_name("NAME");
+  command->add_option("--config", options->config, "YAML file of preset and the options below")
+      ->type_name("FILE");
+  for (const SyntheticKey& key : SyntheticKeys()) AddKey(command, key, options.get());
   command->add_flag("--force", options->force, "replace the recording that is there");
   command->footer(
-      "Example:\n"
-      "  clothfit synthesize -o lift --scenario corner-lift --cameras 3 --set air_drag.normal=0.5");
+      "Examples:\n"
+      "  clothfit synthesize -o lift --scenario corner-lift --cameras 3 --set air_drag.normal=0.5\n"
+      "  clothfit synthesize -o experiment --preset experiment-1 --texture plain --frames 60");
   command->callback(
       [options, action] { *action = [options] { return RunSynthesizeCommand(*options); }; });
 }

@@ -64,15 +64,22 @@ SyntheticMotion TwoCornerSwing(const Vector2d& size, double duration) {
   return motion;
 }
 
-// Lies flat; the corner (0, 0) goes up and over towards the opposite one.
+// Lies flat; the corner (0, 0) goes up and a little towards the opposite one, and then swings, for
+// the most part sideways. Not so far that what hangs from it would pass through itself.
 SyntheticMotion CornerLift(const Vector2d& size, double duration) {
   SyntheticMotion motion;
   motion.ground_height = 0.0;
   motion.initial = {Vector3d(0.0, 0.0, kLying), Vector3d::UnitX(), Vector3d::UnitY()};
   const auto path = [=](double time) {
-    const double s = time / duration, height = 0.6 * size.norm();
-    const Vector2d across = 0.35 * SmoothStep((s - 0.15) / 0.75) * size;
-    return Vector3d(across.x(), across.y(), kLying + height * SmoothStep(s / 0.8));
+    const double s = time / duration, length = size.norm(), t = kTwoPi * (time - 0.4 * duration);
+    const double swing = SmoothStep((s - 0.4) / 0.2);
+    const Vector2d along = size / length, aside(-along.y(), along.x());
+    const Vector2d across =
+        length *
+        ((0.23 * SmoothStep((s - 0.1) / 0.45) + 0.03 * swing * std::sin(0.55 * t)) * along +
+         0.05 * swing * std::sin(0.8 * t) * aside);
+    const double height = length * (0.45 * SmoothStep(s / 0.5) + 0.02 * swing * std::sin(1.1 * t));
+    return Vector3d(across.x(), across.y(), kLying + height);
   };
   motion.handles.push_back({"corner", Vector2d::Zero(), path});
   return motion;
@@ -88,10 +95,11 @@ SyntheticMotion TwoCornerLift(const Vector2d& size, double duration) {
     const double ahead = u > 0.0 ? 0.0 : 0.05;
     const auto path = [=](double time) {
       const double s = time / duration + ahead * SmoothStep(time / (0.2 * duration));
-      const double lift = SmoothStep(s / 0.8);
-      const double swing = 0.15 * size.y() * SmoothStep((s - 0.4) / 0.3) *
-                           std::sin(kTwoPi * 1.2 * (time - 0.4 * duration));
-      return Vector3d(u, 0.3 * size.y() * lift + swing, kLying + 0.9 * size.y() * lift);
+      const double lift = SmoothStep(s / 0.5);
+      const double swing = 0.1 * size.y() * SmoothStep((s - 0.4) / 0.2) *
+                           std::sin(kTwoPi * 0.9 * (time - 0.4 * duration));
+      const double closer = (u > 0.0 ? -0.03 : 0.03) * size.x() * lift;
+      return Vector3d(u + closer, 0.35 * size.y() * lift + swing, kLying + 0.75 * size.y() * lift);
     };
     motion.handles.push_back({u > 0.0 ? "right" : "left", Vector2d(u, 0.0), path});
   }

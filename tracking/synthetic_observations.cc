@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/synthetic_observations.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tracking/normal_numbers.h"
+#include "tracking/room.h"
 #include "tracking/synthetic_cameras.h"
 
 namespace clothfit {
@@ -41,7 +43,43 @@ std::vector<Vector2d> GridOnCloth(const Eigen::Vector2i& count, const Vector2d& 
   return points;
 }
 
+std::vector<Camera> RoomCamerasFor(const SyntheticOptions& options,
+                                   const std::vector<Eigen::VectorXd>& frames,
+                                   const Recording& recording) {
+  // The cloth does not get far from one frame to the next.
+  constexpr std::size_t kStride = 4;
+  std::vector<Vector3d> region;
+  double lowest = frames[0].z();
+  for (std::size_t f = 0; f < frames.size(); f += kStride) {
+    for (Eigen::Index i = 0; i < frames[f].size(); i += 3) {
+      region.emplace_back(frames[f].segment<3>(i));
+      lowest = std::min(lowest, region.back().z());
+    }
+  }
+  const double scale = RoomScale(options.size);
+  RoomCameras room;
+  room.count = options.num_cameras;
+  room.size = options.pictures.size;
+  room.distortion = options.pictures.distortion;
+  for (double* const length : {&room.distance, &room.height, &room.ceiling}) *length *= scale;
+  return MakeRoomCameras(room, region, FloorHeight(recording.ground_height, lowest, options.size));
+}
+
 }  // namespace
+
+void AddCameras(const SyntheticOptions& options, const std::vector<Eigen::VectorXd>& frames,
+                Recording* recording) {
+  if (options.num_cameras < 1) return;
+  if (options.images) {
+    recording->cameras = RoomCamerasFor(options, frames, *recording);
+    return;
+  }
+  Vector3d middle = Vector3d::Zero();
+  for (Eigen::Index i = 0; i < frames[0].size(); i += 3) middle += frames[0].segment<3>(i);
+  middle /= static_cast<double>(frames[0].size() / 3);
+  if (recording->ground_height) middle.z() += 0.3 * options.size.maxCoeff();
+  recording->cameras = MakeCameraRing(options.num_cameras, middle, 2.6 * options.size.maxCoeff());
+}
 
 Vector3d RoundedPosition(const Vector3d& position) { return Rounded(position, kMicrometre); }
 
@@ -63,13 +101,8 @@ void AddMarkers(const SyntheticOptions& options, const ClothMesh& mesh,
 
 void AddTracks(const SyntheticOptions& options, const ClothMesh& mesh,
                const std::vector<Eigen::VectorXd>& frames, Recording* recording) {
-  if (options.num_cameras < 1) return;
+  if (options.num_cameras < 1 || !options.tracks) return;
   if (options.track_sigma > 0.0) recording->noise.track = options.track_sigma;
-  Vector3d middle = Vector3d::Zero();
-  for (int i = 0; i < mesh.num_particles(); ++i) middle += frames[0].segment<3>(3 * i);
-  middle /= mesh.num_particles();
-  if (recording->ground_height) middle.z() += 0.3 * options.size.maxCoeff();
-  recording->cameras = MakeCameraRing(options.num_cameras, middle, 2.6 * options.size.maxCoeff());
   const Eigen::Vector2i count =
       options.markers.minCoeff() < 1 ? Eigen::Vector2i(5, 5) : options.markers;
   const std::vector<Vector2d> uv = GridOnCloth(count, options.size, false);

@@ -17,11 +17,15 @@ namespace clothfit {
 // To the nearest micrometre, as the nearest double to its decimal. m.
 Eigen::Vector3d RoundedPosition(const Eigen::Vector3d& position);
 
+// The cameras. Without images a ring about the cloth's first place, else a room's about its motion.
+void AddCameras(const SyntheticOptions& options, const std::vector<Eigen::VectorXd>& frames,
+                Recording* recording);
+
 // Markers with noise, and their sigma.
 void AddMarkers(const SyntheticOptions& options, const ClothMesh& mesh,
                 const std::vector<Eigen::VectorXd>& frames, Recording* recording);
 
-// Cameras, tracks with noise where a point falls on the picture, and their sigma. Nothing hides
+// Tracks with noise where a point falls on the picture, and their sigma. Nothing hides
 // anything: a point is seen through the cloth.
 void AddTracks(const SyntheticOptions& options, const ClothMesh& mesh,
                const std::vector<Eigen::VectorXd>& frames, Recording* recording);

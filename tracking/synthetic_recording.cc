@@ -12,6 +12,8 @@
 
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/parameter_table.h"
+#include "tracking/picture_writer.h"
+#include "tracking/synthetic_keys.h"
 #include "tracking/synthetic_observations.h"
 #include "tracking/text.h"
 
@@ -46,7 +48,8 @@ class Generator {
   const ClothMesh& mesh() const { return mesh_; }
   const Eigen::VectorXd& parameters() const { return parameters_; }
 
-  std::vector<Eigen::VectorXd> Run() {
+  // The positions after every step where they are needed, else in every frame.
+  SyntheticSurface Run(const SyntheticProgress& progress) {
     World world;
     world.ground_height = motion_.ground_height;
     SimulationOptions simulation_options;
@@ -60,19 +63,21 @@ class Generator {
         inputs.handles.push_back({handles_[h], motion_.handles[h].path(time)});
       return inputs;
     };
-    std::vector<Eigen::VectorXd> frames = {state.x};
+    const bool keeps_steps = options_.images && options_.pictures.exposure > 0.0;
     const double step = 1.0 / (options_.frame_rate * options_.steps_per_frame);
-    while (static_cast<int>(frames.size()) < options_.frame_count) {
+    SyntheticSurface surface{mesh_, keeps_steps ? step : 1.0 / options_.frame_rate, {state.x}};
+    for (int frame = 1; frame < options_.frame_count; ++frame) {
       for (int k = 0; k < options_.steps_per_frame; ++k) {
         if (simulation.Advance(step, drive, &state).status != StepStatus::kConverged) {
-          throw std::runtime_error(
-              fmt::format("the simulation diverges in frame {}", frames.size()));
+          throw std::runtime_error(fmt::format("the simulation diverges in frame {}", frame));
         }
+        if (keeps_steps) surface.positions.push_back(state.x);
       }
-      state.time = static_cast<double>(frames.size()) / options_.frame_rate;
-      frames.push_back(state.x);
+      state.time = static_cast<double>(frame) / options_.frame_rate;
+      if (!keeps_steps) surface.positions.push_back(state.x);
+      if (progress) progress(static_cast<double>(frame) / (options_.frame_count - 1), "simulation");
     }
-    return frames;
+    return surface;
   }
 
  private:
@@ -165,6 +170,14 @@ void CheckHiddenHandles(const SyntheticOptions& options, const std::string& plac
   }
 }
 
+std::vector<Eigen::VectorXd> Frames(const SyntheticSurface& surface,
+                                    const SyntheticOptions& options) {
+  std::vector<Eigen::VectorXd> frames;
+  for (int f = 0; f < options.frame_count; ++f)
+    frames.push_back(surface.At(f / options.frame_rate));
+  return frames;
+}
+
 }  // namespace
 
 void SyntheticOptions::Check(const std::string& place) const {
@@ -184,24 +197,32 @@ void SyntheticOptions::Check(const std::string& place) const {
   Expect(num_cameras >= 0, place + ": cameras", "0 or more");
   Expect(markers.minCoeff() > 0 || num_cameras > 0, place + ": markers",
          "some, where there is no camera");
+  Expect(markers.minCoeff() > 0 || tracks || images, place + ": markers",
+         "some, where there are neither tracks nor images");
   Expect(not_negative(marker_sigma) && not_negative(track_sigma), place + ": noise",
          "sigmas of 0 or more");
   Expect(truth_points.minCoeff() >= 2, place + ": truth points", "2 or more along u and v");
   CheckHiddenHandles(*this, place + ": hidden handles");
+  if (!images) return;
+  Expect(num_cameras >= 1, place + ": cameras", "1 or more, where there are images");
+  pictures.Check(place);
 }
 
-SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options) {
+SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options,
+                                          const SyntheticProgress& progress) {
   options.Check("synthetic recording");
   const SyntheticMotion motion =
       MakeSyntheticMotion(options.scenario, options.size, Duration(options));
   Generator generator(options, motion);
-  const std::vector<Eigen::VectorXd> frames = generator.Run();
   SyntheticRecording result;
+  result.surface = generator.Run(progress);
+  const std::vector<Eigen::VectorXd> frames = Frames(result.surface, options);
   const std::vector<NamedParameter> table = MakeParameterTable();
   for (std::size_t i = 0; i < table.size(); ++i) {
     result.truth_parameters[table[i].name] = generator.parameters()[static_cast<Eigen::Index>(i)];
   }
   result.recording = DescribeScene(options, motion, generator.parameters()[kArealDensity]);
+  AddCameras(options, frames, &result.recording);
   AddMarkers(options, generator.mesh(), frames, &result.recording);
   AddTracks(options, generator.mesh(), frames, &result.recording);
   result.truth_points = TruthPoints(options, generator.mesh(), frames);
@@ -213,6 +234,24 @@ void WriteSyntheticRecording(const SyntheticRecording& synthetic,
   WriteRecording(synthetic.recording, folder, overwrite);
   WriteTruthPoints(synthetic.truth_points, folder);
   WriteTruthParameters(synthetic.truth_parameters, folder);
+}
+
+SyntheticRecording Synthesize(const SyntheticOptions& options, const std::filesystem::path& folder,
+                              Overwrite overwrite, const SyntheticProgress& progress) {
+  options.Check("synthetic recording");
+  // What cannot be written is told before the simulation, which takes a while.
+  if (overwrite == Overwrite::kRefuse && std::filesystem::exists(folder / "recording.yaml"))
+    throw InputError(folder.string(), "already holds a recording; --force replaces it");
+  const std::filesystem::path config = folder / "truth" / "synthesize.yaml";
+  WriteTextFile(config, SyntheticConfigAsYaml(options));
+  SyntheticRecording synthetic = MakeSyntheticRecording(options, progress);
+  if (overwrite == Overwrite::kAllow) RemovePictures(folder);
+  WriteSyntheticRecording(synthetic, folder, overwrite);
+  if (options.images) {
+    WriteSyntheticPictures(options.pictures, options.seed, synthetic.recording, synthetic.surface,
+                           folder, progress);
+  }
+  return synthetic;
 }
 
 }  // namespace clothfit

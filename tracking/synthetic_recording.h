@@ -15,6 +15,7 @@
 #include "autodiff_sim/simulation.h"
 #include "tracking/recording.h"
 #include "tracking/synthetic_motion.h"
+#include "tracking/synthetic_pictures.h"
 #include "tracking/truth.h"
 
 namespace clothfit {
@@ -42,8 +43,11 @@ struct SyntheticOptions {
   Eigen::Vector2i markers = {5,
                              5};  // points along u and v, in the middle of equal fields; 0 = none
   double marker_sigma = 0.002;    // m
-  int num_cameras = 0;            // in a ring around the cloth; each tracks the same points
+  int num_cameras = 0;            // around the cloth; with images, in a room and at its ceiling
+  bool tracks = true;             // does each camera track the markers' points?
   double track_sigma = 0.5;       // px
+  bool images = false;            // does each camera take pictures?
+  PictureOptions pictures;        // then
   std::vector<std::string> hidden_handles;  // handles whose path is not told
   std::uint64_t seed = 1;                   // of the noise
 
@@ -55,6 +59,7 @@ struct SyntheticOptions {
 
 struct SyntheticRecording {
   Recording recording;
+  SyntheticSurface surface;                        // of the generator's mesh
   std::vector<TruthPoint> truth_points;            // noise-free
   std::map<std::string, double> truth_parameters;  // every parameter by its full name
 };
@@ -62,11 +67,17 @@ struct SyntheticRecording {
 // Positions are rounded to a micrometre and pixels to a thousandth, as they will be on disk. The
 // same options give the same recording. Throws InputError where the options are of no use, and
 // std::runtime_error where the simulation diverges.
-SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options);
+SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options,
+                                          const SyntheticProgress& progress = {});
 
-// The recording's folder with its truth/. Throws InputError as WriteRecording does.
+// The recording's folder with its truth/, but no pictures. Throws InputError as WriteRecording
+// does.
 void WriteSyntheticRecording(const SyntheticRecording& synthetic,
                              const std::filesystem::path& folder,
                              Overwrite overwrite = Overwrite::kRefuse);
+
+// Makes the recording and writes all of it, pictures too.
+SyntheticRecording Synthesize(const SyntheticOptions& options, const std::filesystem::path& folder,
+                              Overwrite overwrite, const SyntheticProgress& progress = {});
 
 }  // namespace clothfit

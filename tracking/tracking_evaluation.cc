@@ -82,7 +82,7 @@ TrackingEvaluation EvaluateTracking(const Recording& recording, const TruthSurfa
   evaluation.markers_in_frame = evaluation.tracks_in_frame;
   std::vector<double> pixels, metres;
   for (const auto& [frame, seen] : ByFrame(tracks)) {
-    if (frame >= truth.num_frames()) continue;
+    if (frame >= truth.frame_count()) continue;
     const std::vector<Eigen::Vector3d> places = Places(truth, frame, seen);
     for (std::size_t i = 0; i < seen.size(); ++i) {
       const Eigen::Vector2d pixel = ProjectPoint(recording.cameras[seen[i]->camera], places[i]);
@@ -91,7 +91,7 @@ TrackingEvaluation EvaluateTracking(const Recording& recording, const TruthSurfa
     evaluation.tracks_in_frame[frame] = static_cast<int>(seen.size());
   }
   for (const auto& [frame, seen] : ByFrame(markers)) {
-    if (frame >= truth.num_frames()) continue;
+    if (frame >= truth.frame_count()) continue;
     const std::vector<Eigen::Vector3d> places = Places(truth, frame, seen);
     for (std::size_t i = 0; i < seen.size(); ++i)
       metres.push_back((places[i] - seen[i]->position).norm());
