@@ -154,7 +154,7 @@ int RunFitCommand(FitOptions options) {
       return kExitInterrupted;
     }
     config = ReadConfigOf(options.config, recording);
-    config.recording = recording.path.string();
+    config.recording = fs::absolute(recording.path).lexically_normal().string();
     ApplyOptions(options, &config);
     scene = MakeScene(recording, config);
     CheckFittable(scene);

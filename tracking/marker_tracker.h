@@ -51,7 +51,7 @@ struct MarkerTrackerOptions {
   bool check_distances = true;
   double max_stretch = 0.05;          // share by which cloth may be longer than at rest
   double distance_tolerance = 0.008;  // m, two markers' errors
-  double max_violations = 0.25;       // share of distances that a marker may violate
+  double max_violations = 0.05;       // share of distances that a marker may violate
 };
 
 struct TrackedMarker {
