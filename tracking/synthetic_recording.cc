@@ -195,6 +195,8 @@ void SyntheticOptions::Check(const std::string& place) const {
          "a share of the frames from 0 to below 1");
   Expect(markers.minCoeff() >= 0, place + ": markers", "0 or more along u and v");
   Expect(num_cameras >= 0, place + ": cameras", "0 or more");
+  Expect(num_cameras > 0 || !images, place + ": cameras", "1 or more, where there are images");
+  if (images) pictures.Check(place);
   Expect(markers.minCoeff() > 0 || num_cameras > 0, place + ": markers",
          "some, where there is no camera");
   Expect(markers.minCoeff() > 0 || tracks || images, place + ": markers",
@@ -203,9 +205,6 @@ void SyntheticOptions::Check(const std::string& place) const {
          "sigmas of 0 or more");
   Expect(truth_points.minCoeff() >= 2, place + ": truth points", "2 or more along u and v");
   CheckHiddenHandles(*this, place + ": hidden handles");
-  if (!images) return;
-  Expect(num_cameras >= 1, place + ": cameras", "1 or more, where there are images");
-  pictures.Check(place);
 }
 
 SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options,

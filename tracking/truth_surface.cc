@@ -40,8 +40,7 @@ std::unique_ptr<ClothMesh> GridMesh(const std::vector<TruthPoint>& points,
 std::vector<Eigen::VectorXd> FramesOf(const std::vector<TruthPoint>& points, const ClothMesh& mesh,
                                       const std::string& place) {
   std::map<std::pair<double, double>, int> particle;
-  for (int i = 0; i < mesh.num_particles(); ++i)
-    particle[{mesh.uv[i].x(), mesh.uv[i].y()}] = i;
+  for (int i = 0; i < mesh.num_particles(); ++i) particle[{mesh.uv[i].x(), mesh.uv[i].y()}] = i;
   int last = 0;
   for (const TruthPoint& point : points) last = std::max(last, point.frame);
   std::vector<Eigen::VectorXd> frames(static_cast<std::size_t>(last) + 1,
