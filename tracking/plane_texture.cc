@@ -18,6 +18,23 @@ int Inside(int index, int count, PlaneTexture::Beyond beyond) {
   return rest < 0 ? rest + count : rest;
 }
 
+// A fine texel, and which share of a coarse one it makes up.
+struct Part {
+  int index;
+  float share;
+};
+
+// Those of the coarse texel that is `ratio` fine ones wide, along one axis.
+std::vector<Part> Parts(int coarse, double ratio, int fine_count) {
+  const double from = coarse * ratio, to = from + ratio;
+  std::vector<Part> parts;
+  for (int i = static_cast<int>(from); i < fine_count && i < to; ++i) {
+    const double overlap = std::min(to, i + 1.0) - std::max(from, static_cast<double>(i));
+    parts.push_back({i, static_cast<float>(overlap / ratio)});
+  }
+  return parts;
+}
+
 }  // namespace
 
 PlaneTexture::PlaneTexture(const Vector2d& size, double texel, Beyond beyond,
@@ -45,18 +62,21 @@ PlaneTexture::PlaneTexture(const Vector2d& size, double texel, Beyond beyond,
 PlaneTexture::Level PlaneTexture::Halved(const Level& fine) {
   Level coarse;
   coarse.count = ((fine.count.array() + 1) / 2).matrix();
-  // The texels of an odd count grow a little less, so that the rectangle stays as it is.
-  coarse.texel =
-      (fine.texel.array() * fine.count.cast<double>().array() / coarse.count.cast<double>().array())
-          .matrix();
+  // Of an odd count the coarse texels are not quite twice as wide, and cover parts of fine ones.
+  const Eigen::Array2d ratio =
+      fine.count.cast<double>().array() / coarse.count.cast<double>().array();
+  coarse.texel = (fine.texel.array() * ratio).matrix();
   for (int j = 0; j < coarse.count.y(); ++j) {
+    const std::vector<Part> rows = Parts(j, ratio.y(), fine.count.y());
     for (int i = 0; i < coarse.count.x(); ++i) {
       Vector3f sum = Vector3f::Zero();
-      for (const int y : {2 * j, std::min(2 * j + 1, fine.count.y() - 1)}) {
-        for (const int x : {2 * i, std::min(2 * i + 1, fine.count.x() - 1)})
-          sum += fine.colours[static_cast<std::size_t>(y * fine.count.x() + x)];
+      for (const Part& column : Parts(i, ratio.x(), fine.count.x())) {
+        for (const Part& row : rows) {
+          sum += row.share * column.share *
+                 fine.colours[static_cast<std::size_t>(row.index * fine.count.x() + column.index)];
+        }
       }
-      coarse.colours.push_back(0.25F * sum);
+      coarse.colours.push_back(sum);
     }
   }
   return coarse;

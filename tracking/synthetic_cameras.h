@@ -27,8 +27,8 @@ struct RoomCameras {
   double ceiling = 3.6;                // m above the floor
 };
 
-// Cameras cam0, cam1, ... around a region and `ceiling` above it, as those of Hasler et al. 2007,
-// sec. 6: all look at its middle, and each has the focal length at which the region just fills its
+// Cameras cam0, cam1, ... around a region and `ceiling` above it, as those of Hasler et al. 2007:
+// all look at its middle, and each has the focal length at which the region just fills its
 // picture. `region` are points (m, world) that have to stay in view, `floor` is their ground's
 // height (m).
 std::vector<Camera> MakeRoomCameras(const RoomCameras& options,

@@ -46,13 +46,11 @@ std::vector<Vector2d> GridOnCloth(const Eigen::Vector2i& count, const Vector2d& 
 std::vector<Camera> RoomCamerasFor(const SyntheticOptions& options,
                                    const std::vector<Eigen::VectorXd>& frames,
                                    const Recording& recording) {
-  // The cloth does not get far from one frame to the next.
-  constexpr std::size_t kStride = 4;
   std::vector<Vector3d> region;
   double lowest = frames[0].z();
-  for (std::size_t f = 0; f < frames.size(); f += kStride) {
-    for (Eigen::Index i = 0; i < frames[f].size(); i += 3) {
-      region.emplace_back(frames[f].segment<3>(i));
+  for (const Eigen::VectorXd& x : frames) {
+    for (Eigen::Index i = 0; i < x.size(); i += 3) {
+      region.emplace_back(x.segment<3>(i));
       lowest = std::min(lowest, region.back().z());
     }
   }

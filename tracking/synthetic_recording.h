@@ -53,6 +53,8 @@ struct SyntheticOptions {
 
   Eigen::Vector2i truth_points = {9, 9};  // along u and v, edges included
 
+  double Duration() const;  // s, from the first frame to the last
+
   // Throws InputError, naming `place` and the option, where a value is of no use.
   void Check(const std::string& place) const;
 };

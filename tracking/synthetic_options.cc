@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What makes the options of a synthetic recording usable.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "autodiff_sim/parameter_table.h"
+#include "tracking/synthetic_recording.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+void Expect(bool right, const std::string& place, const std::string& expected) {
+  if (!right) throw InputError(place, "expected " + expected);
+}
+
+void CheckParameters(const std::map<std::string, double>& parameters, const std::string& place) {
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  std::vector<std::string> names;
+  for (const NamedParameter& named : table) names.push_back(named.name);
+  for (const auto& [name, value] : parameters) {
+    const int index = FindParameter(table, name);
+    if (index < 0) {
+      throw InputError(place, "'" + name + "' is no parameter; " + Suggestion(name, names));
+    }
+    const Parameter& p = table[index].parameter;
+    Expect(
+        (value >= p.lower && value <= p.upper) || value == p.off, place + ": " + name,
+        fmt::format("{} to {} {} (or {}, off), found {}", p.lower, p.upper, p.unit, p.off, value));
+  }
+}
+
+void CheckHiddenHandles(const SyntheticOptions& options, const std::string& place) {
+  std::vector<std::string> names;
+  for (const SyntheticHandle& handle :
+       MakeSyntheticMotion(options.scenario, options.size, options.Duration()).handles) {
+    names.push_back(handle.name);
+  }
+  for (const std::string& name : options.hidden_handles) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw InputError(place, "'" + name + "' is no handle; " + Suggestion(name, names));
+  }
+}
+
+}  // namespace
+
+double SyntheticOptions::Duration() const { return (frame_count - 1) / frame_rate; }
+
+void SyntheticOptions::Check(const std::string& place) const {
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  const auto not_negative = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  Expect(positive(size.x()) && positive(size.y()), place + ": size", "two lengths above 0 m");
+  Expect(resolution.minCoeff() >= 2 && resolution.maxCoeff() <= 500, place + ": resolution",
+         "2 to 500 particles along u and v");
+  Expect(refinement >= 1 && refinement <= 16, place + ": refinement", "1 to 16");
+  CheckParameters(parameters, place + ": parameters");
+  Expect(positive(frame_rate), place + ": rate", "a frame rate above 0 Hz");
+  Expect(frame_count >= 2, place + ": frames", "2 or more");
+  Expect(steps_per_frame >= 1, place + ": steps", "1 or more a frame");
+  Expect(held_out_share >= 0.0 && held_out_share < 1.0, place + ": held out",
+         "a share of the frames from 0 to below 1");
+  Expect(markers.minCoeff() >= 0, place + ": markers", "0 or more along u and v");
+  Expect(num_cameras >= 0, place + ": cameras", "0 or more");
+  Expect(num_cameras > 0 || !images, place + ": cameras", "1 or more, where there are images");
+  if (images) pictures.Check(place);
+  Expect(markers.minCoeff() > 0 || num_cameras > 0, place + ": markers",
+         "some, where there is no camera");
+  Expect(markers.minCoeff() > 0 || tracks || images, place + ": markers",
+         "some, where there are neither tracks nor images");
+  Expect(not_negative(marker_sigma) && not_negative(track_sigma), place + ": noise",
+         "sigmas of 0 or more");
+  Expect(truth_points.minCoeff() >= 2, place + ": truth points", "2 or more along u and v");
+  CheckHiddenHandles(*this, place + ": hidden handles");
+}
+
+}  // namespace clothfit
