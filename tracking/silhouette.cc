@@ -57,12 +57,29 @@ cv::Rect WhereCloth(const cv::Mat& ratio) {
   return wider & cv::Rect(0, 0, ratio.cols, ratio.rows);
 }
 
+// Large holes through which the lit floor is seen are holes. Dark ones are dark parts of the cloth
+// rather: they look like a shadow, but a shadow that the cloth surrounds is rare.
+void FillDarkHoles(const cv::Mat& image, const cv::Mat& lit, double sigma, cv::Mat* mask) {
+  cv::Mat labels, stats, centres;
+  const int parts = cv::connectedComponentsWithStats(255 - *mask, labels, stats, centres, 4);
+  for (int p = 1; p < parts; ++p) {
+    const cv::Rect box(stats.at<int>(p, cv::CC_STAT_LEFT), stats.at<int>(p, cv::CC_STAT_TOP),
+                       stats.at<int>(p, cv::CC_STAT_WIDTH), stats.at<int>(p, cv::CC_STAT_HEIGHT));
+    const bool at_border =
+        box.x == 0 || box.y == 0 || box.br().x == mask->cols || box.br().y == mask->rows;
+    if (at_border) continue;
+    const cv::Mat hole = labels(box) == p;
+    if (!IsLit(image(box), lit(box), sigma, hole)) (*mask)(box).setTo(255, hole);
+  }
+}
+
 void KeepLargeParts(const SilhouetteOptions& options, cv::Mat* mask) {
   cv::Mat labels, stats, centres;
   const int parts = cv::connectedComponentsWithStats(*mask, labels, stats, centres, 8);
   int largest = 0;
   for (int p = 1; p < parts; ++p) largest = std::max(largest, stats.at<int>(p, cv::CC_STAT_AREA));
   const double least = options.smallest_part * largest;
+  const double small_hole = options.small_hole * largest;
   cv::Mat holes, hole_stats;
   const cv::Mat inverse = 255 - *mask;
   cv::connectedComponentsWithStats(inverse, holes, hole_stats, centres, 4);
@@ -71,8 +88,7 @@ void KeepLargeParts(const SilhouetteOptions& options, cv::Mat* mask) {
       uchar& pixel = mask->at<uchar>(y, x);
       const int part = labels.at<int>(y, x), hole = holes.at<int>(y, x);
       if (pixel != 0 && stats.at<int>(part, cv::CC_STAT_AREA) < least) pixel = 0;
-      if (pixel == 0 && part == 0 &&
-          hole_stats.at<int>(hole, cv::CC_STAT_AREA) <= options.largest_hole)
+      if (pixel == 0 && part == 0 && hole_stats.at<int>(hole, cv::CC_STAT_AREA) <= small_hole)
         pixel = 255;
     }
   }
@@ -166,14 +182,18 @@ Silhouette SilhouetteExtractor::Extract(const cv::Mat& image) {
   const double sigma = FindSigma(image, lit);
   Silhouette result;
   cv::Mat ratio;
-  const int rounds = colours_.empty() ? 3 : 1;
+  const int rounds = colours_.empty() ? 4 : 2;
+  // Where there are shadows they come and go: each frame finds its own.
+  cv::Mat shadows = GuessShadows(options_.darkest_shadow);
   for (int round = 0; round < rounds; ++round) {
-    ratio = LogRatio(image, lit, sigma, options_.darkest_shadow, colours_);
+    ratio = LogRatio(image, lit, sigma, shadows, colours_);
     result.mask = cv::Mat::zeros(image.size(), CV_8U);
     const cv::Rect box = WhereCloth(ratio);
     if (box.empty()) break;
     MinimumCut(ratio(box), options_.outline_weight).copyTo(result.mask(box));
+    FillDarkHoles(image, lit, sigma, &result.mask);
     KeepLargeParts(options_, &result.mask);
+    shadows = LearnShadows(image, lit, sigma, result.mask);
     colours_ = LearnColours(image, result.mask);
   }
   result.quality = Quality(result.mask, ratio);

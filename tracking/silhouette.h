@@ -17,10 +17,10 @@
 namespace clothfit {
 
 struct SilhouetteOptions {
-  double darkest_shadow = 0.25;  // share of the light that is left in the deepest shadow
+  double darkest_shadow = 0.25;  // share of the light left in the deepest shadow, as a first guess
   double outline_weight = 3.0;   // cost of an outline through one pixel, as a log-likelihood
   double smallest_part = 0.02;   // parts below this share of the largest are left out
-  int largest_hole = 30;         // px; holes up to this size are filled
+  double small_hole = 0.005;  // share of the largest part; smaller holes are filled, and dark ones
 };
 
 struct Silhouette {

@@ -22,35 +22,48 @@ int BinOf(const cv::Vec3b& colour) {
   return (colour[0] / kWidth * kBins + colour[1] / kWidth) * kBins + colour[2] / kWidth;
 }
 
+// How a colour compares with that of the lit background at its pixel.
+struct Comparison {
+  Comparison(const cv::Vec3b& colour, const cv::Vec3f& lit) {
+    double along = 0.0, squared_lit = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      const double i = colour[c], b = lit[c];
+      along += i * b;
+      squared_lit += b * b;
+      squared += i * i;
+      to_lit += (i - b) * (i - b);
+    }
+    share = squared_lit > 0.0 ? along / squared_lit : 1.0;
+    across = std::max(0.0, squared - along * share);
+    length = std::max(1.0, std::sqrt(squared_lit));
+  }
+  // Of the noise across the background's colour: shadows come with some colour of their own, of the
+  // light that is left.
+  double VarianceAcross(double sigma) const { return sigma * sigma + 1e-4 * squared; }
+
+  double to_lit = 0.0;   // squared distance from the lit background
+  double share = 1.0;    // of the light, if it were in shadow
+  double across = 0.0;   // squared distance from the background's colour, however dark
+  double squared = 0.0;  // squared length of the colour
+  double length = 1.0;   // of the lit background's
+};
+
+int ShadowBin(double share) {
+  return std::clamp(static_cast<int>(share * kShadowBins), 0, kShadowBins - 1);
+}
+
 // log p(colour | background): lit as the empty scene is, or in shadow, or a surprise.
 double LogBackground(const cv::Vec3b& colour, const cv::Vec3f& lit, double sigma,
-                     double darkest_shadow) {
-  double along = 0.0, size = 0.0, squared = 0.0, to_lit = 0.0;
-  for (int c = 0; c < 3; ++c) {
-    const double i = colour[c], b = lit[c];
-    along += i * b;
-    size += b * b;
-    squared += i * i;
-    to_lit += (i - b) * (i - b);
-  }
-  constexpr double kShadow = 0.15;  // share of the background in shadow
-  const double variance = sigma * sigma;
+                     const cv::Mat& shadows) {
+  const Comparison compared(colour, lit);
   const double log_noise = -std::log(sigma) - kLogDensityOfNoise;
-  const double lit_density =
-      (1.0 - kShadow) * std::exp(3.0 * log_noise - to_lit / (2.0 * variance));
-  const double share = size > 0.0 ? along / size : 1.0;
-  double shadow_density = 0.0;
-  if (share > darkest_shadow && share < 1.0) {
-    // Uniform along the colour of the floor, noise across it; shadows come with some texture of
-    // their own (ambient light of another colour).
-    const double across = std::max(0.0, squared - along * share);
-    const double variance_across = variance + 1e-4 * squared;
-    const double range = std::max(1.0, (1.0 - darkest_shadow) * std::sqrt(size));
-    shadow_density = kShadow *
-                     std::exp(-2.0 * kLogDensityOfNoise - across / (2.0 * variance_across)) /
-                     (variance_across * range);
+  double density = std::exp(3.0 * log_noise - compared.to_lit / (2.0 * sigma * sigma));
+  if (compared.share > 0.0 && compared.share < 1.0) {
+    const double variance = compared.VarianceAcross(sigma);
+    density += shadows.at<float>(ShadowBin(compared.share)) / compared.length *
+               std::exp(-2.0 * kLogDensityOfNoise - compared.across / (2.0 * variance)) / variance;
   }
-  return std::log(lit_density + shadow_density + kSurprise / kVolume);
+  return std::log(density + kSurprise / kVolume);
 }
 
 }  // namespace
@@ -106,7 +119,56 @@ double FindSigma(const cv::Mat& image, const cv::Mat& lit) {
   return std::max(1.0, kSigmaOfThird * static_cast<double>(*nth));
 }
 
-cv::Mat LogRatio(const cv::Mat& image, const cv::Mat& lit, double sigma, double darkest_shadow,
+cv::Mat GuessShadows(double darkest) {
+  constexpr float kInShadow = 0.15F;  // of the background
+  cv::Mat shadows(kShadowBins, 1, CV_32F, cv::Scalar(0.0));
+  const int first = ShadowBin(darkest);
+  shadows.rowRange(first, kShadowBins) =
+      kInShadow * kShadowBins / static_cast<float>(kShadowBins - first);
+  return shadows;
+}
+
+cv::Mat LearnShadows(const cv::Mat& image, const cv::Mat& lit, double sigma, const cv::Mat& mask) {
+  constexpr double kFar = 25.0, kNear = 9.0;  // squared sigmas
+  constexpr float kUnseen = 0.005F;           // density where nothing was seen
+  cv::Mat counts(kShadowBins, 1, CV_32F, cv::Scalar(0.0));
+  float total = 1.0F;
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      if (mask.at<uchar>(y, x) != 0) continue;
+      total += 1.0F;
+      const Comparison compared(image.at<cv::Vec3b>(y, x), lit.at<cv::Vec3f>(y, x));
+      if (compared.to_lit < kFar * sigma * sigma || compared.share <= 0.0 ||
+          compared.share >= 1.0 || compared.across > kNear * compared.VarianceAcross(sigma)) {
+        continue;
+      }
+      counts.at<float>(ShadowBin(compared.share)) += 1.0F;
+    }
+  }
+  cv::Mat shadows(kShadowBins, 1, CV_32F);
+  for (int k = 0; k < kShadowBins; ++k) {
+    const float near = 0.5F * counts.at<float>(k) + 0.25F * counts.at<float>(std::max(0, k - 1)) +
+                       0.25F * counts.at<float>(std::min(kShadowBins - 1, k + 1));
+    shadows.at<float>(k) = near / total * kShadowBins + kUnseen;
+  }
+  return shadows;
+}
+
+bool IsLit(const cv::Mat& image, const cv::Mat& lit, double sigma, const cv::Mat& region) {
+  constexpr double kNear = 16.0;  // squared sigmas, of three channels
+  int all = 0, near = 0;
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      if (region.at<uchar>(y, x) == 0) continue;
+      ++all;
+      const Comparison compared(image.at<cv::Vec3b>(y, x), lit.at<cv::Vec3f>(y, x));
+      near += compared.to_lit < kNear * sigma * sigma ? 1 : 0;
+    }
+  }
+  return 2 * near > all;
+}
+
+cv::Mat LogRatio(const cv::Mat& image, const cv::Mat& lit, double sigma, const cv::Mat& shadows,
                  const cv::Mat& colours) {
   cv::Mat ratio(image.size(), CV_32F);
   for (int y = 0; y < image.rows; ++y) {
@@ -114,7 +176,7 @@ cv::Mat LogRatio(const cv::Mat& image, const cv::Mat& lit, double sigma, double 
       const cv::Vec3b& colour = image.at<cv::Vec3b>(y, x);
       const double density = colours.empty() ? 1.0 / kVolume : colours.at<float>(BinOf(colour));
       const double log_ratio =
-          std::log(density) - LogBackground(colour, lit.at<cv::Vec3f>(y, x), sigma, darkest_shadow);
+          std::log(density) - LogBackground(colour, lit.at<cv::Vec3f>(y, x), sigma, shadows);
       ratio.at<float>(y, x) =
           std::clamp(static_cast<float>(log_ratio), -kMostCertain, kMostCertain);
     }
