@@ -17,9 +17,11 @@ export OPENBLAS_NUM_THREADS ?= 1
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-demo: configure ## Build the command and fit the small recording in data/demo
+demo: configure ## Build the command and fit a cloth to the pictures in data/lift
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target apps/clothfit
-	$(BUILD)/apps/clothfit fit data/demo -o build/demo-run --force
+	$(BUILD)/apps/clothfit fit data/lift -o build/demo-run --force
+	$(BUILD)/apps/clothfit evaluate build/demo-run --truth data/lift
+	$(BUILD)/apps/clothfit draw build/demo-run -o build/demo.png --force
 
 test: build ## Build everything and run all tests and source checks
 	ctest --preset $(PRESET)

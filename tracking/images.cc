@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/images.h"
 
+#include <fstream>
+#include <string_view>
+
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -32,7 +35,22 @@ void CheckSize(const cv::Mat& picture, const Camera& camera, const fs::path& fil
                                camera.width, camera.height, picture.cols, picture.rows));
 }
 
+// Whether a PNG lacks its last chunk. The library underneath would say so in a line of its own.
+bool IsCutOff(const fs::path& file) {
+  constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
+  if (file.extension() != ".png") return false;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = stream.tellg();
+  if (!stream || size < static_cast<std::streamoff>(kEnd.size())) return true;
+  std::string last(kEnd.size(), ' ');
+  stream.seekg(size - static_cast<std::streamoff>(kEnd.size()));
+  stream.read(last.data(), static_cast<std::streamsize>(last.size()));
+  return last != kEnd;
+}
+
 cv::Mat LoadPicture(const fs::path& file, int flags, const Camera& camera) {
+  if (fs::exists(file) && IsCutOff(file))
+    throw InputError(file.string(), "cannot be read as a picture; it is damaged, cut off or none");
   cv::Mat picture;
   try {
     picture = cv::imread(file.string(), flags | cv::IMREAD_IGNORE_ORIENTATION);

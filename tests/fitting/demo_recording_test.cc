@@ -67,5 +67,18 @@ TEST(DemoRecording, IsSmallAndFarFromTheDefaults) {
   EXPECT_GE(free, 8);
 }
 
+TEST(LiftRecording, IsSmallAndHasPicturesOnly) {
+  const std::filesystem::path folder = std::filesystem::path(CLOTHFIT_SOURCE_DIR) / "data" / "lift";
+  std::uintmax_t size = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) size += entry.file_size();
+  }
+  EXPECT_LT(size, 8000000u);
+  const Recording lift = ReadRecording(folder);
+  EXPECT_TRUE(HasPictures(lift));
+  EXPECT_TRUE(lift.markers.empty());
+  EXPECT_TRUE(lift.tracks.empty());
+}
+
 }  // namespace
 }  // namespace clothfit
