@@ -50,7 +50,7 @@ std::vector<TrackedMarker> MarkerTracker::Start(
         ++counts_["views differ"];
       }
       if (distance >= options_.min_marker_distance)
-        markers_.push_back({*uv[c][f], {view}, std::nullopt, 0});
+        markers_.push_back({*uv[c][f], {view}, std::nullopt, Eigen::Vector3d::Zero(), 0});
     }
   }
   markers_.erase(std::remove_if(markers_.begin(), markers_.end(),
@@ -68,22 +68,51 @@ std::vector<TrackedMarker> MarkerTracker::Start(
   return found;
 }
 
-std::optional<int> MarkerTracker::FindAgain(const View& view, const TrackState& marker,
-                                            const Features& features) {
-  // Where it was; after frames without it, where the marker was, or anywhere near.
+// Frames for which a motion is believed to go on, and what is lost to stray.
+constexpr int kLongestMotion = 3;
+
+Eigen::Vector3d MarkerTracker::TrackState::Expected(int now) const {
+  return *position + std::min(now - frame, kLongestMotion) * velocity;
+}
+
+MarkerTracker::Match MarkerTracker::FindAgain(const View& view, const TrackState& marker,
+                                              const Features& features) {
+  // Where the marker's motion leads, or else where the view saw it last.
   Vector2d expected = view.pixel;
-  if (view.frame != frame_ - 1 && marker.position && marker.frame > view.frame)
-    expected = ProjectPoint(cameras_[view.camera], *marker.position);
+  const Camera& camera = cameras_[view.camera];
+  if (marker.position && marker.frame >= view.frame) {
+    const Eigen::Vector3d place = marker.Expected(frame_);
+    if (IsInFront(camera, place)) expected = ProjectPoint(camera, place);
+  }
   const int since = frame_ - std::max(view.frame, marker.frame);
-  const double gate = options_.max_image_move * std::min(since, 5);
+  const double gate = options_.max_image_move * std::min(since, kLongestMotion);
   const cv::Mat& descriptor =
       options_.reidentification == Reidentification::kReference ? view.reference : view.last;
+  // All that can be meant at all; what is found there has no double anywhere near.
+  constexpr double kReach = 10.0;  // gates
+  Match match;
+  if (!options_.check_image_move) {
+    match.feature = MostAlike(features, descriptor, expected, kReach * gate);
+    match.is_distinct = true;
+    return match;
+  }
+  match.feature = MostAlike(features, descriptor, expected, gate);
+  if (match.feature) {
+    match.is_distinct =
+        since > 1 && MostAlike(features, descriptor, expected, kReach * gate) == match.feature;
+  } else {
+    constexpr double kNearby = 3.0;  // gates: what is counted as thrown out
+    if (MostAlike(features, descriptor, expected, kNearby * gate)) ++counts_["image move"];
+  }
+  return match;
+}
+
+std::optional<int> MarkerTracker::MostAlike(const Features& features, const cv::Mat& descriptor,
+                                            const Vector2d& centre, double radius) const {
   int best = -1;
   double first = std::numeric_limits<double>::infinity(), second = first;
   for (int f = 0; f < features.size(); ++f) {
-    const double move = (features.pixels[f] - expected).norm();
-    // Without the filter, anywhere within reach of what can be meant at all.
-    if (move > (options_.check_image_move ? gate : 10.0 * gate)) continue;
+    if ((features.pixels[f] - centre).norm() > radius) continue;
     const double distance = features.Distance(f, descriptor);
     constexpr double kSamePlace = 3.0;  // px: other scales and orientations of the same feature
     const bool same = best >= 0 && (features.pixels[f] - features.pixels[best]).norm() < kSamePlace;
@@ -101,19 +130,21 @@ std::optional<int> MarkerTracker::FindAgain(const View& view, const TrackState& 
 }
 
 std::vector<Sighting> MarkerTracker::Sight(TrackState* marker, const std::vector<Features>& views,
-                                           std::vector<int>* features) {
+                                           std::vector<int>* features, int* num_distinct) {
   std::vector<Sighting> sightings;
+  *num_distinct = 0;
   for (std::size_t v = 0; v < marker->views.size(); ++v) {
     const View& view = marker->views[v];
     const Features& seen = views[view.camera];
-    const std::optional<int> feature = FindAgain(view, *marker, seen);
-    if (!feature) {
+    const Match match = FindAgain(view, *marker, seen);
+    if (!match.feature) {
       ++counts_["no feature"];
       continue;
     }
-    sightings.push_back({view.camera, seen.pixels[*feature]});
+    sightings.push_back({view.camera, seen.pixels[*match.feature]});
     features->push_back(static_cast<int>(v));
-    features->push_back(*feature);
+    features->push_back(*match.feature);
+    *num_distinct += match.is_distinct ? 1 : 0;
   }
   return sightings;
 }
@@ -165,11 +196,18 @@ std::vector<TrackedMarker> MarkerTracker::Advance(const std::vector<Features>& v
   for (int id = 0; id < static_cast<int>(markers_.size()); ++id) {
     TrackState& state = markers_[id];
     std::vector<int> features;
-    const std::vector<Sighting> sightings = Sight(&state, views, &features);
+    int num_distinct = 0;
+    const std::vector<Sighting> sightings = Sight(&state, views, &features, &num_distinct);
     const std::optional<TrackedMarker> marker = Place(id, sightings);
     if (!marker) continue;
+    const bool was_lost = state.position && state.frame != frame_ - 1;
+    const bool is_distinct = num_distinct == static_cast<int>(sightings.size());
+    if (was_lost && !is_distinct && marker->num_cameras < options_.min_cameras_after_loss) {
+      ++counts_["ambiguous"];
+      continue;
+    }
     if (options_.check_world_move && state.position &&
-        (marker->position - *state.position).norm() >
+        (marker->position - state.Expected(frame_)).norm() >
             options_.max_world_speed * (frame_ - state.frame) / frame_rate_) {
       ++counts_["world move"];
       continue;
@@ -186,6 +224,9 @@ std::vector<TrackedMarker> MarkerTracker::Advance(const std::vector<Features>& v
       continue;
     }
     TrackState& state = markers_[found[i].id];
+    if (state.position) {
+      state.velocity = (found[i].position - *state.position) / std::max(1, frame_ - state.frame);
+    }
     state.position = found[i].position;
     state.frame = frame_;
     for (std::size_t k = 0; k < features_of[i].size(); k += 2) {
@@ -206,22 +247,77 @@ std::vector<TrackedMarker> MarkerTracker::Advance(const std::vector<Features>& v
   return kept;
 }
 
+namespace {
+
+// Is the distance of two markers longer than the cloth between them can be?
+bool IsTooFar(const TrackedMarker& a, const TrackedMarker& b, const MarkerTrackerOptions& options) {
+  const double world = (a.position - b.position).norm();
+  const double cloth = (a.uv - b.uv).norm();
+  return world > (1.0 + options.max_stretch) * cloth + options.distance_tolerance;
+}
+
+// The vote among the nearest on the cloth, for what is off by little: far away it would go
+// unnoticed.
+void VoteAmongNeighbours(const std::vector<TrackedMarker>& markers,
+                         const MarkerTrackerOptions& options, std::vector<bool>* stays) {
+  const int n = static_cast<int>(markers.size());
+  const int num_neighbours = std::min(options.num_neighbours, n - 1);
+  if (num_neighbours < 1) return;
+  struct Neighbour {
+    int index;
+    bool too_far;
+  };
+  std::vector<std::vector<Neighbour>> neighbours(n);
+  std::vector<std::pair<double, int>> nearest;
+  for (int i = 0; i < n; ++i) {
+    nearest.clear();
+    for (int j = 0; j < n; ++j) {
+      if (j != i) nearest.emplace_back((markers[i].uv - markers[j].uv).squaredNorm(), j);
+    }
+    std::nth_element(nearest.begin(), nearest.begin() + (num_neighbours - 1), nearest.end());
+    for (int k = 0; k < num_neighbours; ++k) {
+      const int j = nearest[k].second;
+      neighbours[i].push_back({j, IsTooFar(markers[i], markers[j], options)});
+    }
+  }
+  for (;;) {
+    int worst = -1;
+    double worst_share = options.max_neighbour_violations;
+    for (int i = 0; i < n; ++i) {
+      if (!(*stays)[i]) continue;
+      int votes = 0, left = 0;
+      for (const Neighbour& other : neighbours[i]) {
+        if (!(*stays)[other.index]) continue;
+        ++left;
+        votes += other.too_far ? 1 : 0;
+      }
+      const double share = left > 0 ? static_cast<double>(votes) / left : 0.0;
+      if (share > worst_share) {
+        worst_share = share;
+        worst = i;
+      }
+    }
+    if (worst < 0) return;
+    (*stays)[worst] = false;
+  }
+}
+
+}  // namespace
+
 std::vector<bool> VoteOnDistances(const std::vector<TrackedMarker>& markers,
                                   const MarkerTrackerOptions& options) {
   const std::size_t n = markers.size();
+  std::vector<bool> stays(n, true);
   std::vector<std::vector<bool>> violates(n, std::vector<bool>(n, false));
   std::vector<int> votes(n, 0);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const double world = (markers[i].position - markers[j].position).norm();
-      const double cloth = (markers[i].uv - markers[j].uv).norm();
-      if (world <= (1.0 + options.max_stretch) * cloth + options.distance_tolerance) continue;
+      if (!IsTooFar(markers[i], markers[j], options)) continue;
       violates[i][j] = violates[j][i] = true;
       ++votes[i];
       ++votes[j];
     }
   }
-  std::vector<bool> stays(n, true);
   for (std::size_t left = n; left > 1; --left) {
     const auto worst = std::max_element(votes.begin(), votes.end()) - votes.begin();
     if (votes[worst] <= options.max_violations * static_cast<double>(left - 1)) break;
@@ -231,6 +327,7 @@ std::vector<bool> VoteOnDistances(const std::vector<TrackedMarker>& markers,
       if (violates[worst][j] && stays[j]) --votes[j];
     }
   }
+  VoteAmongNeighbours(markers, options, &stays);
   return stays;
 }
 

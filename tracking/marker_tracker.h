@@ -41,17 +41,22 @@ struct MarkerTrackerOptions {
   MarkerPlace place = MarkerPlace::kReprojection;
   double max_descriptor_distance = 280.0;
   double max_ratio = 0.85;  // of the best to the second-best descriptor distance
+  // What the last frame did not have comes back if no other feature anywhere near looks alike, or
+  // if so many cameras agree.
+  int min_cameras_after_loss = 3;
   // filters
   bool check_image_move = true;
-  double max_image_move = 40.0;  // px a frame
+  double max_image_move = 6.0;  // px a frame, from where the marker's motion leads one to expect it
   bool check_world_move = true;
-  double max_world_speed = 6.0;  // m/s
+  double max_world_speed = 0.7;  // m/s, likewise
   bool check_reprojection = true;
   TriangulationOptions triangulation;
   bool check_distances = true;
   double max_stretch = 0.05;          // share by which cloth may be longer than at rest
   double distance_tolerance = 0.008;  // m, two markers' errors
   double max_violations = 0.05;       // share of distances that a marker may violate
+  int num_neighbours = 16;            // nearest on the cloth, that vote on their own
+  double max_neighbour_violations = 0.1;
 };
 
 struct TrackedMarker {
@@ -76,7 +81,9 @@ class MarkerTracker {
   std::vector<TrackedMarker> Advance(const std::vector<Features>& views);
 
   // What was thrown out, by which filter: "image move" and "reprojection" count features, "world
-  // move" and "distances" markers. "no feature" counts views that found none.
+  // move", "distances" and "ambiguous" (found again, by too little) markers, "views differ" views
+  // of the first frame. "no feature" counts views that found none, those of "image move" among
+  // them.
   const std::map<std::string, int>& counts() const { return counts_; }
 
  private:
@@ -89,14 +96,25 @@ class MarkerTracker {
   struct TrackState {
     Eigen::Vector2d uv;
     std::vector<View> views;
-    std::optional<Eigen::Vector3d> position;  // m, where it was last
-    int frame = 0;                            // when
+    std::optional<Eigen::Vector3d> position;             // m, where it was last
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m a frame, then
+    int frame = 0;                                       // when
+
+    // Where it should be now if it moves on as it did, for a while.
+    Eigen::Vector3d Expected(int now) const;
   };
 
-  std::optional<int> FindAgain(const View& view, const TrackState& marker,
-                               const Features& features);
+  struct Match {
+    std::optional<int> feature;
+    bool is_distinct = false;  // nothing like it anywhere near; not looked for from frame to frame
+  };
+  Match FindAgain(const View& view, const TrackState& marker, const Features& features);
+  // The feature within `radius` (px) of `centre` whose descriptor is nearest, if it is near enough
+  // and no other is about as near.
+  std::optional<int> MostAlike(const Features& features, const cv::Mat& descriptor,
+                               const Eigen::Vector2d& centre, double radius) const;
   std::vector<Sighting> Sight(TrackState* marker, const std::vector<Features>& views,
-                              std::vector<int>* features);
+                              std::vector<int>* features, int* num_distinct);
   std::optional<TrackedMarker> Place(int id, const std::vector<Sighting>& sightings);
 
   std::vector<Camera> cameras_;
@@ -109,7 +127,9 @@ class MarkerTracker {
 
 // The vote on distances (Hasler 2007, sec. 4): two markers cannot be further apart in the world
 // than on the cloth by more than the stretch allowed. The marker with the largest share of violated
-// distances goes, until none has more than max_violations. Returns which stay.
+// distances goes, until none has more than max_violations; then likewise among nearest neighbours
+// on the cloth, where small errors show: a marker that is off by one repeat of a pattern
+// contradicts half of its neighbours and few of those far away. Returns which stay.
 std::vector<bool> VoteOnDistances(const std::vector<TrackedMarker>& markers,
                                   const MarkerTrackerOptions& options);
 
