@@ -12,6 +12,15 @@ namespace clothfit {
 
 using Eigen::Vector2d;
 
+namespace {
+
+// Frames for which a motion is believed to go on, and what is lost to stray.
+constexpr int kLongestMotion = 3;
+// px: nearer than this features are one, at other scales or orientations.
+constexpr double kSamePlace = 3.0;
+
+}  // namespace
+
 MarkerTracker::MarkerTracker(std::vector<Camera> cameras, double frame_rate,
                              const MarkerTrackerOptions& options)
     : cameras_(std::move(cameras)), frame_rate_(frame_rate), options_(options) {}
@@ -63,13 +72,22 @@ std::vector<TrackedMarker> MarkerTracker::Start(
     const std::optional<TrackedMarker> marker = Place(id, sightings);
     if (!marker) continue;
     markers_[id].position = marker->position;
+    const View& first = markers_[id].views.front();
+    markers_[id].has_double = HasDouble(views[first.camera], first);
     found.push_back(*marker);
   }
   return found;
 }
 
-// Frames for which a motion is believed to go on, and what is lost to stray.
-constexpr int kLongestMotion = 3;
+bool MarkerTracker::HasDouble(const Features& features, const View& view) const {
+  for (int f = 0; f < features.size(); ++f) {
+    if ((features.pixels[f] - view.pixel).norm() >= kSamePlace &&
+        features.Distance(f, view.reference) <= options_.max_descriptor_distance) {
+      return true;
+    }
+  }
+  return false;
+}
 
 Eigen::Vector3d MarkerTracker::TrackState::Expected(int now) const {
   return *position + std::min(now - frame, kLongestMotion) * velocity;
@@ -114,7 +132,6 @@ std::optional<int> MarkerTracker::MostAlike(const Features& features, const cv::
   for (int f = 0; f < features.size(); ++f) {
     if ((features.pixels[f] - centre).norm() > radius) continue;
     const double distance = features.Distance(f, descriptor);
-    constexpr double kSamePlace = 3.0;  // px: other scales and orientations of the same feature
     const bool same = best >= 0 && (features.pixels[f] - features.pixels[best]).norm() < kSamePlace;
     if (distance < first) {
       if (!same) second = first;
@@ -202,7 +219,11 @@ std::vector<TrackedMarker> MarkerTracker::Advance(const std::vector<Features>& v
     if (!marker) continue;
     const bool was_lost = state.position && state.frame != frame_ - 1;
     const bool is_distinct = num_distinct == static_cast<int>(sightings.size());
-    if (was_lost && !is_distinct && marker->num_cameras < options_.min_cameras_after_loss) {
+    const bool is_stale = state.frame < frame_ - kLongestMotion;
+    const bool is_certain =
+        is_stale ? is_distinct && !state.has_double
+                 : is_distinct || marker->num_cameras >= options_.min_cameras_after_loss;
+    if (was_lost && !is_certain) {
       ++counts_["ambiguous"];
       continue;
     }

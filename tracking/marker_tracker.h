@@ -99,6 +99,7 @@ class MarkerTracker {
     std::optional<Eigen::Vector3d> position;             // m, where it was last
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m a frame, then
     int frame = 0;                                       // when
+    bool has_double = false;  // in the first frame, anywhere: then its look says little
 
     // Where it should be now if it moves on as it did, for a while.
     Eigen::Vector3d Expected(int now) const;
@@ -109,6 +110,8 @@ class MarkerTracker {
     bool is_distinct = false;  // nothing like it anywhere near; not looked for from frame to frame
   };
   Match FindAgain(const View& view, const TrackState& marker, const Features& features);
+  // Whether some other feature of the picture looks like the view's.
+  bool HasDouble(const Features& features, const View& view) const;
   // The feature within `radius` (px) of `centre` whose descriptor is nearest, if it is near enough
   // and no other is about as near.
   std::optional<int> MostAlike(const Features& features, const cv::Mat& descriptor,

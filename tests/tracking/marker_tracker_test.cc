@@ -49,6 +49,20 @@ class MarkerTrackerTest : public testing::Test {
     }
     return views;
   }
+  // Without the seventh point.
+  static std::vector<Features> Hidden(std::vector<Features> views) {
+    for (Features& view : views) view.pixels[7] = {-500.0, -500.0};
+    return views;
+  }
+  // With something beside the seventh point that looks the same.
+  std::vector<Features> Doubled(std::vector<Features> views, int frame) const {
+    for (std::size_t c = 0; c < views.size(); ++c) {
+      views[c].pixels.push_back(ProjectPoint(cameras_[c], Place(7, frame)) +
+                                Eigen::Vector2d(60.0, 0.0));
+      views[c].descriptors.push_back(views[c].descriptors.row(7));
+    }
+    return views;
+  }
   std::vector<std::vector<std::optional<Eigen::Vector2d>>> Uv() const {
     return {cameras_.size(), {uv_.begin(), uv_.end()}};
   }
@@ -120,27 +134,35 @@ TEST_F(MarkerTrackerTest, FilterByMoveInTheWorld) {
   EXPECT_EQ(without.Advance(Views(1)).size(), uv_.size());
 }
 
-// What was lost and has a double nearby comes back only where three cameras agree: two rays nearly
-// meet by chance more often.
+// What was lost a moment ago and has a double nearby comes back only where three cameras agree: two
+// rays nearly meet by chance more often.
 TEST_F(MarkerTrackerTest, WhatWasLostAndHasDoublesNeedsThreeCameras) {
   for (const bool has_doubles : {false, true}) {
     for (const int num_cameras : {2, 3}) {
       MarkerTracker tracker(cameras_, 30.0, {});
       tracker.Start(Views(0), Uv());
-      std::vector<Features> views = Views(1);
-      for (Features& view : views) view.pixels[7] = {-500.0, -500.0};
-      EXPECT_EQ(tracker.Advance(views).size(), uv_.size() - 1);
-      views = Views(2);
+      tracker.Advance(Hidden(Views(1)));
+      std::vector<Features> views = has_doubles ? Doubled(Views(2), 2) : Views(2);
       if (num_cameras == 2) views[2].pixels[7] = {-500.0, -500.0};
-      for (Features& view : views) {
-        if (!has_doubles) continue;
-        view.pixels.emplace_back(view.pixels[7].x() + 60.0, view.pixels[7].y());
-        view.descriptors.push_back(view.descriptors.row(7));
-      }
       const bool comes_back = !has_doubles || num_cameras == 3;
       EXPECT_EQ(tracker.Advance(views).size(), uv_.size() - (comes_back ? 0 : 1));
       EXPECT_EQ(tracker.counts().count("ambiguous"), comes_back ? 0 : 1);
     }
+  }
+}
+
+// What was lost for long comes back if its look is its own.
+TEST_F(MarkerTrackerTest, WhatWasLostForLongMustNotHaveHadDoubles) {
+  for (const bool had_doubles : {false, true}) {
+    MarkerTracker tracker(cameras_, 30.0, {});
+    std::vector<std::vector<std::optional<Eigen::Vector2d>>> uv = Uv();
+    for (auto& of_view : uv) {
+      if (had_doubles) of_view.emplace_back();  // it lies beside the cloth
+    }
+    tracker.Start(had_doubles ? Doubled(Views(0), 0) : Views(0), uv);
+    int frame = 1;
+    for (; frame <= 6; ++frame) EXPECT_EQ(tracker.Advance(Hidden(Views(0))).size(), 47);
+    EXPECT_EQ(tracker.Advance(Views(0)).size(), had_doubles ? 47 : 48);
   }
 }
 
