@@ -90,4 +90,11 @@ void PrintWarnings(const Recording& recording) {
   }
 }
 
+void PrintWarnings(const Scene& scene) {
+  if (!scene.silhouettes) return;
+  for (const std::string& warning : scene.silhouettes->warnings) {
+    std::fprintf(stderr, "clothfit: warning: %s\n", warning.c_str());
+  }
+}
+
 }  // namespace clothfit

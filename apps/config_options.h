@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "fitting/config.h"
+#include "fitting/scene.h"
 
 namespace clothfit {
 
@@ -37,5 +38,6 @@ FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording)
 
 // Prints what is worth knowing about the recording to the standard error.
 void PrintWarnings(const Recording& recording);
+void PrintWarnings(const Scene& scene);
 
 }  // namespace clothfit

@@ -31,6 +31,7 @@ struct FitOptions {
   std::string run;           // empty: runs/NAME
   std::optional<double> window;
   std::optional<int> initial_order, max_iterations;
+  std::optional<double> alpha, beta;
   std::optional<std::vector<int>> frames;
   std::optional<LossKind> loss;
   bool no_polish = false, attract = false, force = false, resume = false, quiet = false;
@@ -42,6 +43,8 @@ void ApplyOptions(const FitOptions& options, FitConfig* config) {
   if (options.max_iterations) config->max_iterations = *options.max_iterations;
   if (options.frames) config->frames = {(*options.frames)[0], (*options.frames)[1]};
   if (options.loss) config->loss = *options.loss;
+  if (options.alpha) config->alpha = *options.alpha;
+  if (options.beta) config->beta = *options.beta;
   if (options.no_polish) config->polish = false;
   if (options.attract) Attract(config);
   config->Check("command line");
@@ -160,7 +163,10 @@ int RunFitCommand(FitOptions options) {
     CheckFittable(scene);
   }
   if (options.resume) RequireSameConfig(run, recording, config);
-  if (!options.quiet) PrintWarnings(recording);
+  if (!options.quiet) {
+    PrintWarnings(recording);
+    PrintWarnings(scene);
+  }
   return Report(FitWithDisplay(scene, config, run, options), run, options.quiet);
 }
 
@@ -192,6 +198,10 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
       ->type_name("LOSS")
       ->transform(CLI::Transformer(losses))
       ->option_text("none|huber|cauchy");
+  command->add_option("--alpha", options->alpha, "weight of the silhouettes; 0 leaves them out")
+      ->type_name("W");
+  command->add_option("--beta", options->beta, "weight of markers and tracks; 0 leaves them out")
+      ->type_name("W");
   command->add_flag("--attract", options->attract,
                     "let markers and rays pull at the cloth while fitting (attraction_point.*, "
                     "attraction_ray.*)");

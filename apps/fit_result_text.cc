@@ -25,7 +25,11 @@ std::string ErrorTable(const Evaluation& before, const Evaluation& after) {
       ErrorRow("markers, fitted", "m", before.marker_rms, after.marker_rms) +
       ErrorRow("markers, held out", "m", before.held_out_marker_rms, after.held_out_marker_rms) +
       ErrorRow("tracks, fitted", "px", before.track_rms, after.track_rms) +
-      ErrorRow("tracks, held out", "px", before.held_out_track_rms, after.held_out_track_rms);
+      ErrorRow("tracks, held out", "px", before.held_out_track_rms, after.held_out_track_rms) +
+      ErrorRow("silhouettes, fitted", "pixels that differ in a picture, mean",
+               before.silhouette_error, after.silhouette_error) +
+      ErrorRow("silhouettes, held out", "pixels that differ in a picture, mean",
+               before.held_out_silhouette_error, after.held_out_silhouette_error);
   return fmt::format("  {:<24}{:>12}{:>12}\n", "root mean square error", "before", "after") + rows;
 }
 

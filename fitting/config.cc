@@ -12,6 +12,7 @@
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/config_keys.h"
+#include "fitting/silhouettes.h"
 #include "tracking/text.h"
 
 namespace clothfit {
@@ -90,7 +91,8 @@ FitConfig DefaultConfig(const Recording& recording) {
   FitConfig config;
   config.recording = recording.path.string();
   // What is tracked in pictures has outliers.
-  if (!recording.tracks.empty()) config.loss = LossKind::kHuber;
+  if (!recording.tracks.empty() || HasMasks(recording)) config.loss = LossKind::kHuber;
+  config.use_silhouettes = HasMasks(recording);
   for (const NamedParameter& named : MakeParameterTable()) {
     config.parameters[named.name] = DefaultSetting(named.parameter);
   }
@@ -124,8 +126,9 @@ void FitConfig::Check(const std::string& place) const {
     throw InputError(place + ": " + key.full_name(), key.write(*this) + ": " + problem);
   }
   CheckParameters(place, parameters);
-  if (use_markers || use_tracks) return;
-  throw InputError(place + ": observations", "neither markers nor tracks: nothing to fit");
+  if (FitsMarkers() || FitsTracks() || FitsSilhouettes()) return;
+  throw InputError(place + ": observations",
+                   "neither markers nor tracks nor silhouettes: nothing to fit");
 }
 
 }  // namespace clothfit

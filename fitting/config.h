@@ -57,6 +57,11 @@ struct FitConfig {
   // observations
   bool use_markers = true;
   bool use_tracks = true;
+  bool use_silhouettes = false;  // by the soft error, see fitting/soft_silhouette.h
+  // E = alpha E_s + beta E_a (Hasler 2007, sec. 6.2): weights of the silhouettes' squared residuals
+  // and of those of markers and tracks. 0 leaves them out.
+  double alpha = 1.0;
+  double beta = 1.0;
   LossKind loss = LossKind::kNone;
   double loss_scale = 3.0;  // in sigmas
   std::optional<std::array<int, 2>>
@@ -73,6 +78,10 @@ struct FitConfig {
   // Of Levenberg-Marquardt: of the polish; of each window without one, else fewer.
   int max_iterations = 30;
   double function_tolerance = 1e-6;  // relative change of the cost at which to stop
+
+  bool FitsMarkers() const { return use_markers && beta > 0.0; }
+  bool FitsTracks() const { return use_tracks && beta > 0.0; }
+  bool FitsSilhouettes() const { return use_silhouettes && alpha > 0.0; }
 
   // Throws InputError, naming `place` and the key, where a value is out of range.
   void Check(const std::string& place) const;

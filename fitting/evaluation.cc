@@ -6,18 +6,24 @@
 
 #include <cmath>
 
+#include "fitting/hard_silhouette.h"
+
 namespace clothfit {
 namespace {
 
 // A root mean square that is empty until something is added.
-struct Rms {
+struct Mean {
   double sum = 0.0;
   int count = 0;
-  void Add(double squared) {
-    sum += squared;
+  void Add(double value) {
+    sum += value;
     ++count;
   }
   std::optional<double> Value() const {
+    if (count == 0) return std::nullopt;
+    return sum / count;
+  }
+  std::optional<double> Root() const {  // of the mean of squares
     if (count == 0) return std::nullopt;
     return std::sqrt(sum / count);
   }
@@ -27,7 +33,9 @@ struct Rms {
 
 Evaluation EvaluateScene(const Scene& scene, const FitConfig& config, const FreeParameters& free,
                          const Eigen::VectorXd& theta) {
-  Rms markers, held_out_markers, tracks, held_out_tracks;
+  Mean markers, held_out_markers, tracks, held_out_tracks;
+  const HardSilhouette hard(scene);
+  Mean silhouettes, held_out_silhouettes;
   std::size_t marker = 0, track = 0;
   Evaluation evaluation;
   evaluation.frames = SimulateFrames(
@@ -50,14 +58,22 @@ Evaluation EvaluateScene(const Scene& scene, const FitConfig& config, const Free
           else if (scene.IsHeldOut(frame) || scene.is_fitted[frame])
             held_out_tracks.Add(squared);
         }
+        for (const HardSilhouette::Difference& d : hard.Differences(frame, state.x)) {
+          if (scene.IsFitted(frame, d.camera))
+            silhouettes.Add(static_cast<double>(d.pixels));
+          else if (scene.IsHeldOut(frame) || scene.is_fitted[frame])
+            held_out_silhouettes.Add(static_cast<double>(d.pixels));
+        }
       });
   evaluation.complete = evaluation.frames == scene.recording.frame_count;
-  evaluation.marker_rms = markers.Value();
-  evaluation.track_rms = tracks.Value();
+  evaluation.marker_rms = markers.Root();
+  evaluation.track_rms = tracks.Root();
+  evaluation.silhouette_error = silhouettes.Value();
   // Open loop to the last frame or not at all: a part of the held-out frames would flatter.
   if (evaluation.complete) {
-    evaluation.held_out_marker_rms = held_out_markers.Value();
-    evaluation.held_out_track_rms = held_out_tracks.Value();
+    evaluation.held_out_marker_rms = held_out_markers.Root();
+    evaluation.held_out_track_rms = held_out_tracks.Root();
+    evaluation.held_out_silhouette_error = held_out_silhouettes.Value();
   }
   return evaluation;
 }

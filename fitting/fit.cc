@@ -88,7 +88,7 @@ FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks
   if (!coarser || (resume != nullptr && !resume->coarse)) {
     return Fitter(scene, config, callbacks).Run(resume);
   }
-  const Scene coarse_scene = MakeScene(scene.recording, *coarser);
+  const Scene coarse_scene = MakeScene(scene.recording, *coarser, &scene);
   const FitCallbacks coarse_callbacks = OfCoarseFit(callbacks, coarse_scene.mesh);
   const FitResult coarse = Fitter(coarse_scene, *coarser, coarse_callbacks).Run(resume);
   const FitCallbacks fine_callbacks = OfFineFit(callbacks);

@@ -63,9 +63,14 @@ void CheckFittable(const Scene& scene) {
                   [&](const MarkerObservation& m) { return scene.is_fitted[m.frame]; });
   const bool any_track = std::any_of(scene.tracks.begin(), scene.tracks.end(),
                                      [&](const TrackObservation& t) { return scene.IsFitted(t); });
-  if (any_marker || any_track) return;
-  throw InputError(scene.recording.path.string(),
-                   "nothing to fit: expected markers or tracks in the frames that are fitted");
+  const bool any_silhouette =
+      scene.silhouettes &&
+      std::any_of(scene.silhouettes->observations.begin(), scene.silhouettes->observations.end(),
+                  [](const SilhouetteObservation& s) { return s.field; });
+  if (any_marker || any_track || any_silhouette) return;
+  throw InputError(
+      scene.recording.path.string(),
+      "nothing to fit: expected markers, tracks or masks in the frames that are fitted");
 }
 
 FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,

@@ -86,7 +86,7 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   double* theta = progress_.theta.data();
   ceres::CostFunction* cost =
       MakeWindowCost(simulator, &observations_, &start, free_.size(), first, last);
-  const int rows = cost->num_residuals();
+  const int rows = observations_.NumObserved(first, last);
   problem.AddResidualBlock(cost, nullptr, theta);
   problem.AddResidualBlock(new LinearCost(prior, offset), nullptr, theta);
   for (int i = 0; i < free_.size(); ++i) {
@@ -180,14 +180,14 @@ bool Fitter::RunWindow(int window, WindowStart* start) {
   Eigen::VectorXd residuals;
   RowMajorMatrix jacobian;
   WindowStart end;
-  if (EvaluateWindow(&attracting_, observations_, *start, progress_.theta, first, last, &residuals,
-                     &jacobian, &end) != Outcome::kComplete) {
+  if (EvaluateWindow(&attracting_, observations_, *start, progress_.theta, first, last,
+                     Rows::kCompressed, &residuals, &jacobian, &end) != Outcome::kComplete) {
     Log(stage_ + ": the simulation does not reach the end of the window; the windows end here");
     return false;
   }
   // What this window knows of theta, at the size that its residuals really have.
   const double noise2 = std::max(
-      1.0, residuals.squaredNorm() / std::max<double>(1.0, static_cast<double>(residuals.size())));
+      1.0, residuals.squaredNorm() / std::max<double>(1.0, observations_.NumObserved(first, last)));
   const Eigen::MatrixXd information = jacobian.transpose() * jacobian / noise2 +
                                       progress_.information.transpose() * progress_.information;
   progress_.information = information.llt().matrixU();
@@ -212,8 +212,8 @@ void Fitter::RunWindows() {
     Eigen::VectorXd residuals;
     WindowStart end;
     const int frame = std::min(progress_.next_window * window_frames_, scene_.last_fitted_frame);
-    if (EvaluateWindow(&attracting_, observations_, start, progress_.mean, 0, frame, &residuals,
-                       nullptr, &end) != Outcome::kComplete) {
+    if (EvaluateWindow(&attracting_, observations_, start, progress_.mean, 0, frame,
+                       Rows::kCompressed, &residuals, nullptr, &end) != Outcome::kComplete) {
       return;
     }
     start = std::move(end);
@@ -230,7 +230,7 @@ double Fitter::Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) co
   Eigen::VectorXd residuals;
   const WindowStart start = simulator->FirstStart(theta);
   if (EvaluateWindow(simulator, observations_, start, theta, 0, scene_.last_fitted_frame,
-                     &residuals, nullptr) != Outcome::kComplete) {
+                     Rows::kCompressed, &residuals, nullptr) != Outcome::kComplete) {
     return std::numeric_limits<double>::infinity();
   }
   return 0.5 * (residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());
@@ -264,7 +264,7 @@ FitResult Fitter::Run(const FitCheckpoint* resume) {
   WindowSimulator unstopped(scene_, config_, free_, false, nullptr);
   result.cost_before = Cost(free_.start(), &unstopped);
   if (resume != nullptr) progress_ = *resume;
-  if (free_.size() > 0 && (scene_.markers.size() + scene_.tracks.size()) > 0) {
+  if (free_.size() > 0 && observations_.Count(0, scene_.last_fitted_frame) > 0) {
     const bool in_windows = num_windows_ > 1 || !config_.polish || config_.attract;
     if (in_windows && progress_.next_window < num_windows_) RunWindows();
     if (config_.polish && !Stopped()) Polish();

@@ -47,13 +47,14 @@ void Fitter::Finish(FitResult* result) {
   RowMajorMatrix jacobian;
   const WindowSimulator::Outcome outcome =
       EvaluateWindow(&simulator, observations_, start, result->theta, 0, scene_.last_fitted_frame,
-                     &residuals, &jacobian);
+                     Rows::kCompressed, &residuals, &jacobian);
   result->steps = simulator.last_report();
   Uncertainty uncertainty;
   if (outcome == WindowSimulator::Outcome::kComplete) {
     result->cost_after =
         0.5 * (residuals.squaredNorm() + free_.PriorResiduals(result->theta).squaredNorm());
-    uncertainty = QuantifyUncertainty(free_, residuals, jacobian);
+    uncertainty = QuantifyUncertainty(free_, observations_.NumObserved(0, scene_.last_fitted_frame),
+                                      residuals, jacobian);
     constexpr double kConvergedDecrease = 0.01;
     const double decrease = ExpectedDecrease(residuals, jacobian);
     if (converged_ && config_.polish && decrease > kConvergedDecrease) {

@@ -9,6 +9,8 @@
 
 #include <ceres/jet.h>
 
+#include "tracking/parallel.h"
+
 namespace clothfit {
 namespace {
 
@@ -48,15 +50,33 @@ std::unique_ptr<ceres::LossFunction> MakeLoss(const FitConfig& config) {
 
 ObservationResiduals::ObservationResiduals(const Scene& scene, const FitConfig& config)
     : scene_(scene),
+      silhouette_weight_(std::sqrt(config.alpha)),
+      other_weight_(std::sqrt(config.beta)),
       loss_(MakeLoss(config)),
+      soft_(scene.recording.cameras.size()),
       first_marker_(FirstOfFrames(scene.markers, scene.recording.frame_count)),
-      first_track_(FirstOfFrames(scene.tracks, scene.recording.frame_count)) {}
+      first_track_(FirstOfFrames(scene.tracks, scene.recording.frame_count)) {
+  if (!scene.silhouettes) return;
+  const std::vector<SilhouetteObservation>& all = scene.silhouettes->observations;
+  first_silhouette_ = FirstOfFrames(all, scene.recording.frame_count);
+  for (const SilhouetteObservation& s : all) {
+    if (s.field && !soft_[s.camera]) {
+      soft_[s.camera] =
+          std::make_unique<SoftSilhouette>(scene.recording.cameras[s.camera], scene.mesh);
+    }
+  }
+}
 
 int ObservationResiduals::Count(int frame) const {
   if (!scene_.is_fitted[frame]) return 0;
   int count = 3 * static_cast<int>(first_marker_[frame + 1] - first_marker_[frame]);
   for (std::size_t i = first_track_[frame]; i < first_track_[frame + 1]; ++i) {
     if (scene_.IsFitted(scene_.tracks[i])) count += 2;
+  }
+  if (!scene_.silhouettes) return count;
+  for (std::size_t i = first_silhouette_[frame]; i < first_silhouette_[frame + 1]; ++i) {
+    const SilhouetteObservation& s = scene_.silhouettes->observations[i];
+    if (s.field) count += soft_[s.camera]->Count(s);
   }
   return count;
 }
@@ -67,18 +87,29 @@ int ObservationResiduals::Count(int first, int last) const {
   return count;
 }
 
+int ObservationResiduals::NumObserved(int first, int last) const {
+  int count = Count(first, last);
+  if (!scene_.silhouettes) return count;
+  for (const SilhouetteObservation& s : scene_.silhouettes->observations) {
+    if (s.field && s.frame >= first && s.frame <= last) count -= scene_.mesh.num_particles();
+  }
+  return count;
+}
+
 template <int kRows>
 void ObservationResiduals::Store(const Eigen::Matrix<double, kRows, 1>& r,
                                  const Eigen::Matrix<double, kRows, 3>& by_point,
-                                 const SurfacePoint& point, const Sensitivity* sensitivity, int row,
+                                 const SurfacePoint& point, double weight,
+                                 const Sensitivity* sensitivity, int row,
                                  Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const {
-  double scale = 1.0, scale_slope = 0.0;  // sqrt(rho(s) / s) and its derivative by s
+  double scale = weight, scale_slope = 0.0;  // sqrt(rho(s) / s) and its derivative by s, weighted
   const double s = r.squaredNorm();
   if (loss_ != nullptr && s > 1e-12) {
     double rho[3];
     loss_->Evaluate(s, rho);
-    scale = std::sqrt(rho[0] / s);
-    scale_slope = (rho[1] - rho[0] / s) / (2.0 * s * scale);
+    const double root = std::sqrt(rho[0] / s);
+    scale = weight * root;
+    scale_slope = weight * (rho[1] - rho[0] / s) / (2.0 * s * root);
   }
   residuals->segment<kRows>(row) = scale * r;
   if (jacobian == nullptr) return;
@@ -96,8 +127,8 @@ bool ObservationResiduals::Evaluate(int frame, const State& state, const Sensiti
   for (std::size_t i = first_marker_[frame]; i < first_marker_[frame + 1]; ++i, row += 3) {
     const MarkerObservation& m = scene_.markers[i];
     const Eigen::Vector3d r = (m.on_cloth.At(state.x) - m.position) / scene_.marker_sigma;
-    Store<3>(r, Eigen::Matrix3d::Identity() / scene_.marker_sigma, m.on_cloth, sensitivity, row,
-             residuals, jacobian);
+    Store<3>(r, Eigen::Matrix3d::Identity() / scene_.marker_sigma, m.on_cloth, other_weight_,
+             sensitivity, row, residuals, jacobian);
   }
   for (std::size_t i = first_track_[frame]; i < first_track_[frame + 1]; ++i) {
     const TrackObservation& t = scene_.tracks[i];
@@ -114,10 +145,47 @@ bool ObservationResiduals::Evaluate(int frame, const State& state, const Sensiti
       r[k] = (pixel[k].a - t.pixel[k]) / scene_.track_sigma;
       by_point.row(k) = pixel[k].v.transpose() / scene_.track_sigma;
     }
-    Store<2>(r, by_point, t.on_cloth, sensitivity, row, residuals, jacobian);
+    Store<2>(r, by_point, t.on_cloth, other_weight_, sensitivity, row, residuals, jacobian);
     row += 2;
   }
-  return true;
+  return EvaluateSilhouettes(frame, state, sensitivity, row, residuals, jacobian);
+}
+
+bool ObservationResiduals::EvaluateSilhouettes(int frame, const State& state,
+                                               const Sensitivity* sensitivity, int row,
+                                               Eigen::VectorXd* residuals,
+                                               RowMajorMatrix* jacobian) const {
+  if (!scene_.silhouettes) return true;
+  std::vector<const SilhouetteObservation*> measured;
+  std::vector<int> first_row;
+  for (std::size_t i = first_silhouette_[frame]; i < first_silhouette_[frame + 1]; ++i) {
+    const SilhouetteObservation& s = scene_.silhouettes->observations[i];
+    if (!s.field) continue;
+    measured.push_back(&s);
+    first_row.push_back(row);
+    row += soft_[s.camera]->Count(s);
+  }
+  std::vector<char> has_failed(measured.size(), 0);
+  ParallelFor(static_cast<int>(measured.size()), NumThreads(0), [&](int i, int) {
+    std::vector<SoftSilhouette::Residual> soft;
+    if (!soft_[measured[i]->camera]->Evaluate(*measured[i], state.x, &soft)) {
+      has_failed[i] = 1;
+      return;
+    }
+    int own_row = first_row[i];
+    for (const SoftSilhouette::Residual& r : soft) {
+      using Scalar = Eigen::Matrix<double, 1, 1>;
+      if (r.value != 0.0 || !r.slope.isZero(0.0)) {
+        Store<1>(Scalar(r.value / scene_.silhouette_sigma), r.slope / scene_.silhouette_sigma,
+                 r.point, silhouette_weight_, sensitivity, own_row, residuals, jacobian);
+      } else {
+        (*residuals)[own_row] = 0.0;
+        if (jacobian != nullptr) jacobian->row(own_row).setZero();
+      }
+      ++own_row;
+    }
+  });
+  return std::find(has_failed.begin(), has_failed.end(), 1) == has_failed.end();
 }
 
 }  // namespace clothfit

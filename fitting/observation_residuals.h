@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a simulated frame leaves unexplained: markers in metres, tracks in pixels, over their
-// sigmas.
+// What a simulated frame leaves unexplained: markers in metres, tracks and outlines in pixels, over
+// their sigmas.
 #pragma once
 
 #include <memory>
@@ -11,6 +11,7 @@
 #include <ceres/loss_function.h>
 
 #include "fitting/scene.h"
+#include "fitting/soft_silhouette.h"
 
 namespace clothfit {
 
@@ -20,15 +21,19 @@ class ObservationResiduals {
  public:
   ObservationResiduals(const Scene& scene, const FitConfig& config);
 
-  // Residuals of the fitted observations of one frame: 3 a marker, 2 a track.
+  // Residuals of the fitted observations of one frame: 3 a marker, 2 a track, those of a soft
+  // silhouette.
   int Count(int frame) const;
   // Those of all frames in first..last.
   int Count(int first, int last) const;
+  // The observed coordinates of these frames: as Count, but of a silhouette the outline's points
+  // only. Particles say nothing as long as they lie within.
+  int NumObserved(int first, int last) const;
 
   // Writes the frame's residuals from `row` on and, where `jacobian` is given, their derivatives
   // along the sensitivity's directions. A robust loss rho acts on each observation: its residuals
   // are scaled by sqrt(rho(s) / s), s their squared norm, so that the sum of squares is the sum of
-  // rho. Returns false where a tracked point lies behind its camera.
+  // rho. Returns false where a tracked point lies behind its camera, or SoftSilhouette has none.
   bool Evaluate(int frame, const State& state, const Sensitivity* sensitivity, int row,
                 Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const;
 
@@ -36,12 +41,18 @@ class ObservationResiduals {
   template <int kRows>
   void Store(const Eigen::Matrix<double, kRows, 1>& r,
              const Eigen::Matrix<double, kRows, 3>& by_point, const SurfacePoint& point,
-             const Sensitivity* sensitivity, int row, Eigen::VectorXd* residuals,
+             double weight, const Sensitivity* sensitivity, int row, Eigen::VectorXd* residuals,
              RowMajorMatrix* jacobian) const;
 
+  bool EvaluateSilhouettes(int frame, const State& state, const Sensitivity* sensitivity, int row,
+                           Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const;
+
   const Scene& scene_;
+  double silhouette_weight_, other_weight_;  // of residuals: sqrt(alpha), sqrt(beta)
   std::unique_ptr<ceres::LossFunction> loss_;
-  std::vector<std::size_t> first_marker_, first_track_;  // by frame, one more than there are frames
+  std::vector<std::unique_ptr<SoftSilhouette>> soft_;  // by camera; null where nothing is fitted
+  // By frame, one more than there are frames.
+  std::vector<std::size_t> first_marker_, first_track_, first_silhouette_;
 };
 
 }  // namespace clothfit

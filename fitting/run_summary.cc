@@ -22,12 +22,14 @@ Json OrNull(const std::optional<double>& value) {
 
 Json FittedErrors(const Evaluation& evaluation) {
   return {{"marker_rms_m", OrNull(evaluation.marker_rms)},
-          {"track_rms_px", OrNull(evaluation.track_rms)}};
+          {"track_rms_px", OrNull(evaluation.track_rms)},
+          {"silhouette_error_px", OrNull(evaluation.silhouette_error)}};
 }
 
 Json HeldOutErrors(const Evaluation& evaluation) {
   return {{"marker_rms_m", OrNull(evaluation.held_out_marker_rms)},
-          {"track_rms_px", OrNull(evaluation.held_out_track_rms)}};
+          {"track_rms_px", OrNull(evaluation.held_out_track_rms)},
+          {"silhouette_error_px", OrNull(evaluation.held_out_silhouette_error)}};
 }
 
 Json Frames(const Scene& scene, const FitResult& result) {

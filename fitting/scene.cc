@@ -57,7 +57,7 @@ void AddHandles(const Recording& recording, const FitConfig& config, Scene* scen
 
 void AddObservations(const Recording& recording, const FitConfig& config, Scene* scene) {
   std::vector<Eigen::Vector2d> uv;
-  if (config.use_markers) {
+  if (config.FitsMarkers()) {
     for (const Marker& m : recording.markers) uv.push_back(m.uv);
     const std::vector<SurfacePoint> points = LocateOnCloth(scene->mesh, uv);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -65,7 +65,7 @@ void AddObservations(const Recording& recording, const FitConfig& config, Scene*
       scene->markers.push_back({m.frame, m.id, points[i], m.position});
     }
   }
-  if (config.use_tracks) {
+  if (config.FitsTracks()) {
     uv.clear();
     for (const Track& t : recording.tracks) uv.push_back(t.uv);
     const std::vector<SurfacePoint> points = LocateOnCloth(scene->mesh, uv);
@@ -99,6 +99,18 @@ void ChooseFrames(const Recording& recording, const FitConfig& config, Scene* sc
   }
   for (const TrackObservation& t : scene->tracks) {
     if (scene->IsFitted(t)) scene->last_fitted_frame = std::max(scene->last_fitted_frame, t.frame);
+  }
+}
+
+void AddSilhouettes(const FitConfig& config, const Scene* same, Scene* scene) {
+  if (!config.FitsSilhouettes()) return;
+  scene->silhouettes = same != nullptr ? same->silhouettes : nullptr;
+  if (!scene->silhouettes) {
+    scene->silhouettes = std::make_shared<Silhouettes>(LoadSilhouettes(
+        scene->recording, [&](int frame, int camera) { return scene->IsFitted(frame, camera); }));
+  }
+  for (const SilhouetteObservation& s : scene->silhouettes->observations) {
+    if (s.field) scene->last_fitted_frame = std::max(scene->last_fitted_frame, s.frame);
   }
 }
 
@@ -145,14 +157,11 @@ bool Scene::IsHeldOut(int frame) const {
   return range && frame >= range->first && frame <= range->last;
 }
 
-bool Scene::IsFitted(const TrackObservation& track) const {
-  const std::vector<std::string>& held_out = recording.splits.held_out_cameras;
-  return is_fitted[track.frame] &&
-         std::find(held_out.begin(), held_out.end(), recording.cameras[track.camera].name) ==
-             held_out.end();
+bool Scene::IsFitted(int frame, int camera) const {
+  return is_fitted[frame] && !IsHeldOutCamera(recording, camera);
 }
 
-Scene MakeScene(const Recording& recording, const FitConfig& config) {
+Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene* same) {
   Scene scene;
   scene.recording = recording;
   scene.world.gravity = recording.gravity;
@@ -162,12 +171,14 @@ Scene MakeScene(const Recording& recording, const FitConfig& config) {
   scene.step = 1.0 / (recording.frame_rate * scene.steps_per_frame);
   scene.marker_sigma = recording.noise.marker.value_or(kDefaultMarkerSigma);
   scene.track_sigma = recording.noise.track.value_or(kDefaultTrackSigma);
+  scene.silhouette_sigma = recording.noise.silhouette.value_or(kDefaultSilhouetteSigma);
   PlacedCloth placed = PlaceCloth(recording, config.resolution);
   scene.mesh = std::move(placed.mesh);
   scene.initial = std::move(placed.x);
   AddHandles(recording, config, &scene);
   AddObservations(recording, config, &scene);
   ChooseFrames(recording, config, &scene);
+  AddSilhouettes(config, same, &scene);
   return scene;
 }
 

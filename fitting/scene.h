@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@
 
 #include "autodiff_sim/simulation.h"
 #include "fitting/config.h"
+#include "fitting/silhouettes.h"
 #include "tracking/plucker_ray.h"
 #include "tracking/recording.h"
 
@@ -71,9 +74,12 @@ struct Scene {
   std::vector<SceneHandle> handles;
   std::vector<MarkerObservation> markers;  // by frame
   std::vector<TrackObservation> tracks;    // by frame
+  // By frame, then camera; none unless they are fitted. Shared by the scenes of one recording.
+  std::shared_ptr<const Silhouettes> silhouettes;
   int steps_per_frame = 1;
   double step = 0.0;                             // s
   double marker_sigma = 0.0, track_sigma = 0.0;  // m, px
+  double silhouette_sigma = 0.0;                 // px
   std::vector<bool> is_fitted;                   // one a frame: may its observations be fitted?
   int last_fitted_frame = 0;
 
@@ -81,10 +87,12 @@ struct Scene {
   std::vector<SurfacePoint> HandlePoints() const;
   bool IsHeldOut(int frame) const;
   // In a fitted frame and of a camera that is not held out.
-  bool IsFitted(const TrackObservation& track) const;
+  bool IsFitted(const TrackObservation& track) const { return IsFitted(track.frame, track.camera); }
+  bool IsFitted(int frame, int camera) const;
 };
 
-// Throws InputError where the recording or the config cannot be used.
-Scene MakeScene(const Recording& recording, const FitConfig& config);
+// Throws InputError where the recording or the config cannot be used. `same`, where given, is a
+// scene of the same recording whose silhouettes can be used again.
+Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene* same = nullptr);
 
 }  // namespace clothfit

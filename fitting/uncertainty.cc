@@ -117,11 +117,11 @@ void FillIntervals(const FreeParameters& free, const Eigen::VectorXd& residuals,
 
 }  // namespace
 
-Uncertainty QuantifyUncertainty(const FreeParameters& free, const Eigen::VectorXd& residuals,
-                                const RowMajorMatrix& jacobian) {
+Uncertainty QuantifyUncertainty(const FreeParameters& free, int num_observed,
+                                const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian) {
   Uncertainty result;
   const int n = free.size();
-  const double spare = static_cast<double>(std::max<Eigen::Index>(1, residuals.size() - n));
+  const double spare = std::max(1, num_observed - n);
   result.noise_factor = std::max(1.0, std::sqrt(residuals.squaredNorm() / spare));
   const Eigen::MatrixXd covariance =
       Covariance(jacobian / result.noise_factor, free.prior_jacobian());

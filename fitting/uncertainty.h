@@ -26,8 +26,9 @@ struct Uncertainty {
 // Ceres', of the linearised problem. The undetermined directions are those of the physical
 // parameters along which the singular values of the Jacobian, in units of the priors' sigmas and
 // with every other free entry projected out, are below 1: there the prior knows more than the data.
-Uncertainty QuantifyUncertainty(const FreeParameters& free, const Eigen::VectorXd& residuals,
-                                const RowMajorMatrix& jacobian);
+// `num_observed` is the number of observed coordinates, which compressed rows do not show.
+Uncertainty QuantifyUncertainty(const FreeParameters& free, int num_observed,
+                                const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian);
 
 // The directions of these entries that the data leave to their priors, in words, from the entries'
 // posterior covariance (marginal, in the free vector's scale).

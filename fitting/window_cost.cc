@@ -4,30 +4,85 @@
 // Evaluation of a window.
 #include "fitting/window_cost.h"
 
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
 #include "fitting/simulation_cost.h"
 
 namespace clothfit {
 
+namespace {
+
+// Sums up [J r]'[J r], from which rows with the same sums follow.
+class RowCompressor {
+ public:
+  explicit RowCompressor(int columns) : sums_(Eigen::MatrixXd::Zero(columns + 1, columns + 1)) {}
+
+  void Add(const Eigen::VectorXd& residuals, const RowMajorMatrix* jacobian) {
+    const Eigen::Index n = sums_.rows() - 1;
+    sums_(n, n) += residuals.squaredNorm();
+    if (jacobian == nullptr) return;
+    sums_.topLeftCorner(n, n).selfadjointView<Eigen::Lower>().rankUpdate(jacobian->transpose());
+    sums_.row(n).head(n) += residuals.transpose() * *jacobian;
+  }
+
+  void Finish(Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const {
+    const Eigen::Index n = sums_.rows() - 1;
+    residuals->setZero(n + 1);
+    if (jacobian == nullptr) {
+      (*residuals)[0] = std::sqrt(sums_(n, n));
+      return;
+    }
+    // P'LDL'P, as columns that nothing depends on are zero.
+    const Eigen::LDLT<Eigen::MatrixXd> factor(sums_.selfadjointView<Eigen::Lower>());
+    const Eigen::VectorXd root = factor.vectorD().cwiseMax(0.0).cwiseSqrt();
+    Eigen::MatrixXd columns = Eigen::MatrixXd(factor.matrixL()) * root.asDiagonal();
+    columns = factor.transpositionsP().transpose() * columns;
+    const Eigen::MatrixXd rows = columns.transpose();
+    *jacobian = rows.leftCols(n);
+    *residuals = rows.col(n);
+  }
+
+ private:
+  Eigen::MatrixXd sums_;  // lower triangle
+};
+
+}  // namespace
+
 WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
                                         const ObservationResiduals& observations,
                                         const WindowStart& start, const Eigen::VectorXd& theta,
-                                        int first, int last, Eigen::VectorXd* residuals,
+                                        int first, int last, Rows rows, Eigen::VectorXd* residuals,
                                         RowMajorMatrix* jacobian, WindowStart* end) {
-  const int rows = observations.Count(first, last);
-  residuals->resize(rows);
-  if (jacobian != nullptr) jacobian->resize(rows, theta.size());
+  const bool all = rows == Rows::kAll;
+  const int count = all ? observations.Count(first, last) : 0;
+  residuals->resize(count);
+  if (jacobian != nullptr) jacobian->resize(count, theta.size());
+  RowCompressor compressor(static_cast<int>(theta.size()));
+  Eigen::VectorXd of_frame;
+  RowMajorMatrix jacobian_of_frame;
   int row = 0;
   bool usable = true;
   const WindowSimulator::Observer observer = [&](int frame, const State& state,
                                                  const Sensitivity* sensitivity) {
-    if (frame < first) return;
-    usable = usable && observations.Evaluate(frame, state, sensitivity, row, residuals, jacobian);
-    row += observations.Count(frame);
+    if (frame < first || !usable) return;
+    if (all) {
+      usable = observations.Evaluate(frame, state, sensitivity, row, residuals, jacobian);
+      row += observations.Count(frame);
+      return;
+    }
+    of_frame.resize(observations.Count(frame));
+    if (jacobian != nullptr) jacobian_of_frame.resize(of_frame.size(), theta.size());
+    RowMajorMatrix* const own = jacobian != nullptr ? &jacobian_of_frame : nullptr;
+    usable = observations.Evaluate(frame, state, sensitivity, 0, &of_frame, own);
+    if (usable) compressor.Add(of_frame, own);
   };
   const bool derivatives = jacobian != nullptr || end != nullptr;
   const WindowSimulator::Outcome outcome =
       simulator->Run(start, theta, last, derivatives, observer, end);
   if (outcome != WindowSimulator::Outcome::kComplete) return outcome;
+  if (usable && !all) compressor.Finish(residuals, jacobian);
   usable = usable && residuals->allFinite() && (jacobian == nullptr || jacobian->allFinite());
   return usable ? outcome : WindowSimulator::Outcome::kDiverged;
 }
@@ -37,10 +92,10 @@ ceres::CostFunction* MakeWindowCost(WindowSimulator* simulator,
                                     const WindowStart* start, int num_free, int first, int last) {
   const auto evaluate = [=](const Eigen::VectorXd& theta, Eigen::VectorXd* residuals,
                             RowMajorMatrix* jacobian) {
-    return EvaluateWindow(simulator, *observations, *start, theta, first, last, residuals,
-                          jacobian) == WindowSimulator::Outcome::kComplete;
+    return EvaluateWindow(simulator, *observations, *start, theta, first, last, Rows::kCompressed,
+                          residuals, jacobian) == WindowSimulator::Outcome::kComplete;
   };
-  return new SimulationCost(observations->Count(first, last), num_free, evaluate);
+  return new SimulationCost(num_free + 1, num_free, evaluate);
 }
 
 LinearCost::LinearCost(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& offset)
@@ -68,7 +123,7 @@ bool EvaluateResiduals(const Scene& scene, const FitConfig& config, const FreePa
   const Eigen::VectorXd prior = free.PriorResiduals(theta);
   Eigen::VectorXd observed;
   RowMajorMatrix observed_jacobian;
-  if (EvaluateWindow(&simulator, observations, start, theta, 0, last_frame, &observed,
+  if (EvaluateWindow(&simulator, observations, start, theta, 0, last_frame, Rows::kAll, &observed,
                      jacobian != nullptr ? &observed_jacobian : nullptr) !=
       WindowSimulator::Outcome::kComplete) {
     return false;

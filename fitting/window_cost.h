@@ -11,17 +11,26 @@
 
 namespace clothfit {
 
+// How the residuals of a window are given.
+enum class Rows {
+  kAll,
+  // As many as there are free entries and one more, whatever the number of observations: with the
+  // same sum of squares, and with a Jacobian J for which J'J and J'r are the same. Without
+  // derivatives the first is the root of the sum and the others are 0.
+  kCompressed,
+};
+
 // Residuals of the fitted observations of frames first..last when the window is simulated from its
 // start at theta, their Jacobian and the state at the end where those are asked for.
 WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
                                         const ObservationResiduals& observations,
                                         const WindowStart& start, const Eigen::VectorXd& theta,
-                                        int first, int last, Eigen::VectorXd* residuals,
+                                        int first, int last, Rows rows, Eigen::VectorXd* residuals,
                                         RowMajorMatrix* jacobian, WindowStart* end = nullptr);
 
-// The residuals of the frames first..last, of which `first` is the start's own or the one after it.
-// The arguments must outlive the cost, of which the caller is the owner. Its Evaluate is false
-// where the simulation diverges, is stopped, or a tracked point falls behind its camera.
+// The compressed residuals of the frames first..last, of which `first` is the start's own or the
+// one after it. The arguments must outlive the cost, of which the caller is the owner. Its Evaluate
+// is false where the simulation diverges, is stopped, or a tracked point falls behind its camera.
 ceres::CostFunction* MakeWindowCost(WindowSimulator* simulator,
                                     const ObservationResiduals* observations,
                                     const WindowStart* start, int num_free, int first, int last);

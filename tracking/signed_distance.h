@@ -17,8 +17,8 @@ struct SignedDistance {
 };
 
 // Between the centres of pixels the outline runs half way. The field is smoothed by less than a
-// pixel, kept at every second pixel around the mask and interpolated by bicubic splines, so that its
-// first derivative is continuous; further away the distance to that region is added. Beyond the
+// pixel, kept at every second pixel around the mask and interpolated by bicubic splines, so that
+// its first derivative is continuous; further away the distance to that region is added. Beyond the
 // picture's margins the mask is continued as it ends there: what leaves the picture is not outside.
 class SignedDistanceField {
  public:
@@ -32,7 +32,7 @@ class SignedDistanceField {
   std::vector<Eigen::Vector2d> Outline(const cv::Mat& mask, double spacing) const;
 
  private:
-  cv::Mat field_;                // float, px
+  cv::Mat field_;                 // float, px
   Eigen::Vector2d origin_{0, 0};  // px, of the field's first sample
 };
 

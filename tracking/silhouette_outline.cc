@@ -122,6 +122,7 @@ std::optional<OutlinePoint> NearestOnOutline(const std::vector<OutlinePiece>& ou
   point.nodes = best->nodes;
   point.share = best->shares[0] + share3d * (best->shares[1] - best->shares[0]);
   point.distance = std::copysign(std::sqrt(nearest2), most_normal);
+  point.side = best->outward;
   return point;
 }
 

@@ -20,8 +20,8 @@ SilhouetteRaster::SilhouetteRaster(const Camera& camera, std::vector<std::array<
   const double nan = std::numeric_limits<double>::quiet_NaN();  // covered by nothing
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
-      normalised_.push_back(UndistortPixel(camera, Eigen::Vector2d(x, y))
-                                .value_or(Eigen::Vector2d::Constant(nan)));
+      normalised_.push_back(
+          UndistortPixel(camera, Eigen::Vector2d(x, y)).value_or(Eigen::Vector2d::Constant(nan)));
     }
   }
 }
@@ -126,8 +126,8 @@ void SilhouetteRaster::Draw(const Eigen::VectorXd& x, BitMask* mask) const {
     *mask = BitMask(camera_.width, camera_.height);
   }
   const Eigen::Map<const Eigen::Matrix3Xd> world(x.data(), 3, x.size() / 3);
-  const Eigen::Matrix3Xd in_camera =
-      (camera_.camera_from_world_rotation * world).colwise() + camera_.camera_from_world_translation;
+  const Eigen::Matrix3Xd in_camera = (camera_.camera_from_world_rotation * world).colwise() +
+                                     camera_.camera_from_world_translation;
   Box box{};
   for (const std::array<int, 3>& nodes : triangles_) {
     if (!FindBox(nodes, in_camera, &box)) continue;

@@ -30,7 +30,8 @@ TEST(SignedDistanceField, IsTheDistanceToADisc) {
   int count = 0;
   for (double angle = 0.0; angle < 6.28; angle += 0.11) {
     const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
-    for (const double distance : {-25.0, -8.3, -1.2, 0.0, 0.7, 3.3, 17.0, 35.0, 45.0, 60.0, 200.0}) {
+    for (const double distance :
+         {-25.0, -8.3, -1.2, 0.0, 0.7, 3.3, 17.0, 35.0, 45.0, 60.0, 200.0}) {
       const SignedDistance d = field.At(centre + (40.2 + distance) * out);
       if (distance <= 45.0) {
         EXPECT_NEAR(d.value, distance, 0.6);

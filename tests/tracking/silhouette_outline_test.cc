@@ -97,9 +97,10 @@ TEST(NearestOnOutline, IsAPointOfTheClothAndHasASide) {
                     0.01);
         ++count;
         inside += seen.mask.At(x, y) ? 1 : 0;
-        wrong += (nearest->distance < 0.0) != seen.mask.At(x, y) && std::abs(nearest->distance) > 1.0
-                     ? 1
-                     : 0;
+        wrong +=
+            (nearest->distance < 0.0) != seen.mask.At(x, y) && std::abs(nearest->distance) > 1.0
+                ? 1
+                : 0;
       }
     }
     EXPECT_GT(inside, 50);

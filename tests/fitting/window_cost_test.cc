@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/window_cost.h"
+
+#include <gtest/gtest.h>
+
+#include "autodiff_sim/parameter_table.h"
+#include "tests/support/small_recording.h"
+
+namespace clothfit {
+namespace {
+
+// Compressed rows have the sums of all rows: what Levenberg-Marquardt goes by is the same.
+TEST(EvaluateWindow, CompressesRowsWithoutLoss) {
+  const Recording recording = MakeSmallRecording();
+  FitConfig config = DefaultConfig(recording);
+  const Scene scene = MakeScene(recording, config);
+  const FreeParameters free(config, scene, MakeParameterTable());
+  const ObservationResiduals observations(scene, config);
+  WindowSimulator simulator(scene, config, free, false, nullptr);
+  const Eigen::VectorXd theta = free.start();
+  const WindowStart start = simulator.FirstStart(theta);
+  Eigen::VectorXd all, compressed, value;
+  RowMajorMatrix jacobian, compressed_jacobian;
+  EvaluateWindow(&simulator, observations, start, theta, 0, 20, Rows::kAll, &all, &jacobian);
+  EvaluateWindow(&simulator, observations, start, theta, 0, 20, Rows::kCompressed, &compressed,
+                 &compressed_jacobian);
+  ASSERT_EQ(all.size(), observations.Count(0, 20));
+  ASSERT_EQ(compressed.size(), free.size() + 1);
+  EXPECT_NEAR(compressed.squaredNorm(), all.squaredNorm(), 1e-10 * all.squaredNorm());
+  const Eigen::VectorXd gradient = jacobian.transpose() * all;
+  EXPECT_LT((compressed_jacobian.transpose() * compressed - gradient).norm(),
+            1e-9 * gradient.norm());
+  const Eigen::MatrixXd information = jacobian.transpose() * jacobian;
+  EXPECT_LT((compressed_jacobian.transpose() * compressed_jacobian - information).norm(),
+            1e-9 * information.norm());
+  // Without derivatives, which leave the simulation's last digits otherwise.
+  EvaluateWindow(&simulator, observations, start, theta, 0, 20, Rows::kAll, &all, nullptr);
+  EvaluateWindow(&simulator, observations, start, theta, 0, 20, Rows::kCompressed, &value, nullptr);
+  EXPECT_EQ(value.size(), compressed.size());
+  EXPECT_NEAR(value.squaredNorm(), all.squaredNorm(), 1e-10 * all.squaredNorm());
+}
+
+}  // namespace
+}  // namespace clothfit
