@@ -37,6 +37,9 @@ FitConfig AwkwardConfig() {
   config.spline_speed = 5.0 / 3.0;
   config.coarse_resolution = 5;
   config.use_tracks = false;
+  config.use_silhouettes = true;
+  config.alpha = 1.0 / 3.0;
+  config.beta = 1e-17;
   config.loss = LossKind::kCauchy;
   config.loss_scale = 2.0 / 3.0;
   config.frames = std::array<int, 2>{3, 88};
@@ -143,6 +146,8 @@ TEST(ReadConfig, RefusesWrongTypesAndRanges) {
   EXPECT_THAT(ReadErrorOf("observations: {frames: [5]}"), HasSubstr("a list of 2 integers"));
   EXPECT_THAT(ReadErrorOf("observations: {markers: false, tracks: false}"),
               HasSubstr("nothing to fit"));
+  EXPECT_THAT(ReadErrorOf("observations: {beta: 0}"), HasSubstr("nothing to fit"));
+  EXPECT_THAT(ReadErrorOf("observations: {alpha: -1}"), HasSubstr("-1: expected 0 or more"));
   EXPECT_THAT(ReadErrorOf("cloth: {resolution: [0, 5]}"), HasSubstr("[0, 5]: expected 2 to 1000"));
   EXPECT_THAT(ReadErrorOf("initial_state: {order: 3}"), HasSubstr("an integer from -1 to 2"));
 }

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Fits that know silhouettes only.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/fit.h"
+#include "fitting/hard_silhouette.h"
+#include "fitting/window_cost.h"
+#include "tests/support/flat_scene.h"
+#include "tests/support/small_recording.h"
+
+namespace clothfit {
+namespace {
+
+constexpr int kFrames = 15;
+
+class SilhouetteFitTest : public testing::Test {
+ protected:
+  SilhouetteFitTest() {
+    SmallRecordingOptions options;
+    options.frames = kFrames;
+    options.particles = 7;
+    recording_ = MakeSmallRecording(options);
+    recording_.splits = {};
+    recording_.cameras = {LookAt({-0.5, -0.6, 1.3}, {0.2, 0.2, 0.9}),
+                          LookAt({1.0, -0.4, 0.9}, {0.2, 0.2, 0.9}),
+                          LookAt({0.2, 1.2, 1.1}, {0.2, 0.2, 0.9})};
+    recording_.markers.clear();
+    config_ = DefaultConfig(recording_);
+    config_.use_silhouettes = true;
+    config_.loss = LossKind::kHuber;
+    for (const auto& [name, value] : options.parameters) {
+      truth_.emplace_back(name, value);
+    }
+    // Silhouettes of the truth.
+    FitConfig true_config = config_;
+    for (const auto& [name, value] : truth_) true_config.parameters.at(name).value = value;
+    Scene scene = MakeScene(recording_, true_config);
+    auto silhouettes = std::make_shared<Silhouettes>();
+    const FreeParameters free(true_config, scene, MakeParameterTable());
+    SimulateFrames(scene, true_config, free, free.start(), kFrames - 1,
+                   [&](int frame, const State& state) {
+                     true_x_.push_back(state.x);
+                     for (int c = 0; c < 3; ++c) {
+                       BitMask mask;
+                       SilhouetteRaster(recording_.cameras[c], scene.mesh.triangles)
+                           .Draw(state.x, &mask);
+                       silhouettes->observations.push_back(MakeSilhouette(frame, c, mask.ToMat()));
+                     }
+                   });
+    scene.silhouettes = silhouettes;
+    scene_ = MakeScene(recording_, config_, &scene);
+  }
+
+  // m, over all particles and frames.
+  double SurfaceError(const Eigen::VectorXd& theta) const {
+    const FreeParameters free(config_, scene_, MakeParameterTable());
+    double sum = 0.0;
+    SimulateFrames(scene_, config_, free, theta, kFrames - 1, [&](int frame, const State& state) {
+      sum += (state.x - true_x_[frame]).squaredNorm();
+    });
+    return std::sqrt(sum / (kFrames * scene_.mesh.num_particles()));
+  }
+
+  Recording recording_;
+  FitConfig config_;
+  std::vector<std::pair<std::string, double>> truth_;
+  std::vector<Eigen::VectorXd> true_x_;
+  Scene scene_;
+};
+
+TEST_F(SilhouetteFitTest, FindsTheSurface) {
+  const FitResult fit = RunFit(scene_, config_);
+  const FreeParameters free(config_, scene_, MakeParameterTable());
+  const double before = SurfaceError(free.start()), after = SurfaceError(fit.theta);
+  EXPECT_GT(before, 0.01);
+  EXPECT_LT(after, 0.002);  // a pixel is 4 mm
+  ASSERT_TRUE(fit.after.silhouette_error.has_value());
+  EXPECT_LT(*fit.after.silhouette_error, 0.25 * *fit.before.silhouette_error);
+}
+
+// The whole way from the parameters through the simulation to the outlines.
+TEST_F(SilhouetteFitTest, HasTheGradientOfItsCost) {
+  const FreeParameters free(config_, scene_, MakeParameterTable());
+  const Eigen::VectorXd theta = free.start();
+  const auto cost = [&](const Eigen::VectorXd& at) {
+    Eigen::VectorXd residuals;
+    EXPECT_TRUE(EvaluateResiduals(scene_, config_, free, at, kFrames - 1, &residuals, nullptr));
+    return 0.5 * residuals.squaredNorm();
+  };
+  Eigen::VectorXd residuals;
+  Eigen::MatrixXd jacobian;
+  ASSERT_TRUE(EvaluateResiduals(scene_, config_, free, theta, kFrames - 1, &residuals, &jacobian));
+  const Eigen::VectorXd gradient = jacobian.transpose() * residuals;
+  for (int i = 0; i < free.size(); ++i) {
+    constexpr double kStep = 1e-3;
+    const Eigen::VectorXd e = kStep * Eigen::VectorXd::Unit(free.size(), i);
+    const double wide = (cost(theta + e) - cost(theta - e)) / (2.0 * kStep);
+    const double narrow = (cost(theta + 0.5 * e) - cost(theta - 0.5 * e)) / kStep;
+    // A few of the nearest points jump within the step.
+    const double slope = (4.0 * narrow - wide) / 3.0;
+    EXPECT_NEAR(gradient[i], slope, 0.01 * std::abs(slope) + 1e-3 * gradient.norm())
+        << free.entries()[i].name;
+  }
+}
+
+// Where the soft error is least along each free parameter, the hard error is least too, as well as
+// pixels can tell.
+TEST_F(SilhouetteFitTest, SoftAndHardErrorAgreeOnTheirMinima) {
+  FitConfig at_truth = config_;
+  for (const auto& [name, value] : truth_) at_truth.parameters.at(name).value = value;
+  const FreeParameters free(at_truth, scene_, MakeParameterTable());
+  const HardSilhouette hard(scene_);
+  int checked = 0;
+  for (const auto& [name, value] : truth_) {
+    int entry = -1;
+    for (int i = 0; i < free.size(); ++i) entry = free.entries()[i].name == name ? i : entry;
+    ASSERT_GE(entry, 0) << name;
+    double least_soft = std::numeric_limits<double>::infinity(), least_hard = least_soft;
+    double best_soft = 0.0, at_best_soft = 0.0;
+    for (int step = -6; step <= 6; ++step) {
+      const Eigen::VectorXd theta =
+          free.start() + 0.15 * step * Eigen::VectorXd::Unit(free.size(), entry);
+      Eigen::VectorXd residuals;
+      ASSERT_TRUE(EvaluateResiduals(scene_, at_truth, free, theta, kFrames - 1, &residuals,
+                                    nullptr));
+      double pixels = 0.0;
+      SimulateFrames(scene_, at_truth, free, theta, kFrames - 1,
+                     [&](int frame, const State& state) {
+                       pixels += static_cast<double>(hard.FittedDifference(frame, state.x));
+                     });
+      least_hard = std::min(least_hard, pixels);
+      const double soft = residuals.squaredNorm() - free.PriorResiduals(theta).squaredNorm();
+      if (soft >= least_soft) continue;
+      least_soft = soft;
+      best_soft = 0.15 * step;
+      at_best_soft = pixels;
+    }
+    EXPECT_EQ(least_hard, 0.0);
+    EXPECT_LE(std::abs(best_soft), 0.31) << name;
+    EXPECT_LT(at_best_soft, 10.0 * 3 * kFrames) << name;  // px a picture
+    ++checked;
+  }
+  EXPECT_EQ(checked, 2);
+}
+
+}  // namespace
+}  // namespace clothfit
