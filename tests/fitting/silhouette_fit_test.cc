@@ -43,16 +43,15 @@ class SilhouetteFitTest : public testing::Test {
     Scene scene = MakeScene(recording_, true_config);
     auto silhouettes = std::make_shared<Silhouettes>();
     const FreeParameters free(true_config, scene, MakeParameterTable());
-    SimulateFrames(scene, true_config, free, free.start(), kFrames - 1,
-                   [&](int frame, const State& state) {
-                     true_x_.push_back(state.x);
-                     for (int c = 0; c < 3; ++c) {
-                       BitMask mask;
-                       SilhouetteRaster(recording_.cameras[c], scene.mesh.triangles)
-                           .Draw(state.x, &mask);
-                       silhouettes->observations.push_back(MakeSilhouette(frame, c, mask.ToMat()));
-                     }
-                   });
+    SimulateFrames(
+        scene, true_config, free, free.start(), kFrames - 1, [&](int frame, const State& state) {
+          true_x_.push_back(state.x);
+          for (int c = 0; c < 3; ++c) {
+            BitMask mask;
+            SilhouetteRaster(recording_.cameras[c], scene.mesh.triangles).Draw(state.x, &mask);
+            silhouettes->observations.push_back(MakeSilhouette(frame, c, mask.ToMat()));
+          }
+        });
     scene.silhouettes = silhouettes;
     scene_ = MakeScene(recording_, config_, &scene);
   }
@@ -127,8 +126,8 @@ TEST_F(SilhouetteFitTest, SoftAndHardErrorAgreeOnTheirMinima) {
       const Eigen::VectorXd theta =
           free.start() + 0.15 * step * Eigen::VectorXd::Unit(free.size(), entry);
       Eigen::VectorXd residuals;
-      ASSERT_TRUE(EvaluateResiduals(scene_, at_truth, free, theta, kFrames - 1, &residuals,
-                                    nullptr));
+      ASSERT_TRUE(
+          EvaluateResiduals(scene_, at_truth, free, theta, kFrames - 1, &residuals, nullptr));
       double pixels = 0.0;
       SimulateFrames(scene_, at_truth, free, theta, kFrames - 1,
                      [&](int frame, const State& state) {
