@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "fitting/evaluation.h"
+#include "fitting/frame_by_frame.h"
 
 namespace clothfit {
 namespace {
@@ -205,6 +206,62 @@ bool Fitter::RunWindow(int window, WindowStart* start) {
   return true;
 }
 
+void Fitter::FindHandlePaths() {
+  const bool any_unknown =
+      std::any_of(scene_.handles.begin(), scene_.handles.end(),
+                  [](const SceneHandle& handle) { return !handle.path.is_known(); });
+  if (!any_unknown) return;
+  const double at_start = Cost(free_.start(), &simulator_);
+  constexpr int kControls = 2;  // of a path that each stretch adds
+  const int stride = std::max(1, static_cast<int>(std::lround(kControls * config_.spline_spacing *
+                                                              scene_.recording.frame_rate)));
+  for (int last = 0; last < scene_.last_fitted_frame && !Stopped();) {
+    const int next = std::min(last + stride, scene_.last_fitted_frame);
+    stage_ = fmt::format("handles, frames 0-{}", next);
+    if (!ContinueHandlePaths(last, next)) break;
+    last = next;
+    if (observations_.Count(0, last) == 0) continue;
+    constexpr int kIterations = 5;
+    const WindowStart start = simulator_.FirstStart(progress_.theta);
+    Minimise(&simulator_, start, 0, last, kIterations, free_.prior_jacobian(),
+             -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
+  }
+  if (Cost(progress_.theta, &simulator_) < at_start) return;
+  Log("handles: what was found explains all frames worse than the start does");
+  progress_.theta = free_.start();
+}
+
+bool Fitter::ContinueHandlePaths(int first, int last) {
+  WindowSimulator simulator(scene_, config_, free_, false, callbacks_.stop);
+  State state;
+  std::vector<std::vector<PathPoint>> paths(scene_.handles.size());
+  std::vector<SceneHandle> handles = scene_.handles;
+  free_.ApplyToHandles(progress_.theta, &handles);
+  const Outcome outcome =
+      simulator.Run(simulator.FirstStart(progress_.theta), progress_.theta, first, false,
+                    [&](int frame, const State& at, const Sensitivity*) {
+                      state = at;
+                      const double time = scene_.FrameTime(frame);
+                      for (std::size_t h = 0; h < handles.size(); ++h)
+                        paths[h].push_back({time, handles[h].path.At(time)});
+                    });
+  if (outcome != Outcome::kComplete) return false;
+  FrameByFrameOptions options;
+  options.optimiser = "lm";
+  FrameByFrame search(scene_, config_, free_, options, callbacks_.stop);
+  const FrameByFrameResult found = search.Continue(progress_.theta, state, first, last);
+  frames_for_paths_ += simulator.simulated_frames() + found.simulated_frames;
+  if (!found.complete) {
+    Log(stage_ + ": the simulation does not reach the last one");
+    return false;
+  }
+  for (std::size_t h = 0; h < handles.size(); ++h)
+    paths[h].insert(paths[h].end(), found.paths[h].begin(), found.paths[h].end());
+  constexpr double kSigma = 0.001;  // m
+  progress_.theta = free_.WithHandlePaths(progress_.theta, scene_, paths, kSigma);
+  return true;
+}
+
 void Fitter::RunWindows() {
   WindowStart start = attracting_.FirstStart(progress_.mean);
   const double total = scene_.last_fitted_frame * (config_.polish ? 2.5 : 1.0);
@@ -266,6 +323,7 @@ FitResult Fitter::Run(const FitCheckpoint* resume) {
   if (resume != nullptr) progress_ = *resume;
   if (free_.size() > 0 && observations_.Count(0, scene_.last_fitted_frame) > 0) {
     const bool in_windows = num_windows_ > 1 || !config_.polish || config_.attract;
+    if (resume == nullptr) FindHandlePaths();
     if (in_windows && progress_.next_window < num_windows_) RunWindows();
     if (config_.polish && !Stopped()) Polish();
     if (!config_.polish) converged_ = progress_.next_window == num_windows_;

@@ -32,6 +32,13 @@ class Fitter {
   ceres::Solver::Summary Minimise(WindowSimulator* simulator, const WindowStart& start, int first,
                                   int last, int max_iterations, const Eigen::MatrixXd& prior,
                                   const Eigen::VectorXd& offset);
+  // Finds the paths of unknown handles: all that is unknown is fitted to the first frames, then to
+  // more and more of them, each stretch of the paths found frame by frame before. So a path never
+  // has to be found from far away, nor with a fabric that the frames before contradict.
+  void FindHandlePaths();
+  // Frame by frame from the first frame on to the last; beyond it as the prior expects. False where
+  // the simulation does not get there.
+  bool ContinueHandlePaths(int first, int last);
   void RunWindows();
   bool RunWindow(int window, WindowStart* start);
   // Frees the state at a later window's start: the offsets of the initial state now are offsets
@@ -70,6 +77,7 @@ class Fitter {
   std::string stage_;
   double stage_begin_ = 0.0, stage_share_ = 0.0;  // of the whole fit's work
   int iterations_ = 0;
+  double frames_for_paths_ = 0.0;  // simulated by ContinueHandlePaths
   bool converged_ = false;
   double noise_ = 1.0;
 };

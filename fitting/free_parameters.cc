@@ -173,25 +173,36 @@ void FreeParameters::BuildPrior(const FitConfig& config, const Scene& scene) {
 // Starts each unknown path near where the markers say that it went: far from its path a fit would
 // have to unfold the cloth first. Least squares over the guessed points and the path's own prior.
 void FreeParameters::GuessHandlePaths(const Scene& scene) {
-  constexpr double kGuessSigma = 0.01;  // m, of a guessed point
+  std::vector<std::vector<PathPoint>> paths(scene.handles.size());
   for (std::size_t h = 0; h < scene.handles.size(); ++h) {
     const SceneHandle& handle = scene.handles[h];
-    if (handle.path.is_known()) continue;
+    if (!handle.path.is_known()) paths[h] = GuessPath(scene, handle.on_cloth.At(scene.mesh.uv));
+  }
+  constexpr double kGuessSigma = 0.01;  // m, of a guessed point
+  start_ = WithHandlePaths(start_, scene, paths, kGuessSigma);
+}
+
+Eigen::VectorXd FreeParameters::WithHandlePaths(Eigen::VectorXd theta, const Scene& scene,
+                                                const std::vector<std::vector<PathPoint>>& paths,
+                                                double sigma) const {
+  for (std::size_t h = 0; h < scene.handles.size(); ++h) {
+    if (scene.handles[h].path.is_known()) continue;
     Eigen::MatrixXd information = prior_jacobian_.transpose() * prior_jacobian_;
     Eigen::VectorXd right = prior_jacobian_.transpose() * prior_target_;
-    for (const PathPoint& point : GuessPath(scene, handle.on_cloth.At(scene.mesh.uv))) {
+    for (const PathPoint& point : paths[h]) {
       const Eigen::MatrixXd directions =
-          HandleDirections(scene.handles, static_cast<int>(h), point.time) / kGuessSigma;
+          HandleDirections(scene.handles, static_cast<int>(h), point.time) / sigma;
       information += directions.transpose() * directions;
-      right += directions.transpose() * point.position / kGuessSigma;
+      right += directions.transpose() * point.position / sigma;
     }
-    const Eigen::VectorXd guess = information.llt().solve(right);
+    const Eigen::VectorXd controls = information.llt().solve(right);
     for (int i = 0; i < size(); ++i) {
       const bool own =
           entries_[i].kind == FreeEntry::Kind::kHandle && entries_[i].index == static_cast<int>(h);
-      if (own) start_[i] = guess[i];
+      if (own) theta[i] = controls[i];
     }
   }
+  return theta;
 }
 
 Eigen::VectorXd FreeParameters::Values(const Eigen::VectorXd& theta) const {

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "fitting/config.h"
+#include "fitting/path_guess.h"
 #include "fitting/scene.h"
 
 namespace clothfit {
@@ -39,6 +40,12 @@ class FreeParameters {
   // The start: the config's values, unknown paths as the markers near them suggest or at rest where
   // there are none, no offsets.
   const Eigen::VectorXd& start() const { return start_; }
+
+  // theta with the unknown handles' paths (by handle; those of known ones are not looked at) as
+  // near to these points as their sigma (m) and the paths' priors let them.
+  Eigen::VectorXd WithHandlePaths(Eigen::VectorXd theta, const Scene& scene,
+                                  const std::vector<std::vector<PathPoint>>& paths,
+                                  double sigma) const;
 
   // All physical parameters, in the table's order, and their derivatives (all x size()).
   Eigen::VectorXd Values(const Eigen::VectorXd& theta) const;

@@ -11,8 +11,7 @@
 #include "fitting/fit.h"
 #include "fitting/hard_silhouette.h"
 #include "fitting/window_cost.h"
-#include "tests/support/flat_scene.h"
-#include "tests/support/small_recording.h"
+#include "tests/support/silhouette_scene.h"
 
 namespace clothfit {
 namespace {
@@ -21,62 +20,23 @@ constexpr int kFrames = 15;
 
 class SilhouetteFitTest : public testing::Test {
  protected:
-  SilhouetteFitTest() {
-    SmallRecordingOptions options;
-    options.frames = kFrames;
-    options.particles = 7;
-    recording_ = MakeSmallRecording(options);
-    recording_.splits = {};
-    recording_.cameras = {LookAt({-0.5, -0.6, 1.3}, {0.2, 0.2, 0.9}),
-                          LookAt({1.0, -0.4, 0.9}, {0.2, 0.2, 0.9}),
-                          LookAt({0.2, 1.2, 1.1}, {0.2, 0.2, 0.9})};
-    recording_.markers.clear();
-    config_ = DefaultConfig(recording_);
-    config_.use_silhouettes = true;
-    config_.loss = LossKind::kHuber;
-    for (const auto& [name, value] : options.parameters) {
-      truth_.emplace_back(name, value);
-    }
-    // Silhouettes of the truth.
-    FitConfig true_config = config_;
-    for (const auto& [name, value] : truth_) true_config.parameters.at(name).value = value;
-    Scene scene = MakeScene(recording_, true_config);
-    auto silhouettes = std::make_shared<Silhouettes>();
-    const FreeParameters free(true_config, scene, MakeParameterTable());
-    SimulateFrames(
-        scene, true_config, free, free.start(), kFrames - 1, [&](int frame, const State& state) {
-          true_x_.push_back(state.x);
-          for (int c = 0; c < 3; ++c) {
-            BitMask mask;
-            SilhouetteRaster(recording_.cameras[c], scene.mesh.triangles).Draw(state.x, &mask);
-            silhouettes->observations.push_back(MakeSilhouette(frame, c, mask.ToMat()));
-          }
-        });
-    scene.silhouettes = silhouettes;
-    scene_ = MakeScene(recording_, config_, &scene);
-  }
+  SilhouetteFitTest()
+      : known_(MakeSilhouetteScene()),
+        scene_(known_.scene),
+        config_(known_.config),
+        truth_(known_.truth) {}
 
-  // m, over all particles and frames.
-  double SurfaceError(const Eigen::VectorXd& theta) const {
-    const FreeParameters free(config_, scene_, MakeParameterTable());
-    double sum = 0.0;
-    SimulateFrames(scene_, config_, free, theta, kFrames - 1, [&](int frame, const State& state) {
-      sum += (state.x - true_x_[frame]).squaredNorm();
-    });
-    return std::sqrt(sum / (kFrames * scene_.mesh.num_particles()));
-  }
-
-  Recording recording_;
-  FitConfig config_;
-  std::vector<std::pair<std::string, double>> truth_;
-  std::vector<Eigen::VectorXd> true_x_;
-  Scene scene_;
+  SilhouetteScene known_;
+  const Scene& scene_;
+  const FitConfig& config_;
+  const std::vector<std::pair<std::string, double>>& truth_;
 };
 
 TEST_F(SilhouetteFitTest, FindsTheSurface) {
   const FitResult fit = RunFit(scene_, config_);
   const FreeParameters free(config_, scene_, MakeParameterTable());
-  const double before = SurfaceError(free.start()), after = SurfaceError(fit.theta);
+  const double before = known_.SurfaceError(free.start());
+  const double after = known_.SurfaceError(fit.theta);
   EXPECT_GT(before, 0.01);
   EXPECT_LT(after, 0.002);  // a pixel is 4 mm
   ASSERT_TRUE(fit.after.silhouette_error.has_value());
