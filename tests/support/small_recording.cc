@@ -53,11 +53,11 @@ void AddMarkers(const SmallRecordingOptions& options, const Scene& scene, int fr
     uv.emplace_back(kSize * (i % kAlong) / (kAlong - 1), kSize * (i / kAlong) / (kAlong - 1));
   }
   const std::vector<SurfacePoint> points = LocateOnCloth(scene.mesh, uv);
-  std::normal_distribution<double> noise(0.0, options.marker_noise);
+  std::normal_distribution<double> normal;
   for (size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d error(noise(*random), noise(*random), noise(*random));
+    const Eigen::Vector3d error(normal(*random), normal(*random), normal(*random));
     recording->markers.push_back(
-        {frame, static_cast<int>(i), uv[i], points[i].At(state.x) + error});
+        {frame, static_cast<int>(i), uv[i], points[i].At(state.x) + options.marker_noise * error});
   }
 }
 

@@ -67,11 +67,11 @@ struct Views {
   explicit Views(int count) : cameras(MakeCameraRing(count, Vector3d::Zero(), 3.0)), random(17) {}
 
   std::vector<Sighting> Of(const Vector3d& point, double sigma) {
-    std::normal_distribution<double> noise(0.0, sigma);
+    std::normal_distribution<double> normal;
     std::vector<Sighting> sightings;
     for (int c = 0; c < static_cast<int>(cameras.size()); ++c) {
-      sightings.push_back(
-          {c, ProjectPoint(cameras[c], point) + Eigen::Vector2d(noise(random), noise(random))});
+      sightings.push_back({c, ProjectPoint(cameras[c], point) +
+                                  sigma * Eigen::Vector2d(normal(random), normal(random))});
     }
     return sightings;
   }
