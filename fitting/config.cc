@@ -12,7 +12,6 @@
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/config_keys.h"
-#include "fitting/silhouettes.h"
 #include "tracking/text.h"
 
 namespace clothfit {

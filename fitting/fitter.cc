@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "fitting/evaluation.h"
-#include "fitting/frame_by_frame.h"
 
 namespace clothfit {
 namespace {
@@ -215,10 +214,13 @@ void Fitter::FindHandlePaths() {
   constexpr int kControls = 2;  // of a path that each stretch adds
   const int stride = std::max(1, static_cast<int>(std::lround(kControls * config_.spline_spacing *
                                                               scene_.recording.frame_rate)));
+  FrameByFrameOptions options;
+  options.optimiser = "lm";
+  FrameByFrame search(scene_, config_, free_, options, callbacks_.stop);
   for (int last = 0; last < scene_.last_fitted_frame && !Stopped();) {
     const int next = std::min(last + stride, scene_.last_fitted_frame);
     stage_ = fmt::format("handles, frames 0-{}", next);
-    if (!ContinueHandlePaths(last, next)) break;
+    if (!ContinueHandlePaths(&search, last, next)) break;
     last = next;
     if (observations_.Count(0, last) == 0) continue;
     constexpr int kIterations = 5;
@@ -231,26 +233,22 @@ void Fitter::FindHandlePaths() {
   progress_.theta = free_.start();
 }
 
-bool Fitter::ContinueHandlePaths(int first, int last) {
-  WindowSimulator simulator(scene_, config_, free_, false, callbacks_.stop);
+bool Fitter::ContinueHandlePaths(FrameByFrame* search, int first, int last) {
   State state;
   std::vector<std::vector<PathPoint>> paths(scene_.handles.size());
   std::vector<SceneHandle> handles = scene_.handles;
   free_.ApplyToHandles(progress_.theta, &handles);
   const Outcome outcome =
-      simulator.Run(simulator.FirstStart(progress_.theta), progress_.theta, first, false,
-                    [&](int frame, const State& at, const Sensitivity*) {
-                      state = at;
-                      const double time = scene_.FrameTime(frame);
-                      for (std::size_t h = 0; h < handles.size(); ++h)
-                        paths[h].push_back({time, handles[h].path.At(time)});
-                    });
+      simulator_.Run(simulator_.FirstStart(progress_.theta), progress_.theta, first, false,
+                     [&](int frame, const State& at, const Sensitivity*) {
+                       state = at;
+                       const double time = scene_.FrameTime(frame);
+                       for (std::size_t h = 0; h < handles.size(); ++h)
+                         paths[h].push_back({time, handles[h].path.At(time)});
+                     });
   if (outcome != Outcome::kComplete) return false;
-  FrameByFrameOptions options;
-  options.optimiser = "lm";
-  FrameByFrame search(scene_, config_, free_, options, callbacks_.stop);
-  const FrameByFrameResult found = search.Continue(progress_.theta, state, first, last);
-  frames_for_paths_ += simulator.simulated_frames() + found.simulated_frames;
+  const FrameByFrameResult found = search->Continue(progress_.theta, state, first, last);
+  frames_for_paths_ += found.simulated_frames;
   if (!found.complete) {
     Log(stage_ + ": the simulation does not reach the last one");
     return false;

@@ -11,6 +11,7 @@
 #include <ceres/solver.h>
 
 #include "fitting/fit.h"
+#include "fitting/frame_by_frame.h"
 #include "fitting/uncertainty.h"
 #include "fitting/window_cost.h"
 
@@ -38,7 +39,7 @@ class Fitter {
   void FindHandlePaths();
   // Frame by frame from the first frame on to the last; beyond it as the prior expects. False where
   // the simulation does not get there.
-  bool ContinueHandlePaths(int first, int last);
+  bool ContinueHandlePaths(FrameByFrame* search, int first, int last);
   void RunWindows();
   bool RunWindow(int window, WindowStart* start);
   // Frees the state at a later window's start: the offsets of the initial state now are offsets
@@ -77,7 +78,7 @@ class Fitter {
   std::string stage_;
   double stage_begin_ = 0.0, stage_share_ = 0.0;  // of the whole fit's work
   int iterations_ = 0;
-  double frames_for_paths_ = 0.0;  // simulated by ContinueHandlePaths
+  double frames_for_paths_ = 0.0;  // simulated frame by frame
   bool converged_ = false;
   double noise_ = 1.0;
 };

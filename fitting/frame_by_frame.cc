@@ -6,15 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "fitting/window_simulator.h"
+
 namespace clothfit {
 namespace {
-
-SimulationOptions StepOptions(const FitConfig& config) {
-  SimulationOptions options;
-  options.integrator = config.integrator;
-  options.tolerance = config.tolerance;
-  return options;
-}
 
 constexpr double kFirstHandleStep = 0.02;  // m: of a derivative-free search
 constexpr double kFirstFabricStep = 0.3;   // of a logarithm, or in sigmas of the prior

@@ -6,8 +6,6 @@
 
 #include <atomic>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -24,7 +24,7 @@ PatternSearch::PatternSearch(const Objective& objective, double value,
       best_value_(std::isnan(value) ? std::numeric_limits<double>::infinity() : value),
       steps_(2 * static_cast<std::size_t>(best_.size()), 1.0),
       is_planned_(steps_.size(), false) {
-  cache_.push_back({best_.cwiseQuotient(first_step_), best_value_});
+  known_.push_back(best_.cwiseQuotient(first_step_));
   Plan();
 }
 
@@ -36,13 +36,11 @@ Eigen::VectorXd PatternSearch::Step(int direction, double step) const {
   return x;
 }
 
-std::optional<double> PatternSearch::Cached(const Eigen::VectorXd& x) const {
+bool PatternSearch::IsKnown(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd scaled = x.cwiseQuotient(first_step_);
-  for (const Known& known : cache_) {
-    if ((known.x - scaled).lpNorm<Eigen::Infinity>() < 1e-3 * options_.tolerance)
-      return known.value;
-  }
-  return std::nullopt;
+  return std::any_of(known_.begin(), known_.end(), [&](const Eigen::VectorXd& known) {
+    return (known - scaled).lpNorm<Eigen::Infinity>() < 1e-3 * options_.tolerance;
+  });
 }
 
 void PatternSearch::Refuse(int direction) {
@@ -63,7 +61,7 @@ void PatternSearch::Plan() {
       Eigen::VectorXd x = Step(d, steps_[d]);
       if (x == best_) {  // at the bound
         steps_[d] = 0.0;
-      } else if (Cached(x)) {
+      } else if (IsKnown(x)) {
         ++num_from_cache_;
         Refuse(d);
       } else {
@@ -88,7 +86,7 @@ void PatternSearch::Report(int id, double value) {
   const Planned trial = std::move(*place);
   under_way_.erase(place);
   if (std::isnan(value)) value = std::numeric_limits<double>::infinity();
-  cache_.push_back({trial.x.cwiseQuotient(first_step_), value});
+  known_.push_back(trial.x.cwiseQuotient(first_step_));
   const double decrease = options_.sufficient_decrease * scale_ * trial.step * trial.step;
   const bool is_better =
       std::isinf(best_value_) ? value < best_value_ : value < best_value_ - decrease;

@@ -65,7 +65,7 @@ class PatternSearch {
   void Plan();
   void Take(const Planned& trial, double value);
   void Refuse(int direction);
-  std::optional<double> Cached(const Eigen::VectorXd& x) const;
+  bool IsKnown(const Eigen::VectorXd& x) const;
 
   Eigen::VectorXd lower_, upper_, first_step_;
   PatternSearchOptions options_;
@@ -78,11 +78,7 @@ class PatternSearch {
   std::vector<bool> is_planned_;  // by direction, from this generation's best
   std::deque<Planned> queue_;
   std::vector<Planned> under_way_;
-  struct Known {
-    Eigen::VectorXd x;  // in first steps
-    double value;
-  };
-  std::vector<Known> cache_;
+  std::vector<Eigen::VectorXd> known_;  // all that was evaluated, in first steps
 };
 
 // Runs it on as many threads as the objective has workers.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/silhouettes.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 
@@ -63,11 +61,6 @@ Silhouettes LoadSilhouettes(const Recording& recording,
         num_empty[c], recording.cameras[c].name, first_empty[c]));
   }
   return silhouettes;
-}
-
-bool HasMasks(const Recording& recording) {
-  return std::any_of(recording.files.begin(), recording.files.end(),
-                     [](const CameraFiles& files) { return !files.masks.empty(); });
 }
 
 }  // namespace clothfit

@@ -42,6 +42,4 @@ inline constexpr double kOutlineSpacing = 6.0;
 Silhouettes LoadSilhouettes(const Recording& recording,
                             const std::function<bool(int frame, int camera)>& is_fitted);
 
-bool HasMasks(const Recording& recording);
-
 }  // namespace clothfit

@@ -8,16 +8,12 @@
 #include <cmath>
 
 namespace clothfit {
-namespace {
-
 SimulationOptions StepOptions(const FitConfig& config) {
   SimulationOptions options;
   options.integrator = config.integrator;
   options.tolerance = config.tolerance;
   return options;
 }
-
-}  // namespace
 
 WindowSimulator::WindowSimulator(const Scene& scene, const FitConfig& config,
                                  const FreeParameters& free, bool attract,

@@ -13,6 +13,9 @@
 
 namespace clothfit {
 
+// How the config wants steps to be made.
+SimulationOptions StepOptions(const FitConfig& config);
+
 // A state at a frame, as a function of theta to first order around the theta it was reached with.
 struct WindowStart {
   int frame = 0;

@@ -13,6 +13,11 @@ std::optional<int> FindCamera(const Recording& recording, const std::string& nam
   return static_cast<int>(found - recording.cameras.begin());
 }
 
+bool HasMasks(const Recording& recording) {
+  return std::any_of(recording.files.begin(), recording.files.end(),
+                     [](const CameraFiles& files) { return !files.masks.empty(); });
+}
+
 bool HasPictures(const Recording& recording) {
   return std::any_of(recording.files.begin(), recording.files.end(), [](const CameraFiles& files) {
     return !files.images.empty() || files.video.has_value();

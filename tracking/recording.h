@@ -150,8 +150,9 @@ void WriteRecording(const Recording& recording, const std::filesystem::path& fol
 // Index of the camera of that name, if there is one.
 std::optional<int> FindCamera(const Recording& recording, const std::string& name);
 
-// Whether any camera has images or a video.
+// Whether any camera has images or a video, and whether any has finished silhouettes.
 bool HasPictures(const Recording& recording);
+bool HasMasks(const Recording& recording);
 
 bool IsHeldOutFrame(const Recording& recording, int frame);
 bool IsHeldOutCamera(const Recording& recording, int camera);
