@@ -47,6 +47,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddEvaluateCommand(app, action);
   AddDrawCommand(app, action);
   AddCheckCommand(app, action);
+  AddCompareCommand(app, action);
   AddTermsCommand(app, action);
   AddGradcheckCommand(app, action);
   AddSynthesizeCommand(app, action);

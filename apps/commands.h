@@ -26,6 +26,7 @@ void AddSimulateCommand(CLI::App* app, Action* action);
 void AddPredictCommand(CLI::App* app, Action* action);
 void AddDrawCommand(CLI::App* app, Action* action);
 void AddCheckCommand(CLI::App* app, Action* action);
+void AddCompareCommand(CLI::App* app, Action* action);
 void AddTermsCommand(CLI::App* app, Action* action);
 void AddGradcheckCommand(CLI::App* app, Action* action);
 void AddSynthesizeCommand(CLI::App* app, Action* action);

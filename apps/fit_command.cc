@@ -16,6 +16,7 @@
 #include "apps/tracking_options.h"
 #include "autodiff_sim/error.h"
 #include "fitting/fit_run.h"
+#include "fitting/optimiser.h"
 #include "tracking/text.h"
 
 namespace clothfit {
@@ -31,7 +32,8 @@ struct FitOptions {
   std::string run;           // empty: runs/NAME
   std::optional<double> window;
   std::optional<int> initial_order, max_iterations;
-  std::optional<double> alpha, beta;
+  std::optional<double> alpha, beta, max_simulations;
+  std::optional<std::string> strategy, optimiser;
   std::optional<std::vector<int>> frames;
   std::optional<LossKind> loss;
   bool no_polish = false, attract = false, force = false, resume = false, quiet = false;
@@ -45,6 +47,9 @@ void ApplyOptions(const FitOptions& options, FitConfig* config) {
   if (options.loss) config->loss = *options.loss;
   if (options.alpha) config->alpha = *options.alpha;
   if (options.beta) config->beta = *options.beta;
+  if (options.strategy) config->loops = ParseStrategy("--strategy", *options.strategy);
+  if (options.optimiser) config->optimiser = *options.optimiser;
+  if (options.max_simulations) config->max_simulations = *options.max_simulations;
   if (options.no_polish) config->polish = false;
   if (options.attract) Attract(config);
   config->Check("command line");
@@ -202,6 +207,19 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
       ->type_name("W");
   command->add_option("--beta", options->beta, "weight of markers and tracks; 0 leaves them out")
       ->type_name("W");
+  command
+      ->add_option("--strategy", options->strategy,
+                   "which unknowns are searched together: joint, two-loop or one-loop")
+      ->type_name("NAME");
+  command
+      ->add_option("--optimiser", options->optimiser,
+                   "lm on the soft error; on the hard error " +
+                       JoinNames({std::next(OptimiserNames().begin()), OptimiserNames().end()}))
+      ->type_name("NAME");
+  command
+      ->add_option("--max-simulations", options->max_simulations,
+                   "of the recording, of all optimisers but lm; 0: until they converge")
+      ->type_name("N");
   command->add_flag("--attract", options->attract,
                     "let markers and rays pull at the cloth while fitting (attraction_point.*, "
                     "attraction_ray.*)");

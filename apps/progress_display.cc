@@ -36,6 +36,7 @@ std::string TimeLeft(double seconds, double fraction) {
 }
 
 std::string Describe(const FitProgress& progress) {
+  if (!progress.detail.empty()) return progress.detail;
   return fmt::format("iteration {}, residuals {:.3g} sigma", progress.iteration, progress.rms);
 }
 

@@ -94,7 +94,7 @@ Row<kColumns> Norms(const FloatLanes<kColumns>& a) {
 // P^-1 r, each column as a vector of ordinary size times `scale`: the squares of small numbers
 // would leave the range of single precision.
 template <int kColumns>
-FloatLanes<kColumns> Precondition(SparseCholesky* preconditioner, const Lanes<kColumns>& r,
+FloatLanes<kColumns> Precondition(const SparseCholesky* preconditioner, const Lanes<kColumns>& r,
                                   Row<kColumns>* scale) {
   const Row<kColumns> largest = r.cwiseAbs().colwise().maxCoeff().array();
   *scale = (largest > 0.0).select(largest, 1.0);
@@ -110,7 +110,7 @@ FloatLanes<kColumns> Precondition(SparseCholesky* preconditioner, const Lanes<kC
 // One cycle for P^-1 A d = z, down to the norms in `target`. Adds d to x and returns the norms of
 // the residuals.
 template <int kColumns>
-Row<kColumns> Cycle(const FloatBlockMatrix& a, SparseCholesky* preconditioner,
+Row<kColumns> Cycle(const FloatBlockMatrix& a, const SparseCholesky* preconditioner,
                     FloatLanes<kColumns> z, const Row<kColumns>& norm, const Row<kColumns>& target,
                     const Row<kColumns>& scale, int max_iterations, int* iterations,
                     Lanes<kColumns>* x) {
@@ -152,8 +152,8 @@ Row<kColumns> Cycle(const FloatBlockMatrix& a, SparseCholesky* preconditioner,
 }  // namespace
 
 template <int kColumns>
-GmresReport Gmres::Solve(SparseCholesky* preconditioner, const Lanes<kColumns>& b,
-                         const GmresOptions& options, Lanes<kColumns>* x) {
+GmresReport Gmres::Solve(const SparseCholesky* preconditioner, const Lanes<kColumns>& b,
+                         const GmresOptions& options, Lanes<kColumns>* x) const {
   const FlushDenormals flush;
   GmresReport report;
   Row<kColumns> scale;
@@ -186,9 +186,9 @@ GmresReport Gmres::Solve(SparseCholesky* preconditioner, const Lanes<kColumns>& 
   return report;
 }
 
-template GmresReport Gmres::Solve<1>(SparseCholesky*, const Lanes<1>&, const GmresOptions&,
-                                     Lanes<1>*);
-template GmresReport Gmres::Solve<kLanes>(SparseCholesky*, const Lanes<kLanes>&,
-                                          const GmresOptions&, Lanes<kLanes>*);
+template GmresReport Gmres::Solve<1>(const SparseCholesky*, const Lanes<1>&, const GmresOptions&,
+                                     Lanes<1>*) const;
+template GmresReport Gmres::Solve<kLanes>(const SparseCholesky*, const Lanes<kLanes>&,
+                                          const GmresOptions&, Lanes<kLanes>*) const;
 
 }  // namespace clothfit

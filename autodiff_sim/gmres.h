@@ -39,8 +39,8 @@ class Gmres {
   // and triangular solves are done for all at once. A column with b = 0 gets x = 0. For 1 or kLanes
   // columns.
   template <int kColumns>
-  GmresReport Solve(SparseCholesky* preconditioner, const Lanes<kColumns>& b,
-                    const GmresOptions& options, Lanes<kColumns>* x);
+  GmresReport Solve(const SparseCholesky* preconditioner, const Lanes<kColumns>& b,
+                    const GmresOptions& options, Lanes<kColumns>* x) const;
 
  private:
   const BlockSparseMatrix* matrix_ = nullptr;

@@ -27,6 +27,8 @@ struct SimulationOptions {
   int max_halvings = 8;
   // Of the linear solves of the derivatives, relative to each right-hand side.
   double sensitivity_tolerance = 1e-9;
+  // Of the derivatives; 0: as many as the machine runs at once. The numbers are the same for any.
+  int num_threads = 1;
 };
 
 enum class StepStatus {

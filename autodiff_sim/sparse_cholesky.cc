@@ -27,8 +27,6 @@ SparseCholesky::SparseCholesky(const BlockPattern* pattern)
   values_.resize(supernodes_.num_values);
   inverse_diagonal_.resize(n);
   product_.resize(6 * static_cast<std::size_t>(supernodes_.largest_stride));
-  right_hand_side_.resize(kLanes * n);
-  gathered_.resize(kLanes * static_cast<std::size_t>(supernodes_.largest_stride));
 }
 
 void SparseCholesky::Forget() {
@@ -109,11 +107,15 @@ void SparseCholesky::ScatterOuterProduct(const Panel& panel) {
 }
 
 template <int kColumns>
-void SparseCholesky::Solve(const FloatLanes<kColumns>& b, FloatLanes<kColumns>* x) {
+void SparseCholesky::Solve(const FloatLanes<kColumns>& b, FloatLanes<kColumns>* x) const {
   const FlushDenormals flush;
   constexpr int kBlock = 3 * kColumns;  // numbers of a particle
-  float *all = right_hand_side_.data(), *part = gathered_.data();
   const std::vector<int>& order = supernodes_.order;
+  // In elimination order; of one panel. Each thread has its own.
+  thread_local std::vector<float> right_hand_side, gathered;
+  right_hand_side.resize(kBlock * order.size());
+  gathered.resize(kColumns * static_cast<std::size_t>(supernodes_.largest_stride));
+  float *all = right_hand_side.data(), *part = gathered.data();
   for (std::size_t i = 0; i < order.size(); ++i) {
     std::copy_n(b.data() + kBlock * order[i], kBlock, all + kBlock * i);
   }
@@ -145,7 +147,7 @@ void SparseCholesky::Solve(const FloatLanes<kColumns>& b, FloatLanes<kColumns>* 
   }
 }
 
-template void SparseCholesky::Solve<1>(const FloatLanes<1>&, FloatLanes<1>*);
-template void SparseCholesky::Solve<kLanes>(const FloatLanes<kLanes>&, FloatLanes<kLanes>*);
+template void SparseCholesky::Solve<1>(const FloatLanes<1>&, FloatLanes<1>*) const;
+template void SparseCholesky::Solve<kLanes>(const FloatLanes<kLanes>&, FloatLanes<kLanes>*) const;
 
 }  // namespace clothfit

@@ -29,7 +29,7 @@ class SparseCholesky {
 
   // x = (L L')^-1 b, for 1 or kLanes columns.
   template <int kColumns>
-  void Solve(const FloatLanes<kColumns>& b, FloatLanes<kColumns>* x);
+  void Solve(const FloatLanes<kColumns>& b, FloatLanes<kColumns>* x) const;
 
  private:
   void Gather(const BlockSparseMatrix& a, float shift);
@@ -39,8 +39,7 @@ class SparseCholesky {
 
   Supernodes supernodes_;
   std::vector<float> values_, inverse_diagonal_;
-  std::vector<float> product_;                     // six columns of an outer product
-  std::vector<float> right_hand_side_, gathered_;  // in elimination order; of one panel
+  std::vector<float> product_;  // six columns of an outer product
   bool has_factor_ = false;
   int rung_ = 0;
   double shift_ = 0.0;

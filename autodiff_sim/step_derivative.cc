@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "autodiff_sim/direct_solve.h"
+#include "autodiff_sim/parallel.h"
 #include "autodiff_sim/step_solver.h"
 
 namespace clothfit {
@@ -16,6 +17,17 @@ constexpr int kCostOfLanes = 3;
 // Fewer than a fresh factor needs: it serves the next step too.
 constexpr int kIterationsForNothing = 5;
 constexpr int kTooManyIterations = 25, kPatience = 100;
+
+// Nothing has moved along any direction of the block so far, and nothing does now.
+bool IsIdle(const Sensitivity& sensitivity, const StepInputs& inputs, std::size_t block) {
+  if (!sensitivity.lanes()[block].is_zero) return false;
+  const auto is_zero = [first = static_cast<Eigen::Index>(block) *
+                                kLanes](const Eigen::MatrixXd& directions) {
+    const Eigen::Index count = std::min<Eigen::Index>(kLanes, directions.cols() - first);
+    return count <= 0 || directions.middleCols(first, count).isZero(0.0);
+  };
+  return is_zero(sensitivity.parameters()) && is_zero(inputs.directions);
+}
 
 }  // namespace
 
@@ -48,12 +60,12 @@ ForceDirections StepSolver::DirectionsAtFixedVelocity(const StepProblem& problem
 
 // -dr along these directions: gamma df - M gamma da - dM (v - v_hat).
 Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem, const Eigen::VectorXd& v,
-                                        const ForceDirections& directions) {
+                                        const ForceDirections& directions) const {
   const StepFormula& formula = problem.formula;
   const double density = (*problem.parameters)[kArealDensity];
-  Lanes<kLanes> rhs = Lanes<kLanes>::Zero(v.size(), kLanes);
+  Lanes<kLanes> rhs = Lanes<kLanes>::Zero(v.size(), kLanes), memory;
   const StepMotion motion(problem, v);
-  model_->AddForceDerivatives(motion.Point(problem), directions, &rhs, &memory_lanes_);
+  model_->AddForceDerivatives(motion.Point(problem), directions, &rhs, &memory);
   const Eigen::Matrix<double, 1, kLanes> density_lanes = directions.parameters.row(kArealDensity);
   for (Eigen::Index row = 0; row < rhs.rows(); ++row) {
     const double area = model_->topology().areas[static_cast<std::size_t>(row / 3)];
@@ -67,60 +79,95 @@ Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem, const Eigen:
 bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inputs,
                                const Eigen::VectorXd& v, Sensitivity* sensitivity,
                                StepReport* report) {
-  const StepFormula& formula = problem.formula;
   AssembleJacobian(problem, v, report);
   if (FactorIsWorn(false) && !RefreshFactor(report)) return false;
+  const int count = static_cast<int>(sensitivity->lanes().size());
+  std::vector<LanesStep> steps(static_cast<std::size_t>(count));
+  int done = 0;
+  // The first that needs it finds out whether the factor is good enough; then the others at once.
+  for (bool is_tried = false; done < count && !is_tried; ++done) {
+    LanesStep& step = steps[static_cast<std::size_t>(done)];
+    step = BeginLanes(problem, inputs, v, *sensitivity, static_cast<std::size_t>(done));
+    is_tried = !step.is_idle && !step.is_still;
+    if (is_tried && !step.is_solved && !SolveStubbornLanes(&step, report)) return false;
+  }
+  ParallelFor(count - done, NumThreads(options_.num_threads), [&](int i, int) {
+    const auto b = static_cast<std::size_t>(done + i);
+    steps[b] = BeginLanes(problem, inputs, v, *sensitivity, b);
+  });
   int slowest = 0;
-  for (std::size_t b = 0; b < sensitivity->lanes().size(); ++b) {
-    StateLanes& lanes = sensitivity->lanes()[b];
-    ForceDirections directions = DirectionsAtFixedVelocity(problem, inputs, *sensitivity, b);
-    const Lanes<kLanes> rhs = RightHandSide(problem, v, directions);
-    const bool still = lanes.is_zero && rhs.isZero(0.0) && directions.v.isZero(0.0);
-    if (!still) {
-      // Extrapolated from the steps before: a first guess, whatever it is worth.
-      Lanes<kLanes> dv = lanes.v;
-      if (formula.before != 0.0) dv += lanes.v - lanes.previous_v;
-      int iterations = 0;
-      if (!SolveLanes(problem, rhs, &dv, &iterations, report)) return false;
-      slowest = std::max(slowest, iterations);
-      problem.constraints->ExpandDirection<kLanes>(&dv);
-      directions.x += formula.gamma * dv;
-      directions.v += dv;
-      directions.a += dv * (1.0 / formula.gamma);
-    }
-    if (model_->memory_size() > 0) {  // along what is known only now
-      Lanes<kLanes> unused = Lanes<kLanes>::Zero(v.size(), kLanes);
-      model_->AddForceDerivatives(StepMotion(problem, v).Point(problem), directions, &unused,
-                                  &memory_lanes_);
-      lanes.memory = memory_lanes_;
-    }
-    lanes.previous_x = std::exchange(lanes.x, std::move(directions.x));
-    lanes.previous_v = std::exchange(lanes.v, std::move(directions.v));
-    lanes.is_zero = still;
+  for (LanesStep& step : steps) {
+    if (step.is_idle || step.is_still) continue;
+    if (!step.is_solved && !SolveStubbornLanes(&step, report)) return false;
+    slowest = std::max(slowest, step.iterations);
+    excess_ += kCostOfLanes * std::max(0, step.iterations - kIterationsForNothing);
   }
   report->sensitivity_iterations += slowest;
+  ParallelFor(count, NumThreads(options_.num_threads), [&](int i, int) {
+    const auto b = static_cast<std::size_t>(i);
+    if (!steps[b].is_idle) FinishLanes(problem, v, &steps[b], &sensitivity->lanes()[b]);
+  });
   return true;
 }
 
-bool StepSolver::SolveLanes(const StepProblem& problem, const Lanes<kLanes>& rhs, Lanes<kLanes>* dv,
-                            int* iterations, StepReport* report) {
-  // The guess obeys the handles of this step: the held rows of the reduced system are zero.
-  problem.constraints->ClearHeld(dv);
+StepSolver::LanesStep StepSolver::BeginLanes(const StepProblem& problem, const StepInputs& inputs,
+                                             const Eigen::VectorXd& v,
+                                             const Sensitivity& sensitivity,
+                                             std::size_t block) const {
+  LanesStep step;
+  step.is_idle = IsIdle(sensitivity, inputs, block);
+  if (step.is_idle) return step;
+  const StateLanes& lanes = sensitivity.lanes()[block];
+  step.directions = DirectionsAtFixedVelocity(problem, inputs, sensitivity, block);
+  step.rhs = RightHandSide(problem, v, step.directions);
+  step.is_still = lanes.is_zero && step.rhs.isZero(0.0) && step.directions.v.isZero(0.0);
+  if (step.is_still) return step;
+  // Extrapolated from the steps before: a first guess, whatever it is worth.
+  step.dv = lanes.v;
+  if (problem.formula.before != 0.0) step.dv += lanes.v - lanes.previous_v;
+  // It obeys the handles of this step: the held rows of the reduced system are zero.
+  problem.constraints->ClearHeld(&step.dv);
+  step.is_solved = SolveLanes(&step).converged;
+  return step;
+}
+
+GmresReport StepSolver::SolveLanes(LanesStep* step) const {
   GmresOptions options;
   options.relative_tolerance = options_.sensitivity_tolerance;
   options.max_iterations = factor_is_current_ ? kPatience : kTooManyIterations;
-  GmresReport linear = gmres_.Solve<kLanes>(&factor_, rhs, options, dv);
-  *iterations += linear.iterations;
-  excess_ += kCostOfLanes * std::max(0, linear.iterations - kIterationsForNothing);
-  if (linear.converged) return true;
-  if (!factor_is_current_ && RefreshFactor(report)) {
-    options.max_iterations = kPatience;
-    linear = gmres_.Solve<kLanes>(&factor_, rhs, options, dv);
-    *iterations += linear.iterations;
-    if (linear.converged) return true;
-  }
+  const GmresReport linear = gmres_.Solve<kLanes>(&factor_, step->rhs, options, &step->dv);
+  step->iterations += linear.iterations;
+  return linear;
+}
+
+bool StepSolver::SolveStubbornLanes(LanesStep* step, StepReport* report) {
+  // The factor may have become another one since the try.
+  if (factor_is_current_ ? step->iterations < kPatience : RefreshFactor(report))
+    step->is_solved = SolveLanes(step).converged;
+  if (step->is_solved) return true;
   ++report->factorizations;
-  return SolveDirectly<kLanes>(jacobian_, rhs, dv);
+  step->is_solved = SolveDirectly<kLanes>(jacobian_, step->rhs, &step->dv);
+  return step->is_solved;
+}
+
+void StepSolver::FinishLanes(const StepProblem& problem, const Eigen::VectorXd& v, LanesStep* step,
+                             StateLanes* lanes) const {
+  ForceDirections& directions = step->directions;
+  if (!step->is_still) {
+    problem.constraints->ExpandDirection<kLanes>(&step->dv);
+    directions.x += problem.formula.gamma * step->dv;
+    directions.v += step->dv;
+    directions.a += step->dv * (1.0 / problem.formula.gamma);
+  }
+  if (model_->memory_size() > 0) {  // along what is known only now
+    Lanes<kLanes> unused = Lanes<kLanes>::Zero(v.size(), kLanes), memory;
+    model_->AddForceDerivatives(StepMotion(problem, v).Point(problem), directions, &unused,
+                                &memory);
+    lanes->memory = std::move(memory);
+  }
+  lanes->previous_x = std::exchange(lanes->x, std::move(directions.x));
+  lanes->previous_v = std::exchange(lanes->v, std::move(directions.v));
+  lanes->is_zero = step->is_still;
 }
 
 }  // namespace clothfit

@@ -78,10 +78,26 @@ class StepSolver {
                                             const Sensitivity& sensitivity,
                                             std::size_t block) const;
   Lanes<kLanes> RightHandSide(const StepProblem& problem, const Eigen::VectorXd& v,
-                              const ForceDirections& directions);
-  // Solves the reduced system for dv, from the guess in dv on.
-  bool SolveLanes(const StepProblem& problem, const Lanes<kLanes>& rhs, Lanes<kLanes>* dv,
-                  int* iterations, StepReport* report);
+                              const ForceDirections& directions) const;
+  // What becomes of one block of directions in a step.
+  struct LanesStep {
+    ForceDirections directions;
+    Lanes<kLanes> rhs, dv;
+    bool is_idle = false;   // nothing moves, nothing has moved
+    bool is_still = false;  // nothing but memory moves
+    bool is_solved = false;
+    int iterations = 0;
+  };
+  // Sets up the block's system and tries to solve it with the factor as it is. Blocks do not depend
+  // on one another.
+  LanesStep BeginLanes(const StepProblem& problem, const StepInputs& inputs,
+                       const Eigen::VectorXd& v, const Sensitivity& sensitivity,
+                       std::size_t block) const;
+  // Solves it with a fresh factor or directly, where the try was in vain.
+  bool SolveStubbornLanes(LanesStep* step, StepReport* report);
+  void FinishLanes(const StepProblem& problem, const Eigen::VectorXd& v, LanesStep* step,
+                   StateLanes* lanes) const;
+  GmresReport SolveLanes(LanesStep* step) const;
   ClothModel* model_;
   SimulationOptions options_;
   double position_tolerance_;  // m
@@ -91,7 +107,6 @@ class StepSolver {
   bool factor_is_current_ = false;  // of jacobian_
   // Linear iterations since the last factorisation beyond those that a fresh factor needs.
   int excess_ = 0;
-  Lanes<kLanes> memory_lanes_;
   Eigen::VectorXd full_residual_, reduced_residual_, force_, new_memory_;
 };
 

@@ -29,6 +29,16 @@ struct ParameterSetting {
 
 enum class LossKind { kNone, kHuber, kCauchy };
 
+// Which unknowns are searched together.
+enum class Strategy {
+  kJoint,    // all, over all frames at once
+  kTwoLoop,  // the fabric outside, the handles of each frame inside (Hasler 2007, sec. 5)
+  kOneLoop,  // fabric and handles of each frame, one frame after the other (sec. 6.1)
+};
+std::string ToString(Strategy strategy);  // "joint", "two-loop", "one-loop"
+// Throws InputError, naming the place.
+Strategy ParseStrategy(const std::string& place, const std::string& name);
+
 struct FitConfig {
   std::string recording;  // the folder; the config of a run can be used again as it is
 
@@ -71,6 +81,12 @@ struct FitConfig {
   bool attract = false;
 
   // strategy
+  Strategy loops = Strategy::kJoint;
+  std::string optimiser = "lm";  // of OptimiserNames(); the rest of the strategy is that of "lm"
+  double max_simulations = 0.0;  // of the whole recording, of all but "lm"; 0: until it converges
+  // Where Levenberg-Marquardt comes to rest without having converged, a derivative-free search of
+  // the fabric on the hard error follows, if silhouettes are fitted.
+  bool polish_hard = true;
   double window = 0.0;  // s; windows hand state and information on; 0 = one window
   // First with no more particles than this along the longer side of a grid, then with all; 0: no
   int coarse_resolution = 9;

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/error.h"
+#include "fitting/optimiser.h"
 #include "tracking/text.h"
 
 namespace clothfit {
@@ -22,11 +24,23 @@ const Choices<Integrator> kIntegrators = {{"bdf2", Integrator::kBdf2},
 const Choices<LossKind> kLosses = {
     {"none", LossKind::kNone}, {"huber", LossKind::kHuber}, {"cauchy", LossKind::kCauchy}};
 
+const Choices<Strategy> kStrategies = {{"joint", Strategy::kJoint},
+                                       {"two-loop", Strategy::kTwoLoop},
+                                       {"one-loop", Strategy::kOneLoop}};
+
 template <class Value>
 std::vector<std::string> NamesOf(const Choices<Value>& choices) {
   std::vector<std::string> names;
   for (const auto& [name, value] : choices) names.push_back(name);
   return names;
+}
+
+template <class Value>
+std::string NameOf(const Choices<Value>& choices, Value value) {
+  for (const auto& [name, choice] : choices) {
+    if (choice == value) return name;
+  }
+  return "";
 }
 
 template <class Value>
@@ -45,10 +59,7 @@ ConfigKey ChoiceKey(std::string section, std::string name, std::string doc,
     yaml.Fail("'" + text + "': expected one of " + JoinNames(NamesOf(choices)));
   };
   key.write = [member, choices](const FitConfig& config) {
-    for (const auto& [choice, value] : choices) {
-      if (value == config.*member) return choice;
-    }
-    return std::string();
+    return NameOf(choices, config.*member);
   };
   key.problem = [](const FitConfig&) { return std::string(); };
   return key;
@@ -102,6 +113,19 @@ ConfigKey ResolutionKey() {
     constexpr int kMost = 1000;
     if (is_default || (std::min(nu, nv) >= 2 && std::max(nu, nv) <= kMost)) return std::string();
     return fmt::format("expected 2 to {} particles along u and v, or [0, 0]", kMost);
+  };
+  return key;
+}
+
+ConfigKey OptimiserKey() {
+  ConfigKey key{"strategy", "optimiser", "", {}, {}, {}};
+  key.doc = fmt::format("what searches; {}", fmt::join(OptimiserNames(), ", "));
+  key.read = [](const YamlValue& yaml, FitConfig* config) { config->optimiser = yaml.Text(); };
+  key.write = [](const FitConfig& config) { return config.optimiser; };
+  key.problem = [](const FitConfig& config) {
+    const std::vector<std::string>& names = OptimiserNames();
+    const bool right = std::find(names.begin(), names.end(), config.optimiser) != names.end();
+    return right ? "" : "expected one of " + JoinNames(names);
   };
   return key;
 }
@@ -170,6 +194,15 @@ std::vector<ConfigKey> MakeConfigKeys() {
       ChoiceKey("observations", "attract",
                 "markers and rays of tracks pull at the cloth by attraction_*.* while fitting",
                 &FitConfig::attract, kYesOrNo),
+      ChoiceKey("strategy", "loops", "which unknowns are searched together", &FitConfig::loops,
+                kStrategies),
+      OptimiserKey(),
+      NumberKey("strategy", "max_simulations",
+                "of the whole recording, of all optimisers but lm; 0: until they converge",
+                &FitConfig::max_simulations, Range::kAtLeastZero),
+      ChoiceKey("strategy", "polish_hard",
+                "where lm stalls, search on the hard silhouette error without derivatives",
+                &FitConfig::polish_hard, kYesOrNo),
       NumberKey("strategy", "window", "s fitted together before going on; 0: all frames at once",
                 &FitConfig::window, Range::kAtLeastZero),
       IntegerKey("strategy", "coarse_resolution",
@@ -186,6 +219,15 @@ std::vector<ConfigKey> MakeConfigKeys() {
 }
 
 }  // namespace
+
+std::string ToString(Strategy strategy) { return NameOf(kStrategies, strategy); }
+
+Strategy ParseStrategy(const std::string& place, const std::string& name) {
+  for (const auto& [text, value] : kStrategies) {
+    if (text == name) return value;
+  }
+  throw InputError(place, "'" + name + "': expected one of " + JoinNames(NamesOf(kStrategies)));
+}
 
 const std::vector<ConfigKey>& ConfigKeys() {
   static const std::vector<ConfigKey> keys = MakeConfigKeys();

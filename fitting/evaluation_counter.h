@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every sequential optimiser keeps: the best point so far and what is left of the budget.
+// What optimisers keep: what is left of the budget and, of sequential ones, the best point so far.
 #pragma once
 
 #include <chrono>
@@ -13,10 +13,30 @@
 
 namespace clothfit {
 
+// Begins with its construction.
+class BudgetWatch {
+ public:
+  explicit BudgetWatch(const OptimiserOptions& options)
+      : options_(options), begin_(std::chrono::steady_clock::now()) {}
+
+  // Why to end after so many evaluations; empty while there is no reason to.
+  std::string Spent(int evaluations) const {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin_;
+    if (options_.stop != nullptr && *options_.stop) return "stopped";
+    if (evaluations >= options_.budget.evaluations) return "evaluations used up";
+    if (seconds.count() >= options_.budget.seconds) return "time used up";
+    return "";
+  }
+
+ private:
+  const OptimiserOptions& options_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
 class EvaluationCounter {
  public:
   EvaluationCounter(const Objective& objective, const OptimiserOptions& options)
-      : objective_(objective), options_(options), begin_(std::chrono::steady_clock::now()) {
+      : objective_(objective), options_(options), watch_(options) {
     minimum_.x = objective.start;
     minimum_.value = std::numeric_limits<double>::infinity();
   }
@@ -37,13 +57,7 @@ class EvaluationCounter {
   }
 
   // Why to end now; empty while there is no reason to.
-  std::string Spent() const {
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin_;
-    if (options_.stop != nullptr && *options_.stop) return "stopped";
-    if (minimum_.evaluations >= options_.budget.evaluations) return "evaluations used up";
-    if (seconds.count() >= options_.budget.seconds) return "time used up";
-    return "";
-  }
+  std::string Spent() const { return watch_.Spent(minimum_.evaluations); }
 
   const Minimum& best() const { return minimum_; }
   Minimum Finish(bool converged, const std::string& reason) const {
@@ -56,7 +70,7 @@ class EvaluationCounter {
  private:
   const Objective& objective_;
   const OptimiserOptions& options_;
-  std::chrono::steady_clock::time_point begin_;
+  BudgetWatch watch_;
   Minimum minimum_;
 };
 

@@ -55,11 +55,13 @@ FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const ClothMesh& mesh) {
   return own;
 }
 
-FitCallbacks OfFineFit(const FitCallbacks& callbacks) {
+FitCallbacks OfFineFit(const FitCallbacks& callbacks, const FitResult& coarse) {
   FitCallbacks own = callbacks;
   if (callbacks.progress) {
-    own.progress = [&callbacks](FitProgress progress) {
+    own.progress = [&callbacks, &coarse](FitProgress progress) {
       progress.fraction = kShareOfCoarseFit + (1.0 - kShareOfCoarseFit) * progress.fraction;
+      progress.simulated_frames += coarse.simulated_frames;
+      progress.differentiated_frames += coarse.differentiated_frames;
       callbacks.progress(progress);
     };
   }
@@ -91,13 +93,14 @@ FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks
   const Scene coarse_scene = MakeScene(scene.recording, *coarser, &scene);
   const FitCallbacks coarse_callbacks = OfCoarseFit(callbacks, coarse_scene.mesh);
   const FitResult coarse = Fitter(coarse_scene, *coarser, coarse_callbacks).Run(resume);
-  const FitCallbacks fine_callbacks = OfFineFit(callbacks);
+  const FitCallbacks fine_callbacks = OfFineFit(callbacks, coarse);
   Fitter fine(scene, config, fine_callbacks);
   const FitCheckpoint reached = fine.AfterWindows(coarse.theta);
   FitResult result = fine.Run(&reached);
   result.iterations += coarse.iterations;
   result.simulations += coarse.simulations;
   result.simulated_frames += coarse.simulated_frames;
+  result.differentiated_frames += coarse.differentiated_frames;
   result.seconds += coarse.seconds;
   return result;
 }

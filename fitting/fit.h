@@ -42,8 +42,10 @@ struct FitProgress {
   int iteration = 0;      // of this stage
   double cost = 0.0;      // half the sum of squared residuals, this stage
   double rms = 0.0;       // root mean square of this stage's residuals, in their sigmas
+  std::string detail;     // of a search without derivatives: what to say instead of the two above
   double fraction = 0.0;  // of the whole fit, an estimate
-  double simulated_frames = 0.0;
+  // So far, and how many of them with derivatives.
+  double simulated_frames = 0.0, differentiated_frames = 0.0;
 };
 
 struct FitCallbacks {
@@ -79,8 +81,9 @@ struct FitResult {
   Eigen::VectorXd theta;
   Eigen::VectorXd parameters;  // all physical ones, in the table's order
   int iterations = 0;
-  int simulations = 0;            // of any length, counted in whole recordings, rounded up
-  double simulated_frames = 0.0;  // in all, with and without derivatives
+  int simulations = 0;                 // of any length, counted in whole recordings, rounded up
+  double simulated_frames = 0.0;       // in all, with and without derivatives
+  double differentiated_frames = 0.0;  // those with
   double seconds = 0.0;
   double cost_before = 0.0, cost_after = 0.0;  // all fitted frames, open loop, with priors
   Evaluation before, after;

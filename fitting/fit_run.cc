@@ -10,6 +10,7 @@
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/search.h"
 
 namespace clothfit {
 namespace {
@@ -84,7 +85,7 @@ FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
   run.WriteConfig(config);
 
   FitResult result =
-      RunFit(scene, config, WithRun(callbacks, run), checkpoint ? &*checkpoint : nullptr);
+      FitByStrategy(scene, config, WithRun(callbacks, run), checkpoint ? &*checkpoint : nullptr);
 
   run.WriteParameters(result);
   run.WriteTrajectory(

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "fitting/evaluation.h"
+#include "fitting/levenberg_marquardt.h"
 
 namespace clothfit {
 namespace {
@@ -74,7 +75,8 @@ void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
   constexpr double kExpectedIterations = 8.0;
   progress.fraction =
       stage_begin_ + stage_share_ * std::min(1.0, iteration.iteration / kExpectedIterations);
-  progress.simulated_frames = simulator_.simulated_frames() + attracting_.simulated_frames();
+  progress.simulated_frames = SimulatedFrames();
+  progress.differentiated_frames = DifferentiatedFrames();
   callbacks_.progress(progress);
 }
 
@@ -89,19 +91,9 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   const int rows = observations_.NumObserved(first, last);
   problem.AddResidualBlock(cost, nullptr, theta);
   problem.AddResidualBlock(new LinearCost(prior, offset), nullptr, theta);
-  for (int i = 0; i < free_.size(); ++i) {
-    const FreeEntry& entry = free_.entries()[i];
-    if (std::isfinite(entry.lower)) problem.SetParameterLowerBound(theta, i, entry.lower);
-    if (std::isfinite(entry.upper)) problem.SetParameterUpperBound(theta, i, entry.upper);
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = max_iterations;
-  options.function_tolerance = config_.function_tolerance;
-  options.parameter_tolerance = 1e-7;
-  options.initial_trust_region_radius = 1.0;       // half a Gauss-Newton step: the cost is rugged
-  options.max_num_consecutive_invalid_steps = 20;  // a trial whose simulation diverges
-  options.logging_type = ceres::SILENT;
+  SetBounds(free_.lower(), free_.upper(), theta, &problem);
+  ceres::Solver::Options options =
+      LevenbergMarquardtOptions(max_iterations, config_.function_tolerance);
   options.update_state_every_iteration = true;
   IterationReporter reporter([&](const ceres::IterationSummary& s) { Report(s, rows); },
                              callbacks_.stop);
@@ -249,6 +241,7 @@ bool Fitter::ContinueHandlePaths(FrameByFrame* search, int first, int last) {
   if (outcome != Outcome::kComplete) return false;
   const FrameByFrameResult found = search->Continue(progress_.theta, state, first, last);
   frames_for_paths_ += found.simulated_frames;
+  differentiated_for_paths_ += found.differentiated_frames;
   if (!found.complete) {
     Log(stage_ + ": the simulation does not reach the last one");
     return false;
@@ -309,8 +302,7 @@ void Fitter::Polish() {
   converged_ = summary.termination_type == ceres::CONVERGENCE;
 }
 
-FitResult Fitter::Run(const FitCheckpoint* resume) {
-  const auto begin = std::chrono::steady_clock::now();
+FitResult Fitter::Start() {
   FitResult result;
   progress_.theta = free_.start();
   progress_.information = free_.PriorInformation();
@@ -318,6 +310,19 @@ FitResult Fitter::Run(const FitCheckpoint* resume) {
   result.before = EvaluateScene(scene_, config_, free_, free_.start());
   WindowSimulator unstopped(scene_, config_, free_, false, nullptr);
   result.cost_before = Cost(free_.start(), &unstopped);
+  return result;
+}
+
+FitResult Fitter::At(const Eigen::VectorXd& theta) {
+  FitResult result = Start();
+  progress_.theta = theta;
+  Finish(&result);
+  return result;
+}
+
+FitResult Fitter::Run(const FitCheckpoint* resume) {
+  const auto begin = std::chrono::steady_clock::now();
+  FitResult result = Start();
   if (resume != nullptr) progress_ = *resume;
   if (free_.size() > 0 && observations_.Count(0, scene_.last_fitted_frame) > 0) {
     const bool in_windows = num_windows_ > 1 || !config_.polish || config_.attract;

@@ -23,6 +23,8 @@ class Fitter {
   Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks);
 
   FitResult Run(const FitCheckpoint* resume);
+  // What is to be said of this free vector, wherever it comes from.
+  FitResult At(const Eigen::VectorXd& theta);
   // Where a fit stands whose windows ended at this free vector.
   FitCheckpoint AfterWindows(const Eigen::VectorXd& theta) const {
     return {false, num_windows_, theta, free_.PriorInformation(), free_.PriorMean()};
@@ -40,6 +42,7 @@ class Fitter {
   // Frame by frame from the first frame on to the last; beyond it as the prior expects. False where
   // the simulation does not get there.
   bool ContinueHandlePaths(FrameByFrame* search, int first, int last);
+  FitResult Start();
   void RunWindows();
   bool RunWindow(int window, WindowStart* start);
   // Frees the state at a later window's start: the offsets of the initial state now are offsets
@@ -54,6 +57,13 @@ class Fitter {
   double Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) const;
   void Log(const std::string& line) const {
     if (callbacks_.log) callbacks_.log(line);
+  }
+  double SimulatedFrames() const {
+    return simulator_.simulated_frames() + attracting_.simulated_frames() + frames_for_paths_;
+  }
+  double DifferentiatedFrames() const {
+    return simulator_.differentiated_frames() + attracting_.differentiated_frames() +
+           differentiated_for_paths_;
   }
   bool Stopped() const { return callbacks_.stop != nullptr && *callbacks_.stop; }
   void Report(const ceres::IterationSummary& iteration, int rows);
@@ -78,7 +88,8 @@ class Fitter {
   std::string stage_;
   double stage_begin_ = 0.0, stage_share_ = 0.0;  // of the whole fit's work
   int iterations_ = 0;
-  double frames_for_paths_ = 0.0;  // simulated frame by frame
+  // Simulated frame by frame, and those of them with derivatives.
+  double frames_for_paths_ = 0.0, differentiated_for_paths_ = 0.0;
   bool converged_ = false;
   double noise_ = 1.0;
 };

@@ -76,8 +76,8 @@ void Fitter::Finish(FitResult* result) {
   result->statements = uncertainty.statements;
   FillEstimates(uncertainty, result);
   result->after = EvaluateScene(scene_, config_, free_, result->theta);
-  result->simulated_frames = simulator_.simulated_frames() + attracting_.simulated_frames() +
-                             simulator.simulated_frames() + frames_for_paths_;
+  result->simulated_frames = SimulatedFrames() + simulator.simulated_frames();
+  result->differentiated_frames = DifferentiatedFrames() + simulator.differentiated_frames();
   result->simulations =
       static_cast<int>(std::ceil(result->simulated_frames / std::max(1, scene_.last_fitted_frame)));
   result->status = Stopped()                            ? FitStatus::kInterrupted

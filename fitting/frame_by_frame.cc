@@ -163,6 +163,7 @@ bool FrameByFrame::FitFrame() {
   if (!Simulate(unknowns, &state, nullptr)) return false;
   state_ = std::move(state);
   result_.error += error_.OfFrame(frame_, state_.x);
+  result_.positions.push_back(state_.x);
   for (std::size_t k = 0; k < unknown_handles_.size(); ++k) {
     const Eigen::Vector3d to = unknowns.segment<3>(3 * static_cast<Eigen::Index>(k));
     result_.paths[unknown_handles_[k]].push_back({state_.time, to});
@@ -204,6 +205,7 @@ void FrameByFrame::Begin(const Eigen::VectorXd& theta, const State& state, int f
                          const std::vector<Eigen::Vector3d>& from,
                          const std::vector<Eigen::Vector3d>& before) {
   result_ = {};
+  result_.positions.push_back(state.x);
   result_.paths.resize(scene_.handles.size());
   theta_ = theta;
   state_ = state;

@@ -36,6 +36,7 @@ struct FrameByFrameResult {
   double error = 0.0;                         // SynthesisError over all frames, as it was reached
   std::vector<std::vector<PathPoint>> paths;  // by handle; of known ones empty
   Eigen::VectorXd theta;                      // with fabric: the mean over the frames
+  std::vector<Eigen::VectorXd> positions;     // 3N, m, of the first frame and each after it
   double simulated_frames = 0.0;              // those with derivatives among them
   double differentiated_frames = 0.0;
 };

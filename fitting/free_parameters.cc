@@ -286,6 +286,18 @@ Eigen::VectorXd FreeParameters::PriorMean() const {
   return prior_jacobian_.colPivHouseholderQr().solve(prior_target_);
 }
 
+Eigen::VectorXd FreeParameters::lower() const {
+  Eigen::VectorXd bounds(size());
+  for (int i = 0; i < size(); ++i) bounds[i] = entries_[i].lower;
+  return bounds;
+}
+
+Eigen::VectorXd FreeParameters::upper() const {
+  Eigen::VectorXd bounds(size());
+  for (int i = 0; i < size(); ++i) bounds[i] = entries_[i].upper;
+  return bounds;
+}
+
 double FreeParameters::UnitValue(int entry, double theta) const {
   return entries_[entry].is_log ? std::exp(theta) : theta;
 }

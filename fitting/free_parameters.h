@@ -40,6 +40,9 @@ class FreeParameters {
   // The start: the config's values, unknown paths as the markers near them suggest or at rest where
   // there are none, no offsets.
   const Eigen::VectorXd& start() const { return start_; }
+  // The entries' bounds, which may be infinite.
+  Eigen::VectorXd lower() const;
+  Eigen::VectorXd upper() const;
 
   // theta with the unknown handles' paths (by handle; those of known ones are not looked at) as
   // near to these points as their sigma (m) and the paths' priors let them.

@@ -9,7 +9,7 @@
 
 #include <ceres/jet.h>
 
-#include "tracking/parallel.h"
+#include "autodiff_sim/parallel.h"
 
 namespace clothfit {
 namespace {

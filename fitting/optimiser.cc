@@ -14,6 +14,7 @@
 #include "autodiff_sim/error.h"
 #include "fitting/annealing.h"
 #include "fitting/evaluation_counter.h"
+#include "fitting/levenberg_marquardt.h"
 #include "fitting/pattern_search.h"
 #include "fitting/simulation_cost.h"
 #include "tracking/text.h"
@@ -38,22 +39,9 @@ Minimum MinimiseByLevenbergMarquardt(const Objective& objective, const Optimiser
   Eigen::VectorXd x = objective.start;
   problem.AddResidualBlock(new SimulationCost(objective.num_residuals, n, evaluate), nullptr,
                            x.data());
-  for (int i = 0; i < n; ++i) {
-    if (std::isfinite(objective.lower[i]))
-      problem.SetParameterLowerBound(x.data(), i, objective.lower[i]);
-    if (std::isfinite(objective.upper[i]))
-      problem.SetParameterUpperBound(x.data(), i, objective.upper[i]);
-  }
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::DENSE_QR;
-  solver.max_num_iterations = 1000;
-  solver.function_tolerance = 1e-6;
-  solver.parameter_tolerance = 1e-7;
-  solver.initial_trust_region_radius = 1.0;
-  solver.max_num_consecutive_invalid_steps = 20;
-  solver.logging_type = ceres::SILENT;
+  SetBounds(objective.lower, objective.upper, x.data(), &problem);
   ceres::Solver::Summary summary;
-  ceres::Solve(solver, &problem, &summary);
+  ceres::Solve(LevenbergMarquardtOptions(1000, 1e-6), &problem, &summary);
   const std::string spent = counter.Spent();
   const bool converged = spent.empty() && summary.termination_type == ceres::CONVERGENCE;
   return counter.Finish(converged, spent.empty() ? summary.message : spent);

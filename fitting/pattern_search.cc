@@ -3,13 +3,15 @@
 #include "fitting/pattern_search.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <utility>
+
+#include "autodiff_sim/parallel.h"
+#include "fitting/evaluation_counter.h"
 
 namespace clothfit {
 
@@ -113,8 +115,7 @@ void PatternSearch::Take(const Planned& trial, double value) {
 bool PatternSearch::HasConverged() const { return queue_.empty() && under_way_.empty(); }
 
 Minimum SearchPattern(const Objective& objective, const OptimiserOptions& options) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point begin = Clock::now();
+  const BudgetWatch watch(options);
   PatternSearchOptions search_options;
   search_options.tolerance = options.tolerance;
   const double at_start = objective.value(objective.start, 0);
@@ -126,16 +127,12 @@ Minimum SearchPattern(const Objective& objective, const OptimiserOptions& option
   std::exception_ptr failure;
   std::string reason;
   const auto spent = [&] {
-    if (failure != nullptr) return true;
-    if (options.stop != nullptr && *options.stop)
-      reason = "stopped";
-    else if (evaluations >= options.budget.evaluations)
-      reason = "evaluations used up";
-    else if (std::chrono::duration<double>(Clock::now() - begin).count() >= options.budget.seconds)
-      reason = "time used up";
-    return !reason.empty();
+    if (failure == nullptr && reason.empty()) reason = watch.Spent(evaluations);
+    return failure != nullptr || !reason.empty();
   };
   const auto work = [&](int worker) {
+    std::optional<InsideParallelWork> inside;
+    if (objective.num_workers > 1) inside.emplace();
     std::unique_lock<std::mutex> lock(mutex);
     while (!spent() && !search.HasConverged()) {
       const std::optional<PatternSearch::Trial> trial = search.Next();

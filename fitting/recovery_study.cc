@@ -3,12 +3,10 @@
 #include "fitting/recovery_study.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <mutex>
-#include <thread>
 
+#include "autodiff_sim/parallel.h"
 #include "autodiff_sim/parameter_table.h"
 
 namespace clothfit {
@@ -71,28 +69,13 @@ RecoveredSeed RecoverSeed(const RecoveryOptions& options, int seed) {
 std::vector<RecoveredSeed> RunRecoveryStudy(const RecoveryOptions& options,
                                             const std::function<void(const RecoveredSeed&)>& done) {
   std::vector<RecoveredSeed> results(static_cast<std::size_t>(options.num_seeds));
-  std::atomic<int> next{0};
   std::mutex mutex;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (int i = next++; i < options.num_seeds; i = next++) {
-      try {
-        RecoveredSeed result = RecoverSeed(options, options.first_seed + i);
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (done) done(result);
-        results[static_cast<std::size_t>(i)] = std::move(result);
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        failure = std::current_exception();
-        next = options.num_seeds;
-      }
-    }
-  };
-  std::vector<std::thread> threads;
-  for (int t = 1; t < options.num_threads; ++t) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  ParallelFor(options.num_seeds, options.num_threads, [&](int i, int) {
+    RecoveredSeed result = RecoverSeed(options, options.first_seed + i);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (done) done(result);
+    results[static_cast<std::size_t>(i)] = std::move(result);
+  });
   return results;
 }
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 
+#include "autodiff_sim/parallel.h"
 #include "tracking/images.h"
-#include "tracking/parallel.h"
 
 namespace clothfit {
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -14,8 +13,7 @@
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/prediction.h"
-#include "tracking/csv.h"
-#include "tracking/truth.h"
+#include "fitting/surface_truth.h"
 
 namespace clothfit {
 namespace {
@@ -55,16 +53,6 @@ std::optional<SurfaceError> Summarise(std::vector<double> distances) {
   return error;
 }
 
-fs::path CloudFile(const fs::path& truth, int frame) {
-  return truth / "truth" / fmt::format("cloud_{:06d}.csv", frame);
-}
-
-std::vector<Vector3d> ReadCloud(const fs::path& file) {
-  std::vector<Vector3d> points;
-  ReadCsv(file, {"x", "y", "z"}, [&](const CsvRow& row) { points.push_back(row.Vector3(0)); });
-  return points;
-}
-
 std::vector<double> FromCloud(const std::vector<Vector3d>& cloud, const ClothMesh& mesh,
                               const Eigen::VectorXd& x) {
   std::vector<double> distances;
@@ -90,50 +78,6 @@ std::vector<double> ToCloud(const std::vector<Vector3d>& cloud, const Eigen::Vec
   }
   return distances;
 }
-
-class Truth {
- public:
-  Truth(const fs::path& folder, const Scene& scene) : folder_(folder) {
-    if (HasTruthPoints(folder)) {
-      for (const TruthPoint& p : ReadTruthPoints(folder)) points_[p.frame].push_back(p);
-    }
-    for (auto& [frame, points] : points_) {
-      std::vector<Eigen::Vector2d> uv;
-      for (const TruthPoint& p : points) uv.push_back(p.uv);
-      if (uv != located_uv_) located_ = LocateOnCloth(scene.mesh, uv);
-      located_uv_ = std::move(uv);
-      on_cloth_[frame] = located_;
-    }
-    bool any_cloud = false;
-    for (int f = 0; f < scene.recording.frame_count && !any_cloud; ++f)
-      any_cloud = fs::exists(CloudFile(folder, f));
-    if (!any_cloud && points_.empty()) {
-      throw InputError((folder / "truth").string(),
-                       "nothing to compare with: expected points.csv or cloud_000000.csv ...");
-    }
-  }
-
-  std::vector<double> PointDistances(int frame, const Eigen::VectorXd& x) const {
-    std::vector<double> distances;
-    const auto found = points_.find(frame);
-    if (found == points_.end()) return distances;
-    const std::vector<SurfacePoint>& on_cloth = on_cloth_.at(frame);
-    for (std::size_t i = 0; i < on_cloth.size(); ++i)
-      distances.push_back((on_cloth[i].At(x) - found->second[i].position).norm());
-    return distances;
-  }
-  std::vector<Vector3d> Cloud(int frame) const {
-    const fs::path file = CloudFile(folder_, frame);
-    return fs::exists(file) ? ReadCloud(file) : std::vector<Vector3d>();
-  }
-
- private:
-  fs::path folder_;
-  std::map<int, std::vector<TruthPoint>> points_;
-  std::map<int, std::vector<SurfacePoint>> on_cloth_;
-  std::vector<SurfacePoint> located_;
-  std::vector<Eigen::Vector2d> located_uv_;
-};
 
 }  // namespace
 
@@ -164,7 +108,7 @@ SurfaceEvaluation EvaluateSurface(const RunFolder& run, const fs::path& truth_fo
   const FittedRun fitted = ReadFittedRun(run);
   const Scene& scene = fitted.scene;
   const FreeParameters free(fitted.config, scene, MakeParameterTable());
-  const Truth truth(truth_folder, scene);
+  const SurfaceTruth truth(truth_folder, scene);
   Distances points, from_cloud, to_cloud;
   SurfaceEvaluation evaluation;
   const auto compare = [&](int frame, const State& state) {

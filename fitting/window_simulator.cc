@@ -12,6 +12,7 @@ SimulationOptions StepOptions(const FitConfig& config) {
   SimulationOptions options;
   options.integrator = config.integrator;
   options.tolerance = config.tolerance;
+  options.num_threads = 0;
   return options;
 }
 
@@ -108,6 +109,7 @@ WindowSimulator::Outcome WindowSimulator::Run(const WindowStart& start,
     }
     state.time = scene_.FrameTime(frame);
     simulated_frames_ += 1.0;
+    if (derivatives) differentiated_frames_ += 1.0;
     observer(frame, state, derivatives ? &sensitivity : nullptr);
   }
   if (end != nullptr) *end = {last_frame, std::move(state), std::move(sensitivity), theta};

@@ -45,6 +45,8 @@ class WindowSimulator {
 
   const Simulation& simulation() const { return simulation_; }
   double simulated_frames() const { return simulated_frames_; }
+  // Those of them that had derivatives.
+  double differentiated_frames() const { return differentiated_frames_; }
   const StepReport& last_report() const { return report_; }
 
  private:
@@ -56,7 +58,7 @@ class WindowSimulator {
   const std::atomic<bool>* stop_;
   Simulation simulation_;
   std::vector<SceneHandle> handles_;
-  double simulated_frames_ = 0.0;
+  double simulated_frames_ = 0.0, differentiated_frames_ = 0.0;
   StepReport report_;
 };
 

@@ -10,8 +10,8 @@
 #include <opencv2/core.hpp>
 
 #include "autodiff_sim/error.h"
+#include "autodiff_sim/parallel.h"
 #include "tracking/cloth_surface.h"
-#include "tracking/parallel.h"
 #include "tracking/picture_writer.h"
 #include "tracking/renderer.h"
 #include "tracking/text.h"

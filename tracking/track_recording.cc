@@ -11,8 +11,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "autodiff_sim/error.h"
+#include "autodiff_sim/parallel.h"
 #include "tracking/images.h"
-#include "tracking/parallel.h"
 
 namespace clothfit {
 namespace {

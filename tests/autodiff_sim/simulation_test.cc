@@ -4,11 +4,14 @@
 // What a simulation promises its callers, whatever the physics.
 #include "autodiff_sim/simulation.h"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/parallel.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {
@@ -261,6 +264,58 @@ TEST(Simulation, DerivativesTakeNoMoreMemoryAsTimeGoesOn) {
   for (int i = 0; i < 20; ++i) simulation.Advance(kStep, scene.MakeDrive(), &state, &sensitivity);
   EXPECT_EQ(size(), before);
   EXPECT_EQ(sensitivity.x().cols(), 11);
+}
+
+// Derivatives along so many directions that they go in several blocks, some of which move nothing
+// at first: the same numbers whoever computes them.
+TEST(Simulation, DerivativesAreTheSameForAnyNumberOfThreads) {
+  const TestScene scene = SwingingCloth(7, 0.4);
+  constexpr int kDirections = 30, kSteps = 20;
+  const auto run = [&](int num_threads) {
+    SimulationOptions options;
+    options.num_threads = num_threads;
+    Simulation simulation(scene.mesh, scene.world, scene.handles, options);
+    UseSuppleCloth(&simulation);
+    State state = simulation.MakeState(scene.x);
+    Eigen::MatrixXd parameters = Eigen::MatrixXd::Zero(simulation.parameters().size(), kDirections);
+    parameters(kArealDensity, 0) = 1.0;
+    Sensitivity sensitivity(state, parameters);
+    const Drive known = scene.MakeDrive();
+    const Drive drive = [&](double time, bool with_directions) {
+      StepInputs inputs = known(time, with_directions);
+      inputs.directions.setZero(inputs.num_rows(), kDirections);
+      // Directions from the second on begin one step after the other.
+      for (int d = 1; d < kDirections; ++d) {
+        if (time > (d - 0.5) / 120.0) inputs.directions(d % inputs.num_rows(), d) = 1.0;
+      }
+      return inputs;
+    };
+    for (int k = 0; k < kSteps; ++k) {
+      EXPECT_EQ(simulation.Advance(1.0 / 120.0, drive, &state, &sensitivity).status,
+                StepStatus::kConverged);
+    }
+    return sensitivity.x();
+  };
+  const Eigen::MatrixXd alone = run(1), together = run(3);
+  EXPECT_EQ((alone - together).lpNorm<Eigen::Infinity>(), 0.0);
+  EXPECT_GT(alone.col(kSteps - 2).norm(), 0.0);
+  EXPECT_EQ(alone.rightCols(kDirections - kSteps - 1).norm(), 0.0);
+}
+
+TEST(ParallelFor, DoesEveryPieceOnceAndNestsWithoutMoreThreads) {
+  std::vector<std::atomic<int>> done(40);
+  ParallelFor(8, 3, [&](int outer, int) {
+    EXPECT_EQ(NumThreads(0), 1);
+    EXPECT_EQ(NumThreads(7), 1);
+    ParallelFor(5, NumThreads(0), [&](int inner, int worker) {
+      EXPECT_EQ(worker, 0);
+      ++done[static_cast<std::size_t>(5 * outer + inner)];
+    });
+  });
+  for (const std::atomic<int>& count : done) EXPECT_EQ(count, 1);
+  EXPECT_GE(NumThreads(0), 1);
+  EXPECT_THROW(ParallelFor(4, 2, [](int, int) { throw std::runtime_error("piece"); }),
+               std::runtime_error);
 }
 
 }  // namespace

@@ -8,8 +8,21 @@
 
 namespace clothfit {
 
-// `asked`, or as many as the machine runs at once where that is 0.
+// `asked`, or as many as the machine runs at once where that is 0. Inside other parallel work 1:
+// the cores are taken.
 int NumThreads(int asked);
+
+// While it lives, this thread's work counts as part of other parallel work.
+class InsideParallelWork {
+ public:
+  InsideParallelWork();
+  ~InsideParallelWork();
+  InsideParallelWork(const InsideParallelWork&) = delete;
+  InsideParallelWork& operator=(const InsideParallelWork&) = delete;
+
+ private:
+  bool before_;
+};
 
 // Calls work(piece, worker) for each piece from 0 to count - 1, in any order; worker is 0 to
 // num_threads - 1 and does one piece at a time. Throws what the first failing piece threw, after

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/parallel.h"
+#include "autodiff_sim/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -11,16 +11,31 @@
 
 namespace clothfit {
 
+namespace {
+
+thread_local bool is_inside = false;
+
+}  // namespace
+
+InsideParallelWork::InsideParallelWork() : before_(is_inside) { is_inside = true; }
+InsideParallelWork::~InsideParallelWork() { is_inside = before_; }
+
 int NumThreads(int asked) {
+  if (is_inside) return 1;
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 void ParallelFor(int count, int num_threads,
                  const std::function<void(int piece, int worker)>& work) {
+  if (std::min(count, num_threads) <= 1) {
+    for (int piece = 0; piece < count; ++piece) work(piece, 0);
+    return;
+  }
   std::atomic<int> next = 0;
   std::exception_ptr failure;
   std::mutex mutex;
   const auto run = [&](int worker) {
+    const InsideParallelWork inside;
     try {
       for (int piece = next++; piece < count; piece = next++) work(piece, worker);
     } catch (...) {

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/search.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/frame_by_frame.h"
+#include "fitting/free_parameters.h"
+#include "fitting/search_ledger.h"
+#include "fitting/synthesis_error.h"
+#include "fitting/window_simulator.h"
+
+namespace clothfit {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kPathSigma = 0.001;  // m, of splines through the paths of a pass frame by frame
+
+// Large enough to change the silhouettes by many pixels, small enough to stay where the start is
+// any good.
+double FirstStep(const FreeEntry& entry) {
+  if (entry.kind == FreeEntry::Kind::kHandle) return 0.05;
+  if (entry.is_log) return 0.5;
+  return 0.5 * entry.prior_sigma;
+}
+
+std::vector<int> EntriesOf(const FreeParameters& free, bool fabric_only) {
+  std::vector<int> entries;
+  for (int i = 0; i < free.size(); ++i) {
+    const bool is_fabric = free.entries()[i].kind == FreeEntry::Kind::kParameter;
+    if (is_fabric || !fabric_only) entries.push_back(i);
+  }
+  return entries;
+}
+
+// One simulation from the start with nothing in its way. The sum of the frames' errors; infinite
+// where it does not reach the last one. `positions` may be null.
+double OpenLoopError(const SynthesisError& error, int last, WindowSimulator* simulator,
+                     const Eigen::VectorXd& theta, std::vector<Eigen::VectorXd>* positions) {
+  double sum = 0.0;
+  const auto outcome = simulator->Run(simulator->FirstStart(theta), theta, last, false,
+                                      [&](int frame, const State& state, const Sensitivity*) {
+                                        sum += error.OfFrame(frame, state.x);
+                                        if (positions != nullptr) positions->push_back(state.x);
+                                      });
+  return outcome == WindowSimulator::Outcome::kComplete ? sum : kInfinity;
+}
+
+// One search, whichever it is.
+class Searcher {
+ public:
+  Searcher(const Scene& scene, const FitConfig& config, const SearchOptions& options)
+      : scene_(scene),
+        config_(config),
+        options_(options),
+        free_(config, scene, MakeParameterTable()),
+        error_(scene, config),
+        judge_(scene, config, free_, false, nullptr),
+        ledger_(scene, options),
+        start_(options.start.size() > 0 ? options.start : free_.start()) {}
+
+  SearchResult Run() {
+    SearchResult result = config_.loops == Strategy::kTwoLoop   ? TwoLoops()
+                          : config_.loops == Strategy::kOneLoop ? OneLoop()
+                          : config_.optimiser == "lm"           ? ByFit()
+                                                                : Joint();
+    ledger_.Finish(&result);
+    std::vector<Eigen::VectorXd> positions;
+    result.open_loop_error = OpenLoopError(error_, scene_.last_fitted_frame, &judge_, result.theta,
+                                           result.positions.empty() ? &positions : nullptr);
+    if (result.positions.empty()) {
+      result.error = result.open_loop_error;
+      result.positions = std::move(positions);
+    }
+    return result;
+  }
+
+ private:
+  SearchResult ByFit();
+  SearchResult Joint();
+  SearchResult TwoLoops();
+  SearchResult OneLoop();
+
+  // Minimises over some entries of the free vector without derivatives; the rest stays.
+  Minimum MinimiseOver(
+      const std::vector<int>& entries, const std::string& optimiser,
+      const std::function<double(const Eigen::VectorXd& theta, int worker)>& value);
+  int NumWorkers() const {
+    return config_.optimiser == "pattern" ? std::max(1, options_.num_threads) : 1;
+  }
+  FrameByFrameOptions PassOptions(bool fabric) const {
+    FrameByFrameOptions options;
+    options.optimiser = config_.optimiser;
+    options.fabric = fabric;
+    return options;
+  }
+  void Spend(const FrameByFrameResult& pass) {
+    ledger_.Spend(pass.simulated_frames, pass.differentiated_frames);
+    if (ledger_.IsSpent()) stop_ = true;
+  }
+  void TakePass(FrameByFrameResult pass, SearchResult* result) const;
+
+  const Scene& scene_;
+  const FitConfig& config_;
+  const SearchOptions& options_;
+  FreeParameters free_;
+  SynthesisError error_;
+  WindowSimulator judge_;
+  SearchLedger ledger_;
+  Eigen::VectorXd start_;
+  std::atomic<bool> stop_ = false;
+};
+
+// The fit's own error is the soft one; what it is judged by is computed beside, off the clock.
+SearchResult Searcher::ByFit() {
+  double simulated = 0.0, differentiated = 0.0;
+  const auto spend_up_to = [&](double all, double with_derivatives) {
+    ledger_.Spend(all - simulated, with_derivatives - differentiated);
+    simulated = all;
+    differentiated = with_derivatives;
+    if (ledger_.IsSpent()) stop_ = true;
+  };
+  FitCallbacks callbacks;
+  callbacks.stop = &stop_;
+  callbacks.log = options_.log;
+  callbacks.progress = [&](const FitProgress& progress) {
+    spend_up_to(progress.simulated_frames, progress.differentiated_frames);
+  };
+  callbacks.checkpoint = [&](const FitCheckpoint& checkpoint) {
+    ledger_.OffTheClock([&] {
+      ledger_.Improve(
+          OpenLoopError(error_, scene_.last_fitted_frame, &judge_, checkpoint.theta, nullptr));
+    });
+  };
+  const FitResult fit = RunFit(scene_, config_, callbacks);
+  spend_up_to(fit.simulated_frames, fit.differentiated_frames);
+  SearchResult result;
+  result.theta = fit.theta;
+  result.converged = fit.status == FitStatus::kConverged;
+  result.reason = ToString(fit.status);
+  return result;
+}
+
+Minimum Searcher::MinimiseOver(
+    const std::vector<int>& entries, const std::string& optimiser,
+    const std::function<double(const Eigen::VectorXd& theta, int worker)>& value) {
+  Objective objective;
+  objective.start = start_(entries);
+  objective.lower = free_.lower()(entries);
+  objective.upper = free_.upper()(entries);
+  objective.step.resize(objective.start.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    objective.step[static_cast<Eigen::Index>(i)] =
+        options_.step_scale * FirstStep(free_.entries()[entries[i]]);
+  objective.num_workers = NumWorkers();
+  const auto whole = [&](const Eigen::VectorXd& x) {
+    Eigen::VectorXd theta = start_;
+    theta(entries) = x;
+    return theta;
+  };
+  objective.value = [&](const Eigen::VectorXd& x, int worker) { return value(whole(x), worker); };
+  OptimiserOptions settings;
+  settings.seed = options_.seed;
+  settings.stop = &stop_;
+  settings.improved = [&](const Eigen::VectorXd& x, double error, int) {
+    if (ledger_.Improve(error) && options_.improved) options_.improved(whole(x));
+  };
+  Minimum minimum = Minimise(optimiser, objective, settings);
+  minimum.x = whole(minimum.x);
+  return minimum;
+}
+
+SearchResult Searcher::Joint() {
+  std::vector<std::unique_ptr<WindowSimulator>> simulators;
+  for (int w = 0; w < NumWorkers(); ++w) {
+    simulators.push_back(std::make_unique<WindowSimulator>(scene_, config_, free_, false, nullptr));
+  }
+  const auto value = [&](const Eigen::VectorXd& theta, int worker) {
+    WindowSimulator& simulator = *simulators[static_cast<std::size_t>(worker)];
+    const double before = simulator.simulated_frames();
+    const double error =
+        OpenLoopError(error_, scene_.last_fitted_frame, &simulator, theta, nullptr);
+    ledger_.Spend(simulator.simulated_frames() - before, 0.0);
+    if (ledger_.IsSpent()) stop_ = true;
+    return error;
+  };
+  const Minimum minimum =
+      MinimiseOver(EntriesOf(free_, options_.fabric_only), config_.optimiser, value);
+  SearchResult result;
+  result.theta = minimum.x;
+  result.converged = minimum.converged;
+  result.reason = minimum.reason;
+  return result;
+}
+
+void Searcher::TakePass(FrameByFrameResult pass, SearchResult* result) const {
+  result->theta = free_.WithHandlePaths(pass.theta, scene_, pass.paths, kPathSigma);
+  result->error = pass.error;
+  result->positions = std::move(pass.positions);
+}
+
+SearchResult Searcher::TwoLoops() {
+  std::vector<std::unique_ptr<FrameByFrame>> passes;
+  for (int w = 0; w < NumWorkers(); ++w) {
+    passes.push_back(
+        std::make_unique<FrameByFrame>(scene_, config_, free_, PassOptions(false), &stop_));
+  }
+  SearchResult result;
+  result.theta = start_;
+  result.error = kInfinity;
+  std::mutex mutex;
+  const auto value = [&](const Eigen::VectorXd& theta, int worker) {
+    FrameByFrameResult pass = passes[static_cast<std::size_t>(worker)]->Run(theta);
+    Spend(pass);
+    const std::lock_guard<std::mutex> lock(mutex);
+    const double error = pass.complete ? pass.error : kInfinity;
+    if (error < result.error) TakePass(std::move(pass), &result);
+    return error;
+  };
+  const std::vector<int> fabric = EntriesOf(free_, true);
+  if (fabric.empty()) {
+    ledger_.Improve(value(start_, 0));
+    result.converged = !stop_;
+    result.reason = "one pass: the fabric is known";
+    return result;
+  }
+  const std::string outside = config_.optimiser != "lm" ? config_.optimiser
+                              : fabric.size() > 1       ? "bobyqa"
+                                                        : "sbplx";
+  const Minimum minimum = MinimiseOver(fabric, outside, value);
+  result.converged = minimum.converged;
+  result.reason = minimum.reason;
+  return result;
+}
+
+SearchResult Searcher::OneLoop() {
+  FrameByFrame search(scene_, config_, free_, PassOptions(true), &stop_);
+  FrameByFrameResult pass = search.Run(start_);
+  Spend(pass);
+  SearchResult result;
+  result.theta = start_;
+  result.error = kInfinity;
+  if (pass.complete) {
+    ledger_.Improve(pass.error);
+    TakePass(std::move(pass), &result);
+  }
+  result.converged = std::isfinite(result.error);
+  result.reason = result.converged ? "one pass" : "the pass did not reach the last frame";
+  return result;
+}
+
+}  // namespace
+
+SearchResult Search(const Scene& scene, const FitConfig& config, const SearchOptions& options) {
+  if (config.loops != Strategy::kJoint && config.optimiser == "direct") {
+    throw InputError("optimiser", fmt::format("direct searches within bounds, which the handles of "
+                                              "a frame do not have; {} expected another one",
+                                              ToString(config.loops)));
+  }
+  return Searcher(scene, config, options).Run();
+}
+
+}  // namespace clothfit

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Searches for what explains a recording, by any optimiser and strategy, all judged by the same
+// error.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fitting/fit.h"
+#include "fitting/optimiser.h"
+#include "fitting/scene.h"
+
+namespace clothfit {
+
+// The best so far, when this much had been spent.
+struct SearchPoint {
+  double simulations = 0.0, seconds = 0.0;
+  double error = 0.0;  // SynthesisError over all fitted frames
+};
+
+struct SearchOptions {
+  Eigen::VectorXd start;     // a free vector; empty: the config's
+  bool fabric_only = false;  // of a joint search: the rest stays as it starts
+  double step_scale = 1.0;   // of first steps
+  Budget budget;  // evaluations: simulations of the whole recording, those with derivatives at cost
+  unsigned seed = 1;
+  int num_threads = 1;  // of pattern search
+  // What a simulation with derivatives costs, in simulations without.
+  double derivative_cost = 2.0;
+  const std::atomic<bool>* stop = nullptr;
+  // What has been spent and the best error so far, after every evaluation; one call at a time.
+  std::function<void(const SearchPoint&)> progress;
+  std::function<void(const Eigen::VectorXd& theta)> improved;  // of joint searches
+  std::function<void(const std::string&)> log;
+};
+
+struct SearchResult {
+  // The free vector found; of passes frame by frame with splines through their paths and, with one
+  // loop, the mean fabric.
+  Eigen::VectorXd theta;
+  // SynthesisError over the fitted frames: of what the strategy itself simulated, whose positions
+  // (3N, m) of frames 0 to the last are these, and of theta, simulated from the start with nothing
+  // in its way. Infinite where the simulation does not get there.
+  double error = 0.0, open_loop_error = 0.0;
+  std::vector<Eigen::VectorXd> positions;
+  std::vector<SearchPoint> history;  // one entry each time that the best improved
+  double simulations = 0.0, seconds = 0.0;
+  bool converged = false;
+  std::string reason;  // why it ended, in words
+};
+
+// By the strategy and the optimiser of the config, from the config's values. The joint search by
+// Levenberg-Marquardt is RunFit, on the soft error; every other optimiser gets the hard error
+// itself. Two loops by Levenberg-Marquardt have it inside and BOBYQA outside. First steps: half a
+// logarithm (a factor of 1.6) or half a sigma of the prior along the fabric's parameters, 5 cm
+// along a path's control points. Throws InputError where the optimiser does not suit the strategy.
+SearchResult Search(const Scene& scene, const FitConfig& config, const SearchOptions& options);
+
+// A whole fit with report and intervals, by whatever the config asks for: RunFit, followed where it
+// stalls by a search of the fabric on the hard error, or Search.
+FitResult FitByStrategy(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
+                        const FitCheckpoint* resume = nullptr);
+
+// Time of a simulation with derivatives by all of the free vector over that of one without, on this
+// machine: medians of `repeats` in turn.
+double MeasureDerivativeCost(const Scene& scene, const FitConfig& config, int repeats = 3);
+
+}  // namespace clothfit
