@@ -9,67 +9,65 @@
 // the patch moves.
 #pragma once
 
+#include <algorithm>
+
 #include "autodiff_sim/contact/collision_surface.h"
 #include "autodiff_sim/contact/feature_pair.h"
 
 namespace clothfit {
 
-template <int Planes>
-Dop<Planes> EdgeVolume(const CollisionSurface<Planes>& surface, int edge) {
-  const std::array<int, 2>& ends = surface.features.edges[edge];
-  Dop<Planes> volume = surface.tree.vertex(ends[0]);
-  volume.Merge(surface.tree.vertex(ends[1]));
-  return volume;
-}
+// The three below are for what triangle_a of surface a owns against triangle_b of surface b.
+// Features of one surface that have a vertex in common are left out, before their volumes are
+// looked at.
 
-// Calls visit(vertex of a) for the vertices that a triangle of a owns and that overlap one of b.
+// Calls visit(vertex) for the vertices that overlap triangle_b.
 template <int Planes, class Visit>
 void VisitVertices(const CollisionSurface<Planes>& a, int triangle_a,
                    const CollisionSurface<Planes>& b, int triangle_b, const Visit& visit) {
-  const Dop<Planes>& volume_b = b.tree.triangle(triangle_b);
-  for (const int vertex : a.features.owned_vertices[triangle_a]) {
-    if (a.tree.vertex(vertex).Overlaps(volume_b)) visit(vertex);
+  const bool same = &a == &b;
+  for (const int vertex : a.features().owned_vertices[triangle_a]) {
+    if (same && b.features().TriangleHas(triangle_b, vertex)) continue;
+    if (a.vertex(vertex).Overlaps(b.triangle(triangle_b))) visit(vertex);
   }
 }
 
-// Calls visit(edge of a) in the same way.
+// Calls visit(edge) for the edges that overlap triangle_b.
 template <int Planes, class Visit>
 void VisitEdges(const CollisionSurface<Planes>& a, int triangle_a,
                 const CollisionSurface<Planes>& b, int triangle_b, const Visit& visit) {
-  const Dop<Planes>& volume_b = b.tree.triangle(triangle_b);
-  for (const int edge : a.features.owned_edges[triangle_a]) {
-    if (EdgeVolume(a, edge).Overlaps(volume_b)) visit(edge);
+  const bool same = &a == &b;
+  for (const int edge : a.features().owned_edges[triangle_a]) {
+    if (same && b.features().EdgeTouchesTriangle(edge, triangle_b)) continue;
+    if (a.edge(edge).Overlaps(b.triangle(triangle_b))) visit(edge);
   }
 }
 
-// Calls visit(edge of a, edge of b) for edges that the triangles own and that overlap.
+// Calls visit(edge of a, edge of b) for the edges of both that overlap.
 template <int Planes, class Visit>
 void VisitEdgePairs(const CollisionSurface<Planes>& a, int triangle_a,
                     const CollisionSurface<Planes>& b, int triangle_b, const Visit& visit) {
-  VisitEdges(a, triangle_a, b, triangle_b, [&](int edge_a) {
-    const Dop<Planes> volume_a = EdgeVolume(a, edge_a);
-    for (const int edge_b : b.features.owned_edges[triangle_b]) {
-      if (volume_a.Overlaps(EdgeVolume(b, edge_b))) visit(edge_a, edge_b);
+  const bool same = &a == &b;
+  for (const int edge_a : a.features().owned_edges[triangle_a]) {
+    for (const int edge_b : b.features().owned_edges[triangle_b]) {
+      if (same && a.features().EdgesTouch(edge_a, edge_b)) continue;
+      if (a.edge(edge_a).Overlaps(b.edge(edge_b))) visit(edge_a, edge_b);
     }
-  });
+  }
 }
 
 // Calls visit(FeaturePair) once for each pair of features of the surface whose volumes overlap and
 // that have no vertex in common, in no particular order.
 template <int Planes, class Visit>
 void VisitCandidates(const CollisionSurface<Planes>& surface, const Visit& visit) {
-  const MeshFeatures& features = surface.features;
   const auto visit_vertices = [&](int a, int b) {
     VisitVertices(surface, a, surface, b, [&](int vertex) {
-      if (features.TriangleHas(b, vertex)) return;
       visit(FeaturePair{PairKind::kVertexTriangle, vertex, b});
     });
   };
-  surface.tree.VisitSelf([&](int a, int b) {
+  surface.tree().VisitSelf([&](int a, int b) {
     visit_vertices(a, b);
     visit_vertices(b, a);
     VisitEdgePairs(surface, a, surface, b, [&](int e, int f) {
-      if (features.EdgesTouch(e, f)) return;
       visit(FeaturePair{PairKind::kEdgeEdge, std::min(e, f), std::max(e, f)});
     });
   });
@@ -79,7 +77,7 @@ void VisitCandidates(const CollisionSurface<Planes>& surface, const Visit& visit
 template <int Planes, class Visit>
 void VisitCandidates(const CollisionSurface<Planes>& cloth,
                      const CollisionSurface<Planes>& obstacle, const Visit& visit) {
-  cloth.tree.VisitPairs(obstacle.tree, [&](int a, int b) {
+  cloth.tree().VisitPairs(obstacle.tree(), [&](int a, int b) {
     VisitVertices(cloth, a, obstacle, b, [&](int vertex) {
       visit(FeaturePair{PairKind::kVertexTriangle, vertex, b});
     });

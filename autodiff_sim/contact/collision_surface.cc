@@ -20,11 +20,34 @@ CollisionSurface<Planes>::CollisionSurface(const ClothMesh& mesh)
 template <int Planes>
 CollisionSurface<Planes>::CollisionSurface(const std::vector<std::array<int, 3>>& triangles,
                                            const Eigen::VectorXd& x)
-    : features(FindFeatures(triangles)), tree(triangles, x) {}
+    : features_(FindFeatures(triangles)), tree_(triangles, x), edges_(features_.edges.size()) {
+  RefitEdges();
+}
 
-template struct CollisionSurface<6>;
-template struct CollisionSurface<14>;
-template struct CollisionSurface<18>;
-template struct CollisionSurface<26>;
+template <int Planes>
+void CollisionSurface<Planes>::Refit(const Eigen::VectorXd& x, double margin) {
+  tree_.Refit(x, margin);
+  RefitEdges();
+}
+
+template <int Planes>
+void CollisionSurface<Planes>::RefitSwept(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1,
+                                          double margin) {
+  tree_.RefitSwept(x0, x1, margin);
+  RefitEdges();
+}
+
+template <int Planes>
+void CollisionSurface<Planes>::RefitEdges() {
+  for (size_t i = 0; i < edges_.size(); ++i) {
+    edges_[i] = tree_.vertex(features_.edges[i][0]);
+    edges_[i].Merge(tree_.vertex(features_.edges[i][1]));
+  }
+}
+
+template class CollisionSurface<6>;
+template class CollisionSurface<14>;
+template class CollisionSurface<18>;
+template class CollisionSurface<26>;
 
 }  // namespace clothfit

@@ -16,14 +16,30 @@
 namespace clothfit {
 
 template <int Planes = 14>
-struct CollisionSurface {
+class CollisionSurface {
+ public:
   // A cloth, its tree built over its flat shape.
   explicit CollisionSurface(const ClothMesh& mesh);
   // Any mesh, its tree built over its shape at x (3N, m).
   CollisionSurface(const std::vector<std::array<int, 3>>& triangles, const Eigen::VectorXd& x);
 
-  MeshFeatures features;
-  DopTree<Planes> tree;  // refitted by every query
+  // Every query refits the volumes of the surface that it is given, see DopTree.
+  void Refit(const Eigen::VectorXd& x, double margin);
+  void RefitSwept(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1, double margin);
+
+  const MeshFeatures& features() const { return features_; }
+  const DopTree<Planes>& tree() const { return tree_; }
+  // The volumes of one feature, inflated.
+  const Dop<Planes>& vertex(int i) const { return tree_.vertex(i); }
+  const Dop<Planes>& edge(int i) const { return edges_[i]; }
+  const Dop<Planes>& triangle(int i) const { return tree_.triangle(i); }
+
+ private:
+  void RefitEdges();
+
+  MeshFeatures features_;
+  DopTree<Planes> tree_;
+  std::vector<Dop<Planes>> edges_;
 };
 
 }  // namespace clothfit

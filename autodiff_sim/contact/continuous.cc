@@ -18,8 +18,8 @@ double Margin(const Approach& approach) { return 0.5 * (approach.separation + ap
 template <int Planes, class Visit>
 void VisitImpacts(const Motion& motion, const Approach& approach, const double* until,
                   CollisionSurface<Planes>* surface, const Visit& visit) {
-  surface->tree.RefitSwept(motion.x0, motion.x1, Margin(approach));
-  const PlacedMesh start{surface->features, motion.x0}, end{surface->features, motion.x1};
+  surface->RefitSwept(motion.x0, motion.x1, Margin(approach));
+  const PlacedMesh start{surface->features(), motion.x0}, end{surface->features(), motion.x1};
   VisitCandidates(*surface, [&](const FeaturePair& pair) {
     const std::optional<double> time = FirstApproach(pair, PairPoints(pair, start, start),
                                                      PairPoints(pair, end, end), approach, *until);
@@ -31,11 +31,11 @@ template <int Planes, class Visit>
 void VisitImpacts(const Motion& cloth_motion, const Motion& obstacle_motion,
                   const Approach& approach, const double* until, CollisionSurface<Planes>* cloth,
                   CollisionSurface<Planes>* obstacle, const Visit& visit) {
-  cloth->tree.RefitSwept(cloth_motion.x0, cloth_motion.x1, Margin(approach));
-  obstacle->tree.RefitSwept(obstacle_motion.x0, obstacle_motion.x1, Margin(approach));
-  const PlacedMesh a0{cloth->features, cloth_motion.x0}, a1{cloth->features, cloth_motion.x1};
-  const PlacedMesh b0{obstacle->features, obstacle_motion.x0};
-  const PlacedMesh b1{obstacle->features, obstacle_motion.x1};
+  cloth->RefitSwept(cloth_motion.x0, cloth_motion.x1, Margin(approach));
+  obstacle->RefitSwept(obstacle_motion.x0, obstacle_motion.x1, Margin(approach));
+  const PlacedMesh a0{cloth->features(), cloth_motion.x0}, a1{cloth->features(), cloth_motion.x1};
+  const PlacedMesh b0{obstacle->features(), obstacle_motion.x0};
+  const PlacedMesh b1{obstacle->features(), obstacle_motion.x1};
   VisitCandidates(*cloth, *obstacle, [&](const FeaturePair& pair) {
     const std::optional<double> time =
         FirstApproach(pair, PairPoints(pair, a0, b0), PairPoints(pair, a1, b1), approach, *until);

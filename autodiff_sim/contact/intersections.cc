@@ -23,16 +23,15 @@ bool Meet(const PlacedMesh& a, int edge, const PlacedMesh& b, int triangle) {
 template <int Planes>
 std::vector<EdgeTriangle> FindIntersections(const Eigen::VectorXd& x,
                                             CollisionSurface<Planes>* surface) {
-  surface->tree.Refit(x, 0.0);
-  const PlacedMesh mesh{surface->features, x};
+  surface->Refit(x, 0.0);
+  const PlacedMesh mesh{surface->features(), x};
   std::vector<EdgeTriangle> found;
   const auto visit_edges = [&](int a, int b) {
     VisitEdges(*surface, a, *surface, b, [&](int edge) {
-      if (mesh.features.EdgeTouchesTriangle(edge, b)) return;
       if (Meet(mesh, edge, mesh, b)) found.push_back({edge, b});
     });
   };
-  surface->tree.VisitSelf([&](int a, int b) {
+  surface->tree().VisitSelf([&](int a, int b) {
     visit_edges(a, b);
     visit_edges(b, a);
   });
@@ -44,11 +43,11 @@ template <int Planes>
 ObstacleIntersections FindIntersections(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                                         CollisionSurface<Planes>* cloth,
                                         CollisionSurface<Planes>* obstacle) {
-  cloth->tree.Refit(x, 0.0);
-  obstacle->tree.Refit(y, 0.0);
-  const PlacedMesh a{cloth->features, x}, b{obstacle->features, y};
+  cloth->Refit(x, 0.0);
+  obstacle->Refit(y, 0.0);
+  const PlacedMesh a{cloth->features(), x}, b{obstacle->features(), y};
   ObstacleIntersections found;
-  cloth->tree.VisitPairs(obstacle->tree, [&](int triangle_a, int triangle_b) {
+  cloth->tree().VisitPairs(obstacle->tree(), [&](int triangle_a, int triangle_b) {
     VisitEdges(*cloth, triangle_a, *obstacle, triangle_b, [&](int edge) {
       if (Meet(a, edge, b, triangle_b)) found.cloth_edges.push_back({edge, triangle_b});
     });

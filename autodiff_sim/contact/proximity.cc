@@ -32,8 +32,8 @@ template <int Planes>
 std::vector<Contact> FindProximity(const Eigen::VectorXd& x, double distance,
                                    CollisionSurface<Planes>* surface) {
   assert(distance > 0.0);
-  surface->tree.Refit(x, 0.5 * distance);
-  const PlacedMesh mesh{surface->features, x};
+  surface->Refit(x, 0.5 * distance);
+  const PlacedMesh mesh{surface->features(), x};
   std::vector<Contact> contacts;
   VisitCandidates(*surface, [&](const FeaturePair& pair) {
     const Contact contact = MeasureContact(pair, PairPoints(pair, mesh, mesh));
@@ -48,9 +48,9 @@ std::vector<Contact> FindProximity(const Eigen::VectorXd& x, const Eigen::Vector
                                    double distance, CollisionSurface<Planes>* cloth,
                                    CollisionSurface<Planes>* obstacle) {
   assert(distance > 0.0);
-  cloth->tree.Refit(x, 0.5 * distance);
-  obstacle->tree.Refit(y, 0.5 * distance);
-  const PlacedMesh a{cloth->features, x}, b{obstacle->features, y};
+  cloth->Refit(x, 0.5 * distance);
+  obstacle->Refit(y, 0.5 * distance);
+  const PlacedMesh a{cloth->features(), x}, b{obstacle->features(), y};
   std::vector<Contact> contacts;
   VisitCandidates(*cloth, *obstacle, [&](const FeaturePair& pair) {
     const Contact contact = MeasureContact(pair, PairPoints(pair, a, b));

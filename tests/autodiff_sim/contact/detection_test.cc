@@ -136,7 +136,7 @@ TYPED_TEST(DetectionTest, ProximityIsThatOfAllPairs) {
   size_t found = 0, between = 0;
   for (const Case& c : Cases()) {
     CollisionSurface<TestFixture::kPlanes> cloth(c.mesh), obstacle(c.obstacle);
-    const PlacedMesh a{cloth.features, c.x0}, b{obstacle.features, c.y0};
+    const PlacedMesh a{cloth.features(), c.x0}, b{obstacle.features(), c.y0};
     for (const double distance : {1e-9, 0.01, 0.07}) {
       const std::vector<Contact> contacts = FindProximity(c.x0, distance, &cloth);
       EXPECT_TRUE(contacts == AllContacts(a, distance));
@@ -154,8 +154,8 @@ TYPED_TEST(DetectionTest, ContinuousIsThatOfAllPairs) {
   size_t found = 0, between = 0;
   for (const Case& c : Cases()) {
     CollisionSurface<TestFixture::kPlanes> cloth(c.mesh), obstacle(c.obstacle);
-    const PlacedMesh a0{cloth.features, c.x0}, a1{cloth.features, c.x1};
-    const PlacedMesh b0{obstacle.features, c.y0}, b1{obstacle.features, c.y1};
+    const PlacedMesh a0{cloth.features(), c.x0}, a1{cloth.features(), c.x1};
+    const PlacedMesh b0{obstacle.features(), c.y0}, b1{obstacle.features(), c.y1};
     const Motion move{c.x0, c.x1}, obstacle_move{c.y0, c.y1};
     for (const Approach& approach : {Approach{}, Approach{1e-3, 1e-3, 0.2}}) {
       const std::vector<Impact> impacts = FindContinuous(move, approach, &cloth);
@@ -177,7 +177,7 @@ TYPED_TEST(DetectionTest, IntersectionsAreThoseOfAllPairs) {
   size_t found = 0, between = 0;
   for (const Case& c : Cases()) {
     CollisionSurface<TestFixture::kPlanes> cloth(c.mesh), obstacle(c.obstacle);
-    const PlacedMesh a{cloth.features, c.x0}, b{obstacle.features, c.y0};
+    const PlacedMesh a{cloth.features(), c.x0}, b{obstacle.features(), c.y0};
     const std::vector<EdgeTriangle> self = FindIntersections(c.x0, &cloth);
     EXPECT_TRUE(self == AllIntersections(a, a, true));
     const ObstacleIntersections others = FindIntersections(c.x0, c.y0, &cloth, &obstacle);
@@ -194,7 +194,7 @@ TYPED_TEST(DetectionTest, IntersectionsAreThoseOfAllPairs) {
 TEST(Contact, WeightsGiveTheOffset) {
   const Case c = Cases()[2];
   CollisionSurface<> cloth(c.mesh), obstacle(c.obstacle);
-  const PlacedMesh a{cloth.features, c.x0}, b{obstacle.features, c.y0};
+  const PlacedMesh a{cloth.features(), c.x0}, b{obstacle.features(), c.y0};
   std::array<int, 3> seen = {0, 0, 0};
   for (const Contact& contact : FindProximity(c.x0, c.y0, 0.1, &cloth, &obstacle)) {
     const FourPoints points = PairPoints(contact.pair, a, b);
