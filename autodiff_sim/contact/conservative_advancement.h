@@ -23,10 +23,10 @@ struct Approach {
 // The first time in [0, until] at which `pair` has met, or none. Before that time and at it the gap
 // is above 0, so that a step that ends there is safe. It is 0 where there is no gap at time 0
 // already.
-//   pair.Distance(t)        m, at time t
+//   pair.Distance(t)        m, at time t; it may be too small, but not too large
 //   pair.SafeStep(target)   a step from the last t in which the distance stays above target (m),
 //                           where it is above it at t; may be infinite
-//   pair.rounding()         m, below which a gap is not to be trusted
+//   pair.rounding()         m, below which a gap is not to be trusted: twice the error of a step
 template <class Pair>
 std::optional<double> Advance(const Approach& approach, double until, Pair* pair) {
   assert(approach.separation >= 0.0 && approach.tolerance > 0.0);
@@ -37,7 +37,8 @@ std::optional<double> Advance(const Approach& approach, double until, Pair* pair
   if (gap <= pair->rounding()) return 0.0;
   const double met = std::min(approach.tolerance, approach.slack * gap);
   for (int step = 0; step < kMaxSteps; ++step) {
-    const double next = time + pair->SafeStep(approach.separation + approach.slack * gap);
+    const double left = std::max(approach.slack * gap, 0.5 * pair->rounding());
+    const double next = time + pair->SafeStep(approach.separation + left);
     if (next > until) return std::nullopt;
     const double next_gap = pair->Distance(next) - approach.separation;
     if (next_gap <= pair->rounding()) return time;

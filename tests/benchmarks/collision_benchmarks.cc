@@ -113,16 +113,21 @@ void AllPairs(benchmark::internal::Benchmark* benchmark) {
   benchmark->Iterations(1);
 }
 
-#define CLOTHFIT_COLLISION(NAME)     \
-  BENCHMARK(NAME<6>)->Apply(Trees);  \
-  BENCHMARK(NAME<14>)->Apply(Trees); \
-  BENCHMARK(NAME<18>)->Apply(Trees); \
-  BENCHMARK(NAME<26>)->Apply(Trees)
+#define CLOTHFIT_COLLISION(...) BENCHMARK(__VA_ARGS__)->Apply(Trees)
 
-CLOTHFIT_COLLISION(Refit);
-CLOTHFIT_COLLISION(Proximity);
-CLOTHFIT_COLLISION(Continuous);
-CLOTHFIT_COLLISION(Intersections);
+CLOTHFIT_COLLISION(Refit<14>);
+CLOTHFIT_COLLISION(Proximity<6>);
+CLOTHFIT_COLLISION(Proximity<14>);
+CLOTHFIT_COLLISION(Proximity<18>);
+CLOTHFIT_COLLISION(Proximity<26>);
+CLOTHFIT_COLLISION(Continuous<6>);
+CLOTHFIT_COLLISION(Continuous<14>);
+CLOTHFIT_COLLISION(Continuous<18>);
+CLOTHFIT_COLLISION(Continuous<26>);
+CLOTHFIT_COLLISION(Intersections<6>);
+CLOTHFIT_COLLISION(Intersections<14>);
+CLOTHFIT_COLLISION(Intersections<18>);
+CLOTHFIT_COLLISION(Intersections<26>);
 BENCHMARK(Proximity<0>)->Apply(AllPairs);
 BENCHMARK(Continuous<0>)->Apply(AllPairs);
 
