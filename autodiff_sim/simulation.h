@@ -27,6 +27,9 @@ struct SimulationOptions {
   int max_halvings = 8;
   // Of the linear solves of the derivatives, relative to each right-hand side.
   double sensitivity_tolerance = 1e-9;
+  // Terms that are off and remember do so in steps with derivatives by their parameters; this makes
+  // them in every step, so that such derivatives may begin later and know what was before.
+  bool remember_when_off = false;
 };
 
 enum class StepStatus {

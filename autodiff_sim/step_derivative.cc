@@ -36,7 +36,8 @@ ForceDirections StepSolver::DirectionsAtFixedVelocity(const StepProblem& problem
   ForceDirections directions;
   take(sensitivity.parameters(), &directions.parameters);
   take(inputs.directions, &directions.inputs);
-  directions.memory = lanes.memory;
+  directions.memory = &lanes.memory;
+  directions.start = &lanes.x;
   directions.x = formula.now * lanes.x + formula.before * lanes.previous_x;
   problem.constraints->DependentVelocityDerivative(inputs, first, directions.x, formula.gamma,
                                                    &directions.v);
@@ -48,12 +49,13 @@ ForceDirections StepSolver::DirectionsAtFixedVelocity(const StepProblem& problem
 
 // -dr along these directions: gamma df - M gamma da - dM (v - v_hat).
 Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem, const Eigen::VectorXd& v,
-                                        const ForceDirections& directions) {
+                                        const ForceDirections& directions,
+                                        const std::vector<bool>& awake) {
   const StepFormula& formula = problem.formula;
   const double density = (*problem.parameters)[kArealDensity];
   Lanes<kLanes> rhs = Lanes<kLanes>::Zero(v.size(), kLanes);
   const StepMotion motion(problem, v);
-  model_->AddForceDerivatives(motion.Point(problem), directions, &rhs, &memory_lanes_);
+  model_->AddForceDerivatives(motion.Point(problem), directions, awake, &rhs);
   const Eigen::Matrix<double, 1, kLanes> density_lanes = directions.parameters.row(kArealDensity);
   for (Eigen::Index row = 0; row < rhs.rows(); ++row) {
     const double area = model_->topology().areas[static_cast<std::size_t>(row / 3)];
@@ -70,11 +72,13 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
   const StepFormula& formula = problem.formula;
   AssembleJacobian(problem, v, report);
   if (FactorIsWorn(false) && !RefreshFactor(report)) return false;
+  const std::vector<bool> awake = model_->Awake(*problem.parameters, sensitivity->parameters());
+  model_->UpdateMemoryOfOff(StepMotion(problem, v).Point(problem), awake, &new_memory_);
   int slowest = 0;
   for (std::size_t b = 0; b < sensitivity->lanes().size(); ++b) {
     StateLanes& lanes = sensitivity->lanes()[b];
     ForceDirections directions = DirectionsAtFixedVelocity(problem, inputs, *sensitivity, b);
-    const Lanes<kLanes> rhs = RightHandSide(problem, v, directions);
+    const Lanes<kLanes> rhs = RightHandSide(problem, v, directions, awake);
     const bool still = lanes.is_zero && rhs.isZero(0.0) && directions.v.isZero(0.0);
     if (!still) {
       // Extrapolated from the steps before: a first guess, whatever it is worth.
@@ -88,12 +92,9 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
       directions.v += dv;
       directions.a += dv * (1.0 / formula.gamma);
     }
-    if (model_->memory_size() > 0) {  // along what is known only now
-      Lanes<kLanes> unused = Lanes<kLanes>::Zero(v.size(), kLanes);
-      model_->AddForceDerivatives(StepMotion(problem, v).Point(problem), directions, &unused,
-                                  &memory_lanes_);
-      lanes.memory = memory_lanes_;
-    }
+    // Along what is known only now.
+    model_->UpdateMemoryDerivatives(StepMotion(problem, v).Point(problem), directions, awake,
+                                    &lanes.memory);
     lanes.previous_x = std::exchange(lanes.x, std::move(directions.x));
     lanes.previous_v = std::exchange(lanes.v, std::move(directions.v));
     lanes.is_zero = still;

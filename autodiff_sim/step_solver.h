@@ -17,8 +17,9 @@ namespace clothfit {
 // One step's known quantities: everything that the residual depends on but the velocity.
 struct StepProblem {
   double end_time = 0.0;
-  double step = 0.0;
+  double step = 0.0;  // s
   StepFormula formula;
+  Eigen::VectorXd start;  // m, the positions when the step began
   Eigen::VectorXd x_hat, v_hat, memory;
   const Eigen::VectorXd* parameters = nullptr;
   const HandleConstraints* constraints = nullptr;
@@ -31,7 +32,8 @@ struct StepMotion {
         v(velocity),
         a((velocity - problem.v_hat) / problem.formula.gamma) {}
   ForcePoint Point(const StepProblem& problem) const {
-    return {problem.end_time, x, v, a, *problem.parameters, problem.memory};
+    return {problem.end_time,    problem.step,  x, v, a, problem.start,
+            *problem.parameters, problem.memory};
   }
   Eigen::VectorXd x;
   const Eigen::VectorXd& v;
@@ -78,7 +80,7 @@ class StepSolver {
                                             const Sensitivity& sensitivity,
                                             std::size_t block) const;
   Lanes<kLanes> RightHandSide(const StepProblem& problem, const Eigen::VectorXd& v,
-                              const ForceDirections& directions);
+                              const ForceDirections& directions, const std::vector<bool>& awake);
   // Solves the reduced system for dv, from the guess in dv on.
   bool SolveLanes(const StepProblem& problem, const Lanes<kLanes>& rhs, Lanes<kLanes>* dv,
                   int* iterations, StepReport* report);
@@ -91,7 +93,6 @@ class StepSolver {
   bool factor_is_current_ = false;  // of jacobian_
   // Linear iterations since the last factorisation beyond those that a fresh factor needs.
   int excess_ = 0;
-  Lanes<kLanes> memory_lanes_;
   Eigen::VectorXd full_residual_, reduced_residual_, force_, new_memory_;
 };
 
