@@ -9,13 +9,17 @@
 #include "autodiff_sim/terms/air_drag.h"
 #include "autodiff_sim/terms/attraction.h"
 #include "autodiff_sim/terms/bending.h"
+#include "autodiff_sim/terms/bending_friction.h"
 #include "autodiff_sim/terms/gravity.h"
 #include "autodiff_sim/terms/ground_contact.h"
+#include "autodiff_sim/terms/relaxation.h"
+#include "autodiff_sim/terms/shear_friction.h"
 #include "autodiff_sim/terms/spring.h"
 
 namespace clothfit {
 
 using Terms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass,
-                       GroundContact, PointAttraction, RayAttraction>;
+                       GroundContact, PointAttraction, RayAttraction, BendingFriction,
+                       ShearFriction, StretchRelaxation, ShearRelaxation, BendingRelaxation>;
 
 }  // namespace clothfit
