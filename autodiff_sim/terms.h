@@ -10,16 +10,23 @@
 #include "autodiff_sim/terms/attraction.h"
 #include "autodiff_sim/terms/bending.h"
 #include "autodiff_sim/terms/bending_friction.h"
+#include "autodiff_sim/terms/crease.h"
 #include "autodiff_sim/terms/gravity.h"
 #include "autodiff_sim/terms/ground_contact.h"
+#include "autodiff_sim/terms/orthotropy.h"
 #include "autodiff_sim/terms/relaxation.h"
 #include "autodiff_sim/terms/shear_friction.h"
 #include "autodiff_sim/terms/spring.h"
+#include "autodiff_sim/terms/stiff_patch.h"
+#include "autodiff_sim/terms/stiff_seam.h"
+#include "autodiff_sim/terms/stretch_stiffening.h"
 
 namespace clothfit {
 
 using Terms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass,
                        GroundContact, PointAttraction, RayAttraction, BendingFriction,
-                       ShearFriction, StretchRelaxation, ShearRelaxation, BendingRelaxation>;
+                       ShearFriction, StretchRelaxation, ShearRelaxation, BendingRelaxation, Crease,
+                       StretchStiffening, StretchOrthotropy, ShearOrthotropy, BendingOrthotropy,
+                       StiffPatchStretch, StiffPatchBending, StiffSeamStretch, StiffSeamBending>;
 
 }  // namespace clothfit

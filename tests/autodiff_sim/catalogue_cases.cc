@@ -13,6 +13,19 @@ const std::vector<CatalogueCase>& CatalogueCases() {
       {"stretch_relaxation", false, {{"share", 0.5}, {"time", 0.2}}},
       {"shear_relaxation", false, {{"share", 0.5}, {"time", 0.2}}},
       {"bending_relaxation", false, {{"share", 0.5}, {"time", 0.2}}},
+      {"crease", false, {{"curvature", 30.0}, {"angle", 0.4}, {"offset", 0.03}, {"width", 0.02}}},
+      {"stretch_stiffening", false, {{"cubic", 1e6}, {"onset", 0.002}}},
+      {"stretch_orthotropy", false, {{"ratio", 2.0}}},
+      {"shear_orthotropy", false, {{"ratio", 2.0}}},
+      {"bending_orthotropy", false, {{"ratio", 3.0}}},
+      {"stiff_patch_stretch", false, {{"extra", 2.0}, {"u", 0.1}, {"v", 0.1}, {"radius", 0.08}}},
+      {"stiff_patch_bending", false, {{"extra", 5.0}, {"u", 0.2}, {"v", 0.2}, {"radius", 0.08}}},
+      {"stiff_seam_stretch",
+       false,
+       {{"extra", 2.0}, {"angle", 0.3}, {"offset", -0.02}, {"width", 0.05}}},
+      {"stiff_seam_bending",
+       false,
+       {{"extra", 5.0}, {"angle", 1.2}, {"offset", 0.02}, {"width", 0.05}}},
   };
   return cases;
 }
