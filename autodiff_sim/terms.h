@@ -17,6 +17,7 @@
 #include "autodiff_sim/terms/gravity.h"
 #include "autodiff_sim/terms/gravity_tilt.h"
 #include "autodiff_sim/terms/ground_contact.h"
+#include "autodiff_sim/terms/gust.h"
 #include "autodiff_sim/terms/obstacle.h"
 #include "autodiff_sim/terms/orthotropy.h"
 #include "autodiff_sim/terms/relaxation.h"
@@ -25,15 +26,16 @@
 #include "autodiff_sim/terms/stiff_patch.h"
 #include "autodiff_sim/terms/stiff_seam.h"
 #include "autodiff_sim/terms/stretch_stiffening.h"
+#include "autodiff_sim/terms/wind.h"
 
 namespace clothfit {
 
 using Terms =
     TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass, GroundContact,
-             PointAttraction, RayAttraction, BendingFriction, ShearFriction, StretchRelaxation,
-             ShearRelaxation, BendingRelaxation, Crease, StretchStiffening, StretchOrthotropy,
-             ShearOrthotropy, BendingOrthotropy, Hem, HeavyPatch, StiffPatchStretch,
-             StiffPatchBending, StiffSeamStretch, StiffSeamBending, Adhesion, StickyPatch,
-             ObstaclePlane, ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor>;
+             PointAttraction, RayAttraction, UniformWind, Gust, BendingFriction, ShearFriction,
+             StretchRelaxation, ShearRelaxation, BendingRelaxation, Crease, StretchStiffening,
+             StretchOrthotropy, ShearOrthotropy, BendingOrthotropy, Hem, HeavyPatch,
+             StiffPatchStretch, StiffPatchBending, StiffSeamStretch, StiffSeamBending, Adhesion,
+             StickyPatch, ObstaclePlane, ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor>;
 
 }  // namespace clothfit

@@ -8,6 +8,17 @@ namespace clothfit {
 
 const std::vector<CatalogueCase>& CatalogueCases() {
   static const std::vector<CatalogueCase> cases = {
+      {"wind", false, {{"x", 0.4}, {"y", -0.7}, {"z", 0.3}}},
+      {"gust",
+       false,
+       {{"x", 0.5},
+        {"y", -1.5},
+        {"z", 0.5},
+        {"onset", 0.2},
+        {"duration", 0.5},
+        {"u", 0.2},
+        {"v", 0.25},
+        {"radius", 0.1}}},
       {"bending_friction", false, {{"moment", 1e-3}, {"onset", 3.0}}},
       {"shear_friction", false, {{"stress", 0.5}, {"onset", 0.03}}},
       {"stretch_relaxation", false, {{"share", 0.5}, {"time", 0.2}}},
