@@ -60,13 +60,13 @@ std::string ProbeText(const Parameter& p) {
 }
 
 std::string ParameterRow(const std::string& name, const Parameter& p) {
-  return fmt::format("  {:<28}{:<12}{:>10g}{:>10g}  {:<18}{:<8}{}{}\n", name, p.unit, p.initial,
+  return fmt::format("  {:<28}{:<12}{:>10g}{:>10g}  {:<22}{:<8}{}{}\n", name, p.unit, p.initial,
                      p.off, fmt::format("{:g} .. {:g}", p.lower, p.upper), ScaleName(p), p.doc,
                      ProbeText(p));
 }
 
 void PrintTable() {
-  fmt::print("  {:<28}{:<12}{:>10}{:>10}  {:<18}{:<8}{}\n", "parameter", "unit", "initial", "off",
+  fmt::print("  {:<28}{:<12}{:>10}{:>10}  {:<22}{:<8}{}\n", "parameter", "unit", "initial", "off",
              "bounds", "scale", "meaning");
   const std::vector<NamedParameter> table = MakeParameterTable();
   fmt::print("\ncloth: what the cloth is\n");
