@@ -46,6 +46,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddPredictCommand(app, action);
   AddEvaluateCommand(app, action);
   AddDrawCommand(app, action);
+  AddReportCommand(app, action);
   AddCheckCommand(app, action);
   AddTermsCommand(app, action);
   AddGradcheckCommand(app, action);

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Elements in few words.
+
+// h('button', { class: 'x', onclick: f, 'aria-label': 'Play' }, child, ...): children are elements
+// or texts; null is left out.
+export function h(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes ?? {})) {
+    if (value === null || value === undefined || value === false) continue;
+    if (name.startsWith('on')) {
+      element.addEventListener(name.slice(2), value);
+    } else {
+      element.setAttribute(name, value === true ? '' : value);
+    }
+  }
+  element.append(...children.flat().filter((child) => child !== null && child !== undefined));
+  return element;
+}
+
+// One of several: buttons side by side. `choices`: [{ value, title }].
+export function segmented(label, choices, value, onChoose) {
+  const buttons = choices.map((choice) =>
+    h('button', {
+      type: 'button',
+      'aria-pressed': String(choice.value === value),
+      onclick: () => {
+        for (const button of buttons) {
+          button.setAttribute('aria-pressed', String(button === buttons[choices.indexOf(choice)]));
+        }
+        onChoose(choice.value);
+      },
+    }, choice.title));
+  return h('div', { class: 'segmented', role: 'group', 'aria-label': label }, buttons);
+}
+
+export function checkbox(title, checked, onChange, swatch) {
+  const input = h('input', { type: 'checkbox', checked, onchange: () => onChange(input.checked) });
+  const mark = swatch ? h('span', { class: 'swatch', style: `--swatch: ${swatch}` }) : null;
+  return h('label', { class: 'check' }, input, mark, h('span', {}, title));
+}
+
+export function select(label, choices, value, onChange) {
+  const element = h('select', { 'aria-label': label, onchange: () => onChange(element.value) },
+    choices.map((choice) =>
+      h('option', { value: choice.value, selected: choice.value === value }, choice.title)));
+  return element;
+}
+
+// Calls once(element) when it first comes near the screen, and tells later whether it is seen.
+export function whenSeen(element, once, onChange = () => {}) {
+  let begun = false;
+  const observer = new IntersectionObserver((entries) => {
+    const seen = entries[entries.length - 1].isIntersecting;
+    if (seen && !begun) {
+      begun = true;
+      once(element);
+    }
+    onChange(seen);
+  }, { rootMargin: '300px' });
+  observer.observe(element);
+}

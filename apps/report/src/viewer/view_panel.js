@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The 3D view with its controls, its legend and what is known of the particle that was picked.
+import { Vector3 } from 'three';
+
+import { cssGradient } from '../colours.js';
+import { decode } from '../data.js';
+import { checkbox, h, segmented, select } from '../dom.js';
+import { number, quantity, shownUnit } from '../format.js';
+import { Cloth } from './cloth.js';
+import { groundLayer } from './ground.js';
+import { cameraLayer, handleLayer, markerLayer, obstacleLayer, rayLayer } from './layers.js';
+import { ChangingPoints } from './lines.js';
+import { onPick } from './picking.js';
+import { boxOf, Pane, Viewer } from './viewer.js';
+
+// Layers by name: title, colour, whether shown at first.
+const kLayers = {
+  markers: ['Markers', '--measured', true],
+  rays: ['Rays of the camera beside', '--ray', false],
+  handles: ['Handles', '--handle', true],
+  cameras: ['Cameras', '--frustum', false],
+  ground: ['Ground', '--grid', true],
+  obstacles: ['Obstacles', '--obstacle', true],
+};
+
+async function makePane(report, motion, observations, up, box) {
+  const triangles = await decode(report.mesh.triangles);
+  const cloth = new Cloth(report.mesh, triangles, await decode(motion.positions), motion.frames);
+  const pane = new Pane(motion, cloth);
+  const add = (name, layer) => pane.addLayer(name, layer, kLayers[name][2]);
+  add('ground', groundLayer(report.ground, up, box));
+  if (report.obstacles.length) add('obstacles', await obstacleLayer(report.obstacles));
+  if (observations.markers) add('markers', markerLayer(observations, cloth));
+  if (observations.tracks) add('rays', rayLayer(observations, report.cameras, cloth));
+  if (report.handles.length) add('handles', await handleLayer(report.handles));
+  if (report.cameras.length) {
+    add('cameras', cameraLayer(report.cameras, 0.16 * box.getSize(new Vector3()).length()));
+  }
+  const picked = new ChangingPoints('--picked', 12);
+  pane.addLayer('picked', {
+    object: picked.object, parts: [picked], particle: null,
+    setFrame(frame) {
+      const shown = this.particle !== null && frame < cloth.frames;
+      picked.set(1, (array) => {
+        if (shown) {
+          const begin = 3 * (cloth.particles * frame + this.particle);
+          array.set(cloth.positions.subarray(begin, begin + 3));
+        }
+        return shown ? 1 : 0;
+      });
+    },
+  }, true);
+  return pane;
+}
+
+export class ViewPanel {
+  static async make(report, observations, player) {
+    const up = new Vector3(...report.gravity).negate();
+    if (up.length() > 0) up.normalize(); else up.set(0, 0, 1);
+    const last = report.motions[report.motions.length - 1];
+    const box = boxOf(await decode(last.positions));
+    const panes = [];
+    for (const motion of report.motions) {
+      panes.push(await makePane(report, motion, observations, up, box));
+    }
+    const uv = await decode(report.mesh.uv);
+    return new ViewPanel(report, player, panes, up, box, uv);
+  }
+
+  constructor(report, player, panes, up, box, uv) {
+    this.report = report;
+    this.panes = panes;
+    this.uv = uv;
+    this.particle = null;
+    this.legend = h('div', { class: 'legend' });
+    this.titles = h('div', { class: 'pane-titles', 'aria-hidden': 'true' });
+    this.probe = h('div', { class: 'probe', role: 'status', hidden: true });
+    this.view = h('div', { class: 'view', id: 'view-3d' }, this.titles, this.legend, this.probe);
+    this.viewer = new Viewer(this.view, panes, up, box);
+    this.viewer.canvas.setAttribute('aria-label', 'The cloth in 3D: drag to turn, wheel to zoom, ' +
+      'right-drag to move, click for the values of a particle');
+    this.element = h('figure', { class: 'panel view-panel' }, this.view, this.controls());
+    onPick(this.viewer, (particle) => this.choose(particle));
+    this.showMotions(panes[panes.length - 1].motion.name);
+    this.showField(report.fields[0]?.name ?? '');
+    player.onFrame((frame) => {
+      this.viewer.setFrame(frame);
+      this.updateProbe();
+    });
+  }
+
+  controls() {
+    const names = this.panes.map((pane) => pane.motion);
+    const motions = segmented('Which motion',
+      [...names.map(({ name, title }) => ({ value: name, title })),
+        ...(names.length > 1 ? [{ value: '', title: 'Side by side' }] : [])],
+      names[names.length - 1].name, (name) => this.showMotions(name));
+    const fields = select('Colour by',
+      [...this.report.fields.map(({ name, title }) => ({ value: name, title })),
+        { value: '', title: 'Sides of the cloth' }],
+      this.report.fields[0]?.name ?? '', (name) => this.showField(name));
+    const layers = Object.entries(kLayers)
+      .filter(([name]) => this.panes[0].layers.has(name))
+      .map(([name, [title, swatch, shown]]) =>
+        checkbox(title, shown, (on) => this.showLayer(name, on), `var(${swatch})`));
+    layers.push(checkbox('Threads', true, (on) => {
+      for (const pane of this.panes) pane.cloth.threads.visible = on;
+      this.viewer.invalidate();
+    }, 'var(--thread)'));
+    const home = h('button', { type: 'button', onclick: () => this.viewer.lookHome() }, 'Reset view');
+    return h('figcaption', { class: 'controls' }, motions,
+      h('label', { class: 'field-choice' }, h('span', {}, 'Colour'), fields),
+      h('details', { class: 'menu' }, h('summary', {}, 'Layers'), h('div', {}, layers, home)));
+  }
+
+  showMotions(name) {
+    const shown = name ? [name] : this.panes.map((pane) => pane.motion.name);
+    this.viewer.show(shown);
+    this.titles.replaceChildren(...this.viewer.shown.map((pane) =>
+      h('span', { class: `is-${pane.motion.name}` }, pane.motion.title)));
+    this.updateProbe();
+  }
+
+  showLayer(name, on) {
+    for (const pane of this.panes) {
+      if (pane.layers.has(name)) pane.layers.get(name).object.visible = on;
+    }
+    this.viewer.refresh();
+  }
+
+  // The camera whose rays are drawn.
+  setCamera(index) {
+    for (const pane of this.panes) {
+      if (pane.layers.has('rays')) pane.layers.get('rays').camera = index;
+    }
+    this.viewer.refresh();
+  }
+
+  async showField(name) {
+    const field = this.report.fields.find((one) => one.name === name) ?? null;
+    this.field = field;
+    for (const pane of this.panes) {
+      const block = field?.values[pane.motion.name];
+      const values = block ? await decode(block) : null;
+      if (this.field !== field) return;
+      pane.cloth.setField(field, values);
+    }
+    this.legend.replaceChildren(...(field ? legendOf(field) : []));
+    this.viewer.invalidate();
+    this.updateProbe();
+  }
+
+  choose(particle) {
+    this.particle = particle;
+    for (const pane of this.panes) pane.layers.get('picked').particle = particle;
+    this.viewer.refresh();
+    this.updateProbe();
+  }
+
+  async updateProbe() {
+    const particle = this.particle;
+    this.probe.hidden = particle === null;
+    if (particle === null) return;
+    const frame = this.viewer.frame;
+    const place = new Vector3();
+    const shown = this.viewer.shown.filter((pane) => frame < pane.cloth.frames);
+    const head = ['', ...shown.map((pane) => pane.motion.title)];
+    const rows = [['place', ...shown.map((pane) =>
+      pane.cloth.positionAt(particle, place).toArray().map((c) => c.toFixed(3)).join(', ') + ' m')]];
+    for (const field of this.report.fields) {
+      const values = await Promise.all(shown.map(async ({ motion, cloth }) => {
+        const block = field.values[motion.name];
+        return block ? (await decode(block))[cloth.particles * frame + particle] : NaN;
+      }));
+      rows.push([field.title, ...values.map((value) => quantity(value, field.unit))]);
+    }
+    if (this.particle !== particle || this.viewer.frame !== frame) return;
+    const uv = [this.uv[2 * particle], this.uv[2 * particle + 1]];
+    this.probe.replaceChildren(
+      h('strong', {}, `Particle ${particle}`),
+      h('span', {}, ` (u, v) = (${number(uv[0], 3)}, ${number(uv[1], 3)}) m`),
+      h('button', { type: 'button', 'aria-label': 'Close', onclick: () => this.choose(null) }, '×'),
+      h('table', {}, h('tr', {}, head.map((text) => h('th', {}, text))),
+        rows.map((row) => h('tr', {}, row.map((text) => h('td', {}, text))))));
+  }
+}
+
+function legendOf(field) {
+  const { factor, unit } = shownUnit(field.unit);
+  const [low, high] = field.range;
+  return [
+    h('span', { class: 'legend-title' }, `${field.title}, ${unit}`),
+    h('span', { class: 'ramp', style: `background: ${cssGradient(field.diverging)}` }),
+    h('span', { class: 'legend-ends' }, h('span', {}, number(low * factor, 2)),
+      h('span', {}, `${number(high * factor, 2)}${field.diverging ? '' : ' and more'}`)),
+  ];
+}

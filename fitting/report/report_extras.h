@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What other commands leave for a report in the run's folder report/: sections and fields.
+#pragma once
+
+#include <vector>
+
+#include "fitting/report/report_sections.h"
+
+namespace clothfit {
+
+struct ReportExtras {
+  std::vector<ReportJson> sections;
+  std::vector<ScalarField> fields;
+};
+
+// Reads report/*.json in the order of their names: {"sections": [...], "fields": [{"name",
+// "title", "unit", "diverging", "values": {"after": "FILE.npy"}}]}. Throws InputError.
+ReportExtras ReadReportExtras(const std::filesystem::path& run, const ReportScene& report);
+
+}  // namespace clothfit
