@@ -41,8 +41,7 @@ int RunReportCommand(const ReportCommandOptions& options) {
 }  // namespace
 
 void AddReportCommand(CLI::App* app, Action* action) {
-  CLI::App* const command =
-      app->add_subcommand("report", "a run as one page to open in a browser");
+  CLI::App* const command = app->add_subcommand("report", "a run as one page to open in a browser");
   const auto options = std::make_shared<ReportCommandOptions>();
   command->add_option("RUN", options->run, "folder of the run")->required();
   command->add_option("-o,--output", options->output, "page to write; RUN/report.html if left out")

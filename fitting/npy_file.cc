@@ -15,7 +15,8 @@ namespace {
 
 constexpr size_t kPreamble = 10;  // magic, version and the header's length
 
-// `shape`: of what stands in the header's brackets, its groups are the numbers of frames and points.
+// `shape`: of what stands in the header's brackets, its groups are the numbers of frames and
+// points.
 std::vector<Eigen::VectorXd> ReadNpy(const std::filesystem::path& file, const std::string& shape,
                                      int components) {
   const std::string bytes = ReadTextFile(file);

@@ -28,9 +28,8 @@ constexpr const char* kProgress = "progress.csv";
 
 // All that a run ever writes. The log goes last: without it the folder is no run any more.
 constexpr const char* kOwnFiles[] = {
-    "config.yaml", "parameters.yaml", kSummary,    "trajectory.npy",
-    "mesh.obj",    "residuals.csv",   kCheckpoint, kProgress,
-    kLog};
+    "config.yaml",   "parameters.yaml", kSummary,  "trajectory.npy", "mesh.obj",
+    "residuals.csv", kCheckpoint,       kProgress, "report.html",    kLog};
 
 bool IsRun(const fs::path& folder) {
   std::ifstream log(folder / kLog);
@@ -119,8 +118,8 @@ void RunFolder::AppendProgress(const FitProgress& progress, double seconds) cons
   std::string stage = progress.stage;
   std::replace(stage.begin(), stage.end(), ',', ';');
   AppendLine(file, fmt::format("{},{},{},{},{:.3f}", stage, progress.iteration,
-                               FormatNumber(progress.cost),
-                               FormatNumber(progress.simulated_frames), seconds));
+                               FormatNumber(progress.cost), FormatNumber(progress.simulated_frames),
+                               seconds));
 }
 
 void RunFolder::RemoveCheckpoint() const {

@@ -71,8 +71,7 @@ TrackingResult TrackIntoFolder(const Recording& recording, const TrackingOptions
   WriteRecording(WithObservations(recording, result), folder, Overwrite::kAllow);
   WriteTextFile(folder / "pictures.csv", PicturesAsCsv(recording, result));
   WriteTextFile(folder / "filters.csv", FiltersAsCsv(result));
-  WriteTextFile(folder / kOrigin,
-                fs::absolute(recording.path).lexically_normal().string() + "\n");
+  WriteTextFile(folder / kOrigin, fs::absolute(recording.path).lexically_normal().string() + "\n");
   return result;
 }
 

@@ -63,7 +63,8 @@ ReportJson Facts(const ReportJson& summary) {
   ReportJson rows = ReportJson::array();
   rows.push_back({"status", summary.at("status")});
   rows.push_back({"iterations", NumberIn(summary, "iterations", "{:.0f}")});
-  rows.push_back({"simulations of the whole recording", NumberIn(summary, "simulations", "{:.0f}")});
+  rows.push_back(
+      {"simulations of the whole recording", NumberIn(summary, "simulations", "{:.0f}")});
   rows.push_back({"simulated frames", NumberIn(summary, "simulated_frames", "{:.0f}")});
   rows.push_back({"seconds", NumberIn(summary, "seconds", "{:.1f}")});
   rows.push_back({"steps halved in the last simulation", NumberIn(summary, "halvings", "{:.0f}")});
@@ -111,10 +112,10 @@ ReportJson TimeSection(const ReportScene& report) {
 ReportJson ConfigurationSection(const ReportScene& report) {
   const ReportJson& summary = report.record.summary;
   ReportJson blocks = ReportJson::array();
-  blocks.push_back(
-      TextBlock({fmt::format("Made by clothfit {}. 'clothfit fit --config' takes this file as it is.",
-                             summary.value("clothfit", "")),
-                 "Recording: " + report.scene().recording.path.string()}));
+  blocks.push_back(TextBlock(
+      {fmt::format("Made by clothfit {}. 'clothfit fit --config' takes this file as it is.",
+                   summary.value("clothfit", "")),
+       "Recording: " + report.scene().recording.path.string()}));
   blocks.push_back({{"kind", "code"},
                     {"title", "config.yaml"},
                     {"folded", true},

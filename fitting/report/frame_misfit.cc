@@ -6,6 +6,7 @@
 
 #include "fitting/hard_silhouette.h"
 #include "tracking/camera.h"
+#include "tracking/parallel.h"
 
 namespace clothfit {
 namespace {
@@ -32,8 +33,7 @@ std::vector<std::optional<double>> MarkerErrors(const Scene& scene, const Motion
   for (const MarkerObservation& marker : scene.markers) {
     const auto frame = static_cast<std::size_t>(marker.frame);
     if (frame >= motion.positions.size()) continue;
-    sums[frame].Add(
-        (marker.on_cloth.At(motion.positions[frame]) - marker.position).squaredNorm());
+    sums[frame].Add((marker.on_cloth.At(motion.positions[frame]) - marker.position).squaredNorm());
   }
   return Roots(sums);
 }
@@ -58,13 +58,13 @@ std::vector<std::optional<double>> SilhouetteErrors(const ReportScene& report,
   Scene with_masks = report.scene();
   with_masks.silhouettes = report.silhouettes;
   const HardSilhouette hard(with_masks);
-  for (std::size_t f = 0; f < motion.positions.size(); ++f) {
+  ParallelFor(static_cast<int>(motion.positions.size()), 0, [&](int frame, int) {
     Sum sum;
-    for (const auto& difference : hard.Differences(static_cast<int>(f), motion.positions[f])) {
+    for (const auto& difference : hard.Differences(frame, motion.positions[frame])) {
       sum.Add(static_cast<double>(difference.pixels));
     }
-    if (sum.count > 0) errors[f] = sum.sum / sum.count;
-  }
+    if (sum.count > 0) errors[frame] = sum.sum / sum.count;
+  });
   return errors;
 }
 

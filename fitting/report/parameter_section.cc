@@ -103,8 +103,8 @@ ReportJson ParameterSection(const ReportScene& report) {
   for (const NamedParameter& named : table) {
     const auto estimate = parameters.find(named.name);
     if (estimate == parameters.end() || estimate->at("free") != true) continue;
-    items.push_back(IntervalItem(named, *estimate,
-                                 report.fitted.config.parameters.at(named.name), truth));
+    items.push_back(
+        IntervalItem(named, *estimate, report.fitted.config.parameters.at(named.name), truth));
   }
   ReportJson blocks = ReportJson::array();
   const std::vector<std::string> statements = Statements(summary);

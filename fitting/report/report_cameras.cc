@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tracking/images.h"
+#include "tracking/parallel.h"
 
 namespace clothfit {
 namespace {
@@ -54,12 +55,18 @@ void AddOutlines(int frame, const cv::Mat& mask, Outlines* outlines) {
   }
 }
 
-Json OutlinesAsJson(const Recording& recording, int camera, ReportBlobs* blobs) {
-  if (recording.files.empty() || recording.files[camera].masks.empty()) return nullptr;
-  Outlines outlines;
-  for (const auto& [frame, file] : recording.files[camera].masks) {
-    AddOutlines(frame, LoadMask(recording, camera, frame), &outlines);
-  }
+std::vector<Outlines> FindAllOutlines(const Recording& recording) {
+  std::vector<Outlines> found(recording.cameras.size());
+  ParallelFor(static_cast<int>(recording.files.size()), 0, [&](int camera, int) {
+    for (const auto& [frame, file] : recording.files[camera].masks) {
+      AddOutlines(frame, LoadMask(recording, camera, frame), &found[camera]);
+    }
+  });
+  return found;
+}
+
+Json OutlinesAsJson(const Outlines& outlines, ReportBlobs* blobs) {
+  if (outlines.polygons.empty()) return nullptr;
   return {{"corners", blobs->AddIntegers(outlines.corners, 2)},
           {"polygons", blobs->AddIntegers(outlines.polygons, 2)}};
 }
@@ -68,10 +75,11 @@ Json OutlinesAsJson(const Recording& recording, int camera, ReportBlobs* blobs) 
 
 Json CamerasAsJson(const ReportScene& report, ReportBlobs* blobs) {
   const Recording& recording = report.scene().recording;
+  const std::vector<Outlines> outlines = FindAllOutlines(recording);
   Json cameras = Json::array();
   for (int c = 0; c < static_cast<int>(recording.cameras.size()); ++c) {
     cameras.push_back(CameraAsJson(recording, c));
-    cameras.back()["outlines"] = OutlinesAsJson(recording, c, blobs);
+    cameras.back()["outlines"] = OutlinesAsJson(outlines[c], blobs);
     cameras.back()["pictures"] = nullptr;
   }
   return cameras;

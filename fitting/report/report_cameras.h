@@ -14,9 +14,9 @@
 namespace clothfit {
 
 struct PictureSize {
-  int width = 480;  // px at most
+  int width = 480;   // px at most
   int quality = 70;  // of JPEG, 0 to 100
-  int stride = 1;   // every n-th frame
+  int stride = 1;    // every n-th frame
 };
 
 // The first size of a falling series, none wider than `wanted`, whose pictures of all cameras and

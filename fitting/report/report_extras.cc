@@ -29,8 +29,11 @@ void CheckValues(const fs::path& file, const std::vector<Eigen::VectorXd>& value
 }
 
 ScalarField ReadField(const fs::path& folder, const ReportJson& json, const ReportScene& report) {
-  ScalarField field{json.at("name"), json.at("title"), json.value("unit", "1"),
-                    json.value("diverging", false), {}};
+  ScalarField field{json.at("name"),
+                    json.at("title"),
+                    json.value("unit", "1"),
+                    json.value("diverging", false),
+                    {}};
   for (const Motion& motion : report.motions) {
     const auto name = json.at("values").find(motion.name);
     if (name == json.at("values").end()) continue;

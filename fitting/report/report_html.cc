@@ -50,8 +50,8 @@ std::string ErrorTable(const Json& errors) {
       is_known = true;
     }
     if (!is_known) continue;
-    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", kind, cells[0],
-                        cells[1]);
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", kind,
+                        cells[0], cells[1]);
   }
   return rows;
 }
@@ -66,8 +66,10 @@ std::string Hero(const Json& json, const Verdict& verdict) {
       "<span class=\"recording\">{}</span><span id=\"bar-tools\"></span></header>\n"
       "<main>\n<section class=\"verdict\" id=\"verdict\" data-grade=\"{}\">\n"
       "<div class=\"verdict-words\"><h1>{}</h1>\n<ul>\n{}</ul></div>\n"
-      "<div class=\"verdict-numbers\"><table class=\"errors\"><caption>Error at the start → after the "
-      "fit</caption>\n<tr><td></td><th scope=\"col\">fitted</th><th scope=\"col\">held out</th></tr>\n"
+      "<div class=\"verdict-numbers\"><table class=\"errors\"><caption>Error at the start → after "
+      "the "
+      "fit</caption>\n<tr><td></td><th scope=\"col\">fitted</th><th scope=\"col\">held "
+      "out</th></tr>\n"
       "{}</table></div>\n</section>\n"
       "<section id=\"stage\" aria-label=\"The cloth beside the recording\">"
       "<noscript><p>The moving pictures and the charts of this page need scripts.</p></noscript>"
@@ -127,8 +129,8 @@ std::string ReportAsHtml(const Json& json, const Verdict& verdict, const ReportB
       EscapeHtml(json.at("title").get<std::string>()));
   html += assets.style;
   html += "</style>\n</head>\n<body>\n" + Hero(json, verdict);
-  html += "<script type=\"application/json\" id=\"report-data\">" + JsonForScript(json) +
-          "</script>\n";
+  html +=
+      "<script type=\"application/json\" id=\"report-data\">" + JsonForScript(json) + "</script>\n";
   for (std::size_t i = 0; i < blobs.blobs().size(); ++i) {
     html += fmt::format("<script type=\"text/plain\" id=\"blob-{}\">", i);
     html += Base64(blobs.blobs()[i]);

@@ -94,9 +94,8 @@ void AddPictures(const Recording& pictures, const PictureSize& size, ReportBlobs
                  Json* cameras, std::vector<std::string>* notes) {
   const auto count = static_cast<int>(pictures.cameras.size());
   std::vector<CameraPictures> encoded(pictures.cameras.size());
-  ParallelFor(count, 0, [&](int camera, int) {
-    encoded[camera] = EncodeCamera(pictures, camera, size);
-  });
+  ParallelFor(count, 0,
+              [&](int camera, int) { encoded[camera] = EncodeCamera(pictures, camera, size); });
   bool is_smaller = false;
   for (Json& json : *cameras) {
     const std::optional<int> camera = FindCamera(pictures, json.at("name"));

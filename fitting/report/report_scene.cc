@@ -60,8 +60,9 @@ std::optional<Recording> FindPictures(const Recording& recording, const fs::path
   try {
     return ReadRecording(*origin);
   } catch (const InputError&) {
-    notes->push_back("The pictures that were tracked are no longer where they were; 'clothfit "
-                     "report --pictures RECORDING' says where they are.");
+    notes->push_back(
+        "The pictures that were tracked are no longer where they were; 'clothfit "
+        "report --pictures RECORDING' says where they are.");
     return std::nullopt;
   }
 }

@@ -34,8 +34,9 @@ Json ReadSummary(const fs::path& file) {
   }
   for (const char* key : {"status", "fit", "held_out", "before", "frames", "parameters"}) {
     if (!summary.contains(key)) {
-      throw InputError(file.string(), std::string(key) + " is missing; expected what 'clothfit fit'"
-                                                         " writes");
+      throw InputError(file.string(), std::string(key) +
+                                          " is missing; expected what 'clothfit fit'"
+                                          " writes");
     }
   }
   return summary;
@@ -44,11 +45,10 @@ Json ReadSummary(const fs::path& file) {
 std::vector<ProgressRow> ReadProgress(const fs::path& file) {
   std::vector<ProgressRow> rows;
   if (!fs::exists(file)) return rows;
-  ReadCsv(file, {"stage", "iteration", "cost", "simulated_frames", "seconds"},
-          [&](const CsvRow& row) {
-            rows.push_back(
-                {row.Text(0), row.Integer(1), row.Number(2), row.Number(3), row.Number(4)});
-          });
+  ReadCsv(
+      file, {"stage", "iteration", "cost", "simulated_frames", "seconds"}, [&](const CsvRow& row) {
+        rows.push_back({row.Text(0), row.Integer(1), row.Number(2), row.Number(3), row.Number(4)});
+      });
   return rows;
 }
 

@@ -62,10 +62,10 @@ std::vector<Eigen::VectorXd> SpreadValues::Values() const {
       Diffuse(&sum);
       Diffuse(&weight);
     }
-    values.push_back((weight.array() > kLeast)
-                         .select(sum.array() / weight.array(),
-                                 std::numeric_limits<double>::quiet_NaN())
-                         .matrix());
+    values.push_back(
+        (weight.array() > kLeast)
+            .select(sum.array() / weight.array(), std::numeric_limits<double>::quiet_NaN())
+            .matrix());
   }
   return values;
 }

@@ -124,8 +124,8 @@ std::string ParameterSentence(const VerdictFacts& facts) {
 std::vector<std::string> Reservations(const VerdictFacts& facts) {
   std::vector<std::string> sentences;
   if (!facts.at_bound.empty()) {
-    sentences.push_back("At a bound, so that the model may be wrong there: " +
-                        JoinNames(facts.at_bound) + ".");
+    sentences.push_back(
+        "At a bound, so that the model may be wrong there: " + JoinNames(facts.at_bound) + ".");
   }
   if (facts.status != "converged") {
     sentences.push_back("The fit ended without converging (" + facts.status +

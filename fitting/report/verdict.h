@@ -22,7 +22,7 @@ struct VerdictFacts {
   std::string status;               // as summary.json has it
   std::vector<ErrorChange> errors;  // those that are known
   std::optional<double> noise_factor;
-  int num_free = 0;                               // physical parameters
+  int num_free = 0;                                 // physical parameters
   std::vector<std::string> undetermined, at_bound;  // names among them
   int recorded_frames = 0, simulated_frames = 0;
 };

@@ -4,7 +4,7 @@
 // What one camera saw, and over it what the simulation has there.
 import { h, whenSeen } from '../dom.js';
 import { pointOnCloth } from '../viewer/observations.js';
-import { ClothPath, loadOutlines, strokeSilhouette } from './outlines.js';
+import { ClothPath, edgesOf, kByProcessor, loadOutlines, strokeSilhouette } from './outlines.js';
 import { PictureStore } from './picture_store.js';
 import { project } from './projection.js';
 
@@ -14,7 +14,8 @@ export const kInk = { measured: '#ffffff', before: '#ff9a3c', after: '#3fc1ff', 
 // What every camera's view needs. `layers`: which of kInk's names, and 'points', are shown.
 export class PictureContext {
   constructor(report, observations, triangles, cloths) {
-    Object.assign(this, { report, observations, triangles, cloths });
+    const mesh = { triangles, edges: edgesOf(triangles) };
+    Object.assign(this, { report, observations, mesh, cloths });
     this.layers = new Set(['measured', 'after']);
     this.views = new Set();
   }
@@ -48,7 +49,7 @@ export class CameraView {
     this.camera = this.context.report.cameras[index];
     this.store = new PictureStore(this.camera);
     this.paths = Object.fromEntries(Object.entries(this.context.cloths).map(([name, cloth]) =>
-      [name, new ClothPath(this.camera, this.context.triangles, cloth)]));
+      [name, new ClothPath(this.camera, this.context.mesh, cloth)]));
     this.outlines = null;
     this.last = null;
     const [width, height] = this.camera.size;
@@ -71,7 +72,7 @@ export class CameraView {
     if (!this.isSeen) return;
     this.fit();
     const frame = this.frame();
-    const context = this.canvas.getContext('2d');
+    const context = this.canvas.getContext('2d', kByProcessor);
     const scale = this.canvas.width / this.camera.size[0];
     context.setTransform(1, 0, 0, 1, 0, 0);
     this.drawPicture(context);
@@ -127,6 +128,7 @@ export class CameraView {
     const place = new Float32Array(3);
     const pixel = new Float32Array(2);
     const inFront = new Uint8Array(1);
+    const dot = (2.6 * line) / scale;
     context.setTransform(scale, 0, 0, scale, 0.5 * scale, 0.5 * scale);
     context.lineWidth = line / scale;
     context.strokeStyle = kInk.miss;
@@ -137,8 +139,7 @@ export class CameraView {
       pointOnCloth(observations, items[3 * i + 2], cloth.positions, 3 * cloth.particles * frame,
         place, 0);
       project(this.camera, place, 0, 1, pixel, inFront);
-      context.fillRect(pixels[2 * i] - line / scale, pixels[2 * i + 1] - line / scale,
-        (2 * line) / scale, (2 * line) / scale);
+      context.fillRect(pixels[2 * i] - dot / 2, pixels[2 * i + 1] - dot / 2, dot, dot);
       if (!inFront[0]) continue;
       context.moveTo(pixels[2 * i], pixels[2 * i + 1]);
       context.lineTo(pixel[0], pixel[1]);

@@ -6,9 +6,10 @@ import { CanvasTexture, Sprite, SpriteMaterial } from 'three';
 
 import { colour } from '../theme.js';
 
-const kHeight = 48;
+const kHeight = 48;     // px of the texture
+const kShown = 0.023;   // of the view, whatever the distance
 
-export function makeLabel(text, size) {
+export function makeLabel(text) {
   const canvas = document.createElement('canvas');
   const context = canvas.getContext('2d');
   const font = `600 ${kHeight * 0.6}px system-ui, sans-serif`;
@@ -16,8 +17,10 @@ export function makeLabel(text, size) {
   canvas.width = Math.ceil(context.measureText(text).width) + 24;
   canvas.height = kHeight;
   const texture = new CanvasTexture(canvas);
-  const object = new Sprite(new SpriteMaterial({ map: texture, transparent: true, depthWrite: false }));
-  object.scale.set((0.45 * size * canvas.width) / kHeight, 0.45 * size, 1);
+  const object = new Sprite(new SpriteMaterial({
+    map: texture, transparent: true, depthWrite: false, sizeAttenuation: false,
+  }));
+  object.scale.set((kShown * canvas.width) / kHeight, kShown, 1);
   object.center.set(0.5, -0.3);
   const label = {
     object,

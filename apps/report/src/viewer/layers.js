@@ -14,11 +14,12 @@ import { pointOnCloth } from './observations.js';
 
 // Measured markers, and lines to where the cloth has them.
 export function markerLayer(observations, cloth) {
-  const dots = new ChangingPoints('--measured', 6);
+  const { first, items, positions } = observations.markers;
+  const isCrowded = positions.length / 3 / (first.length - 1) > 150;  // markers a frame
+  const dots = new ChangingPoints('--measured', isCrowded ? 3 : 6);
   const misses = new ChangingLines('--miss');
   const object = new Group();
   object.add(misses.object, dots.object);
-  const { first, items, positions } = observations.markers;
   return {
     object,
     parts: [dots, misses],
@@ -98,7 +99,7 @@ export function cameraLayer(cameras, length) {
         array.set([...centre, ...corner, ...corner, ...corners[index][(k + 1) % 4]], at);
         at += 12;
       });
-      const label = makeLabel(camera.name, length);
+      const label = makeLabel(camera.name);
       label.object.position.set(...centre);
       object.add(label.object);
       parts.push(label);

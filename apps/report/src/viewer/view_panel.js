@@ -8,6 +8,7 @@ import { cssGradient } from '../colours.js';
 import { decode } from '../data.js';
 import { checkbox, h, segmented, select } from '../dom.js';
 import { number, quantity, shownUnit } from '../format.js';
+import { centreOf } from '../pictures/projection.js';
 import { Cloth } from './cloth.js';
 import { groundLayer } from './ground.js';
 import { cameraLayer, handleLayer, markerLayer, obstacleLayer, rayLayer } from './layers.js';
@@ -127,6 +128,7 @@ export class ViewPanel {
     for (const pane of this.panes) {
       if (pane.layers.has(name)) pane.layers.get(name).object.visible = on;
     }
+    if (name === 'cameras' && on) this.viewer.stepBack(this.report.cameras.map(centreOf));
     this.viewer.refresh();
   }
 

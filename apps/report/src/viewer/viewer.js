@@ -49,13 +49,25 @@ export function boxOf(positions) {
   return box;
 }
 
+// Whether WebGL is drawn by the processor, where smooth edges cost more than they are worth.
+function isSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const info = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 export class Viewer {
   // `up`: unit vector against gravity; `box`: what the eye has to see.
   constructor(container, panes, up, box) {
     this.container = container;
     this.panes = panes;
     this.shown = panes.slice(-1);
-    this.renderer = new WebGLRenderer({ antialias: true, powerPreference: 'low-power' });
+    this.mostPixels = isSoftware() ? 1 : 2;  // per CSS pixel
+    this.renderer = new WebGLRenderer({
+      antialias: this.mostPixels > 1, powerPreference: 'low-power',
+    });
     this.renderer.setScissorTest(true);
     this.canvas = this.renderer.domElement;
     container.prepend(this.canvas);
@@ -86,6 +98,17 @@ export class Viewer {
     this.eye.far = 20 * this.distance;
     this.controls.update();
     this.invalidate();
+  }
+
+  // Far enough away to see these places too.
+  stepBack(places) {
+    const { target } = this.controls;
+    const reach = Math.max(...places.map((place) => target.distanceTo(new Vector3(...place))));
+    const offset = this.eye.position.clone().sub(target);
+    const wanted = (1.15 * reach) / Math.sin((0.5 * this.eye.fov * Math.PI) / 180);
+    offset.setLength(Math.max(offset.length(), wanted));
+    this.eye.position.copy(target).add(offset);
+    this.controls.update();
   }
 
   // Of the sphere around the motion most is empty; narrow panes need more room.
@@ -127,7 +150,7 @@ export class Viewer {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.container;
     if (!width || !height) return;
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setPixelRatio(Math.min(this.mostPixels, window.devicePixelRatio));
     this.renderer.setSize(width, height, false);
     for (const pane of this.panes) {
       for (const layer of pane.layers.values()) {
