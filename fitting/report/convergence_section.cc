@@ -69,6 +69,7 @@ ReportJson Facts(const ReportJson& summary) {
   rows.push_back({"seconds", NumberIn(summary, "seconds", "{:.1f}")});
   rows.push_back({"steps halved in the last simulation", NumberIn(summary, "halvings", "{:.0f}")});
   return {{"kind", "table"},
+          {"narrow", true},
           {"columns", {{{"title", ""}}, {{"title", ""}, {"number", true}}}},
           {"rows", rows}};
 }

@@ -31,7 +31,7 @@ function makeBlock(block, context) {
   const make = kBlocks[block.kind];
   const element = make ? make(block, context)
     : h('p', {}, `This page does not know blocks of the kind "${block.kind}".`);
-  element.classList.add(kNarrow.has(block.kind) ? 'narrow' : 'wide');
+  element.classList.add(block.narrow ?? kNarrow.has(block.kind) ? 'narrow' : 'wide');
   return element;
 }
 

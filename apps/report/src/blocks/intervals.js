@@ -12,8 +12,9 @@ function axisOf(item) {
   const to = (value) => (isLog ? Math.log(value) : value);
   const from = (value) => (isLog ? Math.exp(value) : value);
   const isUsable = (value) => Number.isFinite(value) && (!isLog || value > 0);
-  const clip = (value) => Math.min(item.bounds[1], Math.max(item.bounds[0], value));
-  const values = [...(item.prior ?? []).map(clip), ...(item.interval ?? []), item.value, item.start,
+  const clip = (value) => (value === null ? null
+    : Math.min(item.bounds[1], Math.max(item.bounds[0], value)));
+  const values = [...(item.prior ?? []).map(clip), ...(item.interval ?? []).map(clip), item.value, item.start,
     item.truth].filter(isUsable).map(to);
   const [low, high] = [Math.min(...values), Math.max(...values)];
   const margin = 0.04 * (high - low) || 1;

@@ -114,7 +114,7 @@ export class Viewer {
   // Of the sphere around the motion most is empty; narrow panes need more room.
   closeness() {
     const aspect = this.aspect();
-    return 0.86 * Math.max(1, 1.15 / aspect);
+    return 0.98 * Math.max(1, 1.15 / aspect);
   }
 
   aspect() {
