@@ -47,6 +47,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddEvaluateCommand(app, action);
   AddDrawCommand(app, action);
   AddReportCommand(app, action);
+  AddExportCommand(app, action);
   AddCheckCommand(app, action);
   AddTermsCommand(app, action);
   AddGradcheckCommand(app, action);

@@ -9,8 +9,7 @@
 
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/parameter_table.h"
-#include "tracking/text.h"
-#include "tracking/tracking_folder.h"
+#include "fitting/run_pictures.h"
 
 namespace clothfit {
 namespace {
@@ -46,27 +45,6 @@ std::shared_ptr<const Silhouettes> LoadAllMasks(const Recording& recording) {
       LoadSilhouettes(recording, [](int, int) { return false; }));
 }
 
-// Where pictures of the run's cameras may be: asked for, in its recording, in that one's origin.
-std::optional<Recording> FindPictures(const Recording& recording, const fs::path& asked,
-                                      std::vector<std::string>* notes) {
-  if (!asked.empty()) {
-    Recording found = ReadRecording(asked);
-    if (HasPictures(found)) return found;
-    throw InputError(asked.string(), "has neither images nor videos");
-  }
-  if (HasPictures(recording)) return recording;
-  const std::optional<fs::path> origin = OriginOfTracking(recording.path);
-  if (!origin) return std::nullopt;
-  try {
-    return ReadRecording(*origin);
-  } catch (const InputError&) {
-    notes->push_back(
-        "The pictures that were tracked are no longer where they were; 'clothfit "
-        "report --pictures RECORDING' says where they are.");
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 ReportScene GatherReportScene(const RunFolder& run, const fs::path& pictures) {
@@ -74,7 +52,13 @@ ReportScene GatherReportScene(const RunFolder& run, const fs::path& pictures) {
   ReportScene report{std::move(record), ReadFittedRun(run), {}, nullptr, {}, {}, {}};
   const Scene& scene = report.fitted.scene;
   CheckTrajectory(run, scene, report.record.trajectory);
-  report.pictures = FindPictures(scene.recording, pictures, &report.notes);
+  RunPictures found = FindPictures(scene.recording, pictures);
+  if (found.are_lost) {
+    report.notes.emplace_back(
+        "The pictures that were tracked are no longer where they were; 'clothfit report --pictures "
+        "RECORDING' says where they are.");
+  }
+  report.pictures = std::move(found.recording);
   report.silhouettes = LoadAllMasks(scene.recording);
   for (const fs::path& folder :
        {scene.recording.path, report.pictures ? report.pictures->path : fs::path()}) {
