@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/error.h"
-#include "autodiff_sim/obj_file.h"
 #include "fitting/npy_file.h"
 
 namespace clothfit {
@@ -25,15 +24,19 @@ fs::path RequireFile(const RunFolder& run, const char* name) {
 RunMotion ReadRunMotion(const RunFolder& run) {
   RunMotion motion;
   motion.frames = ReadPointsNpy(RequireFile(run, "trajectory.npy"));
-  motion.mesh = ReadObj(RequireFile(run, "mesh.obj").string()).mesh;
-  const Recording recording = ReadRecording(ReadConfigRecording(RequireFile(run, "config.yaml")));
+  const fs::path config_file = RequireFile(run, "config.yaml");
+  const Recording recording = ReadRecording(ReadConfigRecording(config_file));
+  FitConfig config = DefaultConfig(recording);
+  ReadConfig(config_file, &config);
+  config.use_silhouettes = false;  // for the mesh no mask has to be read
+  motion.mesh = MakeScene(recording, config).mesh;
   motion.name = recording.name;
   motion.frame_rate = recording.frame_rate;
   const Eigen::Index particles = motion.frames.empty() ? 0 : motion.frames[0].size() / 3;
   if (particles == motion.mesh.num_particles()) return motion;
   throw InputError((run.path() / "trajectory.npy").string(),
-                   fmt::format("has {} particles, mesh.obj {}: expected the same number", particles,
-                               motion.mesh.num_particles()));
+                   fmt::format("has {} particles; expected {}: was the recording changed since?",
+                               particles, motion.mesh.num_particles()));
 }
 
 Eigen::VectorXd ParticleNormals(const ClothMesh& mesh, const Eigen::VectorXd& x) {

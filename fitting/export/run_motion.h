@@ -21,8 +21,8 @@ struct RunMotion {
   std::vector<Eigen::VectorXd> frames;  // 3N, m, world
 };
 
-// trajectory.npy and mesh.obj of a run of `fit` or `simulate`, and the rate of its recording.
-// Throws InputError where they are missing, damaged or do not belong together.
+// trajectory.npy of a run of `fit` or `simulate`, and the mesh that its config makes of its
+// recording. Throws InputError where they are missing, damaged or do not belong together.
 RunMotion ReadRunMotion(const RunFolder& run);
 
 // Unit normals of the particles (3N), of the triangles around them weighted by area.
