@@ -48,16 +48,18 @@ export function select(label, choices, value, onChange) {
   return element;
 }
 
-// Calls once(element) when it first comes near the screen, and tells later whether it is seen.
-export function whenSeen(element, once, onChange = () => {}) {
-  let begun = false;
+// Calls once() when the element first comes near the screen.
+export function whenNear(element, once) {
   const observer = new IntersectionObserver((entries) => {
-    const seen = entries[entries.length - 1].isIntersecting;
-    if (seen && !begun) {
-      begun = true;
-      once(element);
-    }
-    onChange(seen);
+    if (!entries.some((entry) => entry.isIntersecting)) return;
+    observer.disconnect();
+    once();
   }, { rootMargin: '300px' });
   observer.observe(element);
+}
+
+// Tells whenever the element comes into view or leaves it.
+export function onSeen(element, tell) {
+  new IntersectionObserver((entries) => tell(entries[entries.length - 1].isIntersecting))
+    .observe(element);
 }

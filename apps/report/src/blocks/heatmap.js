@@ -4,7 +4,7 @@
 // Blocks of kind "heatmap": numbers over (u, v), or over any two axes; one map, or one a frame that
 // follows the clock. Maps of one group share their colours.
 import { cssGradient, kUnknown, mapColour } from '../colours.js';
-import { h, whenSeen } from '../dom.js';
+import { h, whenNear } from '../dom.js';
 import { number } from '../format.js';
 
 function frameOf(block, frame) {
@@ -70,7 +70,7 @@ export function heatmapBlock(block, { player, section }) {
       h('span', {}, `${block.value.title}, ${unit}`), h('span', {}, number(range[0], 2)),
       h('span', { class: 'ramp', style: `background: ${cssGradient(block.diverging)}` }),
       h('span', {}, number(range[1], 3))));
-  whenSeen(element, () => {
+  whenNear(element, () => {
     if (block.frames) player.onFrame(draw); else draw(0);
   });
   return element;

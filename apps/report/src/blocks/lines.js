@@ -4,7 +4,7 @@
 // Blocks of kind "lines": series over the recording's frames, linked to the clock, or over any x.
 import uPlot from 'uplot';
 
-import { h, whenSeen } from '../dom.js';
+import { h, whenNear } from '../dom.js';
 import { number } from '../format.js';
 import { colour, onTheme } from '../theme.js';
 
@@ -112,7 +112,7 @@ export function linesBlock(block, { player, clock }) {
   const x = block.frames
     ? Array.from({ length: clock.frames }, (_, frame) => frame / clock.rate) : block.x.values;
   const data = [x, ...block.series.map((series) => series.values)];
-  whenSeen(element, () => {
+  whenNear(element, () => {
     const plot = new uPlot(optionsOf(block, clock, Math.max(240, body.clientWidth)), data, body);
     const linked = block.frames ? link(plot, player, clock) : null;
     new ResizeObserver(() => {

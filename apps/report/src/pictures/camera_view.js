@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What one camera saw, and over it what the simulation has there.
-import { h, whenSeen } from '../dom.js';
+import { h, onSeen } from '../dom.js';
 import { pointOnCloth } from '../viewer/observations.js';
 import { ClothPath, edgesOf, kByProcessor, loadOutlines, strokeSilhouette } from './outlines.js';
 import { PictureStore } from './picture_store.js';
@@ -36,12 +36,14 @@ export class CameraView {
     this.element = h('div', { class: 'camera-view' }, this.canvas, this.note);
     this.isSeen = false;
     this.setCamera(index);
-    whenSeen(this.element, () => {}, (seen) => {
+    onSeen(this.element, (seen) => {
       this.isSeen = seen;
       if (seen) this.draw();
     });
     context.views.add(this);
-    player.onFrame(() => this.draw());
+    player.onFrame(() => {
+      if (this.frame() !== this.drawn) this.draw();
+    });
   }
 
   setCamera(index) {
@@ -72,6 +74,7 @@ export class CameraView {
     if (!this.isSeen) return;
     this.fit();
     const frame = this.frame();
+    this.drawn = frame;
     const context = this.canvas.getContext('2d', kByProcessor);
     const scale = this.canvas.width / this.camera.size[0];
     context.setTransform(1, 0, 0, 1, 0, 0);
