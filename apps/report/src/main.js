@@ -41,6 +41,7 @@ async function makeStage(report, player, stage) {
   const cloths = await loadCloths(report);
   const viewPanel = await makeViewPanel(report, observations, player);
   stage.append(viewPanel.element);
+  stage.classList.toggle('alone', report.cameras.length === 0);
   if (report.cameras.length === 0) return { viewPanel };
   const pictures = new PictureContext(report, observations, await decode(report.mesh.triangles),
     cloths);

@@ -65,6 +65,10 @@ async function testPlaying() {
   assert.equal(await frameOf(page), paused, 'the space bar pauses');
   await page.keyboard.press('ArrowRight');
   assert.notEqual(await frameOf(page), paused, 'arrow keys step');
+  const eye = () => page.evaluate(() => clothfit.viewPanel.viewer.eye.position.toArray().join());
+  const from = await eye();
+  await page.keyboard.press('d');
+  assert.notEqual(await eye(), from, 'keys turn the view');
   await close();
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Short texts in the 3D view.
-import { CanvasTexture, Sprite, SpriteMaterial } from 'three';
+import { CanvasTexture, Sprite, SpriteMaterial, SRGBColorSpace } from 'three';
 
 import { colour } from '../theme.js';
 
@@ -17,6 +17,7 @@ export function makeLabel(text) {
   canvas.width = Math.ceil(context.measureText(text).width) + 24;
   canvas.height = kHeight;
   const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
   const object = new Sprite(new SpriteMaterial({
     map: texture, transparent: true, depthWrite: false, sizeAttenuation: false,
   }));

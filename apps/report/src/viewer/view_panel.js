@@ -11,6 +11,7 @@ import { number, quantity, shownUnit } from '../format.js';
 import { centreOf } from '../pictures/projection.js';
 import { Cloth } from './cloth.js';
 import { groundLayer } from './ground.js';
+import { addViewKeys } from './keys.js';
 import { cameraLayer, handleLayer, markerLayer, obstacleLayer, rayLayer } from './layers.js';
 import { ChangingPoints } from './lines.js';
 import { onPick } from './picking.js';
@@ -75,16 +76,20 @@ export class ViewPanel {
     this.panes = panes;
     this.uv = uv;
     this.particle = null;
+    // Where no picture stands beside it, the start does.
+    this.first = report.cameras.length ? panes[panes.length - 1].motion.name : '';
     this.legend = h('div', { class: 'legend' });
     this.titles = h('div', { class: 'pane-titles', 'aria-hidden': 'true' });
     this.probe = h('div', { class: 'probe', role: 'status', hidden: true });
     this.view = h('div', { class: 'view', id: 'view-3d' }, this.titles, this.legend, this.probe);
     this.viewer = new Viewer(this.view, panes, up, box);
     this.viewer.canvas.setAttribute('aria-label', 'The cloth in 3D: drag to turn, wheel to zoom, ' +
-      'right-drag to move, click for the values of a particle');
+      'right-drag to move, click for the values of a particle; keys W, A, S, D turn, + and - zoom, ' +
+      '0 resets');
     this.element = h('figure', { class: 'panel view-panel' }, this.view, this.controls());
+    addViewKeys(this.viewer);
     onPick(this.viewer, (particle) => this.choose(particle));
-    this.showMotions(panes[panes.length - 1].motion.name);
+    this.showMotions(this.first);
     this.showField(report.fields[0]?.name ?? '');
     player.onFrame((frame) => {
       this.viewer.setFrame(frame);
@@ -97,7 +102,7 @@ export class ViewPanel {
     const motions = segmented('Which motion',
       [...names.map(({ name, title }) => ({ value: name, title })),
         ...(names.length > 1 ? [{ value: '', title: 'Side by side' }] : [])],
-      names[names.length - 1].name, (name) => this.showMotions(name));
+      this.first, (name) => this.showMotions(name));
     const fields = select('Colour by',
       [...this.report.fields.map(({ name, title }) => ({ value: name, title })),
         { value: '', title: 'Sides of the cloth' }],
