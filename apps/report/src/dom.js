@@ -26,9 +26,8 @@ export function segmented(label, choices, value, onChoose) {
       type: 'button',
       'aria-pressed': String(choice.value === value),
       onclick: () => {
-        for (const button of buttons) {
-          button.setAttribute('aria-pressed', String(button === buttons[choices.indexOf(choice)]));
-        }
+        choices.forEach((other, index) =>
+          buttons[index].setAttribute('aria-pressed', String(other === choice)));
         onChoose(choice.value);
       },
     }, choice.title));

@@ -57,7 +57,8 @@ async function testPlaying() {
     { timeout: 60000 });
   const [end, endTime] = await drawn();
   const rate = (1000 * (end - begin)) / (endTime - beginTime);
-  const paint = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0]?.startTime);
+  const paint = await page.evaluate(() =>
+    performance.getEntriesByName('first-contentful-paint')[0]?.startTime);
   console.log(`first paint ${Math.round(paint)} ms, ${rate.toFixed(1)} frames/s drawn`);
   await page.keyboard.press(' ');
   const paused = await frameOf(page);
@@ -99,7 +100,8 @@ async function testPicking() {
     const point = cloth.positionAt(Math.floor(cloth.particles / 2), viewer.eye.position.clone());
     point.project(viewer.eye);
     const box = viewer.canvas.getBoundingClientRect();
-    return [box.left + (0.5 + 0.5 * point.x) * box.width, box.top + (0.5 - 0.5 * point.y) * box.height];
+    return [box.left + (0.5 + 0.5 * point.x) * box.width,
+      box.top + (0.5 - 0.5 * point.y) * box.height];
   });
   await page.mouse.click(...place);
   await page.waitForFunction(() => document.querySelector('.probe table'));

@@ -54,7 +54,8 @@ export function heatmapBlock(block, { player, section }) {
     const i = Math.floor(((event.clientX - box.left) / box.width) * rows[0].length);
     const j = Math.floor((1 - (event.clientY - box.top) / box.height) * rows.length);
     const value = rows[j]?.[i];
-    readout.textContent = value === undefined ? '\u00a0' : `${number(value, 3)} ${value === null ? '' : unit}`;
+    readout.textContent = value === undefined ? '\u00a0'
+      : `${number(value, 3)} ${value === null ? '' : unit}`;
   });
   canvas.addEventListener('pointerleave', () => { readout.textContent = '\u00a0'; });
   const draw = (frame) => paint(canvas, frameOf(block, frame), range, block.diverging);

@@ -14,8 +14,8 @@ function axisOf(item) {
   const isUsable = (value) => Number.isFinite(value) && (!isLog || value > 0);
   const clip = (value) => (value === null ? null
     : Math.min(item.bounds[1], Math.max(item.bounds[0], value)));
-  const values = [...(item.prior ?? []).map(clip), ...(item.interval ?? []).map(clip), item.value, item.start,
-    item.truth].filter(isUsable).map(to);
+  const values = [...(item.prior ?? []).map(clip), ...(item.interval ?? []).map(clip),
+    item.value, item.start, item.truth].filter(isUsable).map(to);
   const [low, high] = [Math.min(...values), Math.max(...values)];
   const margin = 0.04 * (high - low) || 1;
   const share = (value) => {
@@ -31,7 +31,8 @@ function span(axis, [lower, upper], kind, item) {
     axis.share(Math.min(upper ?? Infinity, item.bounds[1]))];
   if (left === null || right === null) return null;
   const from = Math.max(0, left);
-  return h('span', { class: kind, style: `left: ${from}%; width: ${Math.min(100, right) - from}%` });
+  const width = Math.min(100, right) - from;
+  return h('span', { class: kind, style: `left: ${from}%; width: ${width}%` });
 }
 
 function mark(axis, value, kind, title) {

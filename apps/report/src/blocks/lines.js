@@ -71,7 +71,10 @@ function optionsOf(block, clock, width) {
     },
     axes: [axis(x.title, x.unit, false), axis(block.y.unit || block.y.title, '', true)],
     series: [
-      { label: x.title, value: (_, value) => (value === null ? '–' : `${number(value, 4)} ${x.unit}`) },
+      {
+        label: x.title,
+        value: (_, value) => (value === null ? '–' : `${number(value, 4)} ${x.unit}`),
+      },
       ...block.series.map((series, index) => ({
         label: series.name,
         stroke: () => seriesColour(series, index),
@@ -95,7 +98,8 @@ function link(plot, player, clock) {
   };
   player.onFrame(show);
   plot.over.addEventListener('pointerdown', (event) => {
-    const seek = (at) => player.seek(plot.posToVal(at.clientX - plot.over.getBoundingClientRect().left, 'x') * clock.rate);
+    const { left } = plot.over.getBoundingClientRect();
+    const seek = (at) => player.seek(plot.posToVal(at.clientX - left, 'x') * clock.rate);
     player.pause();
     seek(event);
     plot.over.setPointerCapture(event.pointerId);

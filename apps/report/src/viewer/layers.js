@@ -3,7 +3,9 @@
 //
 // What the 3D view shows beside the cloth, layer by layer: each has an object to show or hide, and
 // most change with the frame.
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshLambertMaterial } from 'three';
+import {
+  BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshLambertMaterial,
+} from 'three';
 
 import { decode } from '../data.js';
 import { centreOf, rayThrough, toWorld } from '../pictures/projection.js';
@@ -87,7 +89,8 @@ export function cameraLayer(cameras, length) {
     const centre = centreOf(camera);
     const [width, height] = camera.size;
     return [[0, 0], [width, 0], [width, height], [0, height]].map(([x, y]) => {
-      const v = [(x - camera.centre[0]) / camera.focal[0], (y - camera.centre[1]) / camera.focal[1], 1];
+      const v = [(x - camera.centre[0]) / camera.focal[0],
+        (y - camera.centre[1]) / camera.focal[1], 1];
       return toWorld(camera, v.map((value) => value * length)).map((value, c) => value + centre[c]);
     });
   });
@@ -161,7 +164,9 @@ export async function obstacleLayer(obstacles) {
   }
   return {
     object,
-    parts: movers.map(({ material }) => ({ applyTheme: () => material.color.set(colour('--obstacle')) })),
+    parts: movers.map(({ material }) => ({
+      applyTheme: () => material.color.set(colour('--obstacle')),
+    })),
     setFrame(frame) {
       for (const { positions, count, place, geometry } of movers) {
         const begin = Math.min(frame * count, positions.length - count);

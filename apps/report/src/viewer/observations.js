@@ -34,7 +34,8 @@ export async function loadObservations(report) {
   return loaded;
 }
 
-// The place of a point of the cloth, written to target[at..at+2]. `begin`: of the frame's positions.
+// The place of a point of the cloth, written to target[at..at+2]. `begin`: where the frame's
+// positions begin.
 export function pointOnCloth(observations, point, positions, begin, target, at) {
   for (let c = 0; c < 3; ++c) {
     let sum = 0;

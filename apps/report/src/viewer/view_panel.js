@@ -4,17 +4,17 @@
 // The 3D view with its controls, its legend and what is known of the particle that was picked.
 import { Vector3 } from 'three';
 
-import { cssGradient } from '../colours.js';
 import { decode } from '../data.js';
 import { checkbox, h, segmented, select } from '../dom.js';
-import { number, quantity, shownUnit } from '../format.js';
 import { centreOf } from '../pictures/projection.js';
 import { Cloth } from './cloth.js';
 import { groundLayer } from './ground.js';
 import { addViewKeys } from './keys.js';
 import { cameraLayer, handleLayer, markerLayer, obstacleLayer, rayLayer } from './layers.js';
+import { legendOf } from './legend.js';
 import { ChangingPoints } from './lines.js';
 import { onPick } from './picking.js';
+import { Probe } from './probe.js';
 import { boxOf, Pane, Viewer } from './viewer.js';
 
 // Layers by name: title, colour, whether shown at first.
@@ -74,18 +74,18 @@ export class ViewPanel {
   constructor(report, player, panes, up, box, uv) {
     this.report = report;
     this.panes = panes;
-    this.uv = uv;
     this.particle = null;
     // Where no picture stands beside it, the start does.
     this.first = report.cameras.length ? panes[panes.length - 1].motion.name : '';
     this.legend = h('div', { class: 'legend' });
     this.titles = h('div', { class: 'pane-titles', 'aria-hidden': 'true' });
-    this.probe = h('div', { class: 'probe', role: 'status', hidden: true });
-    this.view = h('div', { class: 'view', id: 'view-3d' }, this.titles, this.legend, this.probe);
+    this.probe = new Probe(report.fields, uv, () => this.choose(null));
+    this.view = h('div', { class: 'view', id: 'view-3d' }, this.titles, this.legend,
+      this.probe.element);
     this.viewer = new Viewer(this.view, panes, up, box);
     this.viewer.canvas.setAttribute('aria-label', 'The cloth in 3D: drag to turn, wheel to zoom, ' +
-      'right-drag to move, click for the values of a particle; keys W, A, S, D turn, + and - zoom, ' +
-      '0 resets');
+      'right-drag to move, click for the values of a particle; keys W, A, S, D turn, + and - ' +
+      'zoom, 0 resets');
     this.element = h('figure', { class: 'panel view-panel' }, this.view, this.controls());
     addViewKeys(this.viewer);
     onPick(this.viewer, (particle) => this.choose(particle));
@@ -115,7 +115,8 @@ export class ViewPanel {
       for (const pane of this.panes) pane.cloth.threads.visible = on;
       this.viewer.invalidate();
     }, 'var(--thread)'));
-    const home = h('button', { type: 'button', onclick: () => this.viewer.lookHome() }, 'Reset view');
+    const home = h('button', { type: 'button', onclick: () => this.viewer.lookHome() },
+      'Reset view');
     return h('figcaption', { class: 'controls' }, motions,
       h('label', { class: 'field-choice' }, h('span', {}, 'Colour'), fields),
       h('details', { class: 'menu' }, h('summary', {}, 'Layers'), h('div', {}, layers, home)));
@@ -166,41 +167,7 @@ export class ViewPanel {
     this.updateProbe();
   }
 
-  async updateProbe() {
-    const particle = this.particle;
-    this.probe.hidden = particle === null;
-    if (particle === null) return;
-    const frame = this.viewer.frame;
-    const place = new Vector3();
-    const shown = this.viewer.shown.filter((pane) => frame < pane.cloth.frames);
-    const head = ['', ...shown.map((pane) => pane.motion.title)];
-    const rows = [['place', ...shown.map((pane) =>
-      pane.cloth.positionAt(particle, place).toArray().map((c) => c.toFixed(3)).join(', ') + ' m')]];
-    for (const field of this.report.fields) {
-      const values = await Promise.all(shown.map(async ({ motion, cloth }) => {
-        const block = field.values[motion.name];
-        return block ? (await decode(block))[cloth.particles * frame + particle] : NaN;
-      }));
-      rows.push([field.title, ...values.map((value) => quantity(value, field.unit))]);
-    }
-    if (this.particle !== particle || this.viewer.frame !== frame) return;
-    const uv = [this.uv[2 * particle], this.uv[2 * particle + 1]];
-    this.probe.replaceChildren(
-      h('strong', {}, `Particle ${particle}`),
-      h('span', {}, ` (u, v) = (${number(uv[0], 3)}, ${number(uv[1], 3)}) m`),
-      h('button', { type: 'button', 'aria-label': 'Close', onclick: () => this.choose(null) }, '×'),
-      h('table', {}, h('tr', {}, head.map((text) => h('th', {}, text))),
-        rows.map((row) => h('tr', {}, row.map((text) => h('td', {}, text))))));
+  updateProbe() {
+    this.probe.show(this.particle, this.viewer.frame, this.viewer.shown);
   }
-}
-
-function legendOf(field) {
-  const { factor, unit } = shownUnit(field.unit);
-  const [low, high] = field.range;
-  return [
-    h('span', { class: 'legend-title' }, `${field.title}, ${unit}`),
-    h('span', { class: 'ramp', style: `background: ${cssGradient(field.diverging)}` }),
-    h('span', { class: 'legend-ends' }, h('span', {}, number(low * factor, 2)),
-      h('span', {}, `${number(high * factor, 2)}${field.diverging ? '' : ' and more'}`)),
-  ];
 }
