@@ -23,6 +23,7 @@ demo: configure ## Build the command and fit a cloth to the pictures in data/lif
 	$(BUILD)/apps/clothfit fit data/lift -o build/demo-run --force
 	$(BUILD)/apps/clothfit evaluate build/demo-run --truth data/lift
 	$(BUILD)/apps/clothfit draw build/demo-run -o build/demo.png --force
+	$(BUILD)/apps/clothfit report build/demo-run -o build/demo.html --force
 
 test: build ## Build everything and run all tests and source checks
 	ctest --preset $(PRESET)
