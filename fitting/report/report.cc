@@ -30,6 +30,31 @@ Json ClockAsJson(const Scene& scene) {
           {"last_fitted", scene.last_fitted_frame}};
 }
 
+// What is known before anything moves.
+Json SceneAsJson(const Scene& scene) {
+  const Recording& recording = scene.recording;
+  const Eigen::Vector3d& gravity = recording.gravity;
+  Json json;
+  json["format"] = "clothfit-report/1";
+  json["version"] = Version();
+  json["title"] = recording.name;
+  json["clock"] = ClockAsJson(scene);
+  json["size"] = {recording.cloth.size.x(), recording.cloth.size.y()};
+  json["gravity"] = {gravity.x(), gravity.y(), gravity.z()};
+  json["ground"] = recording.ground_height ? Json(*recording.ground_height) : Json(nullptr);
+  return json;
+}
+
+Json ObstaclesAsJson(const std::vector<ReportObstacle>& obstacles, ReportBlobs* blobs) {
+  Json json = Json::array();
+  for (const ReportObstacle& obstacle : obstacles) {
+    json.push_back({{"name", obstacle.name},
+                    {"positions", blobs->AddNumbers(obstacle.positions, 3)},
+                    {"triangles", blobs->AddIntegers(obstacle.triangles, 3)}});
+  }
+  return json;
+}
+
 Json ErrorsAsJson(const VerdictFacts& facts) {
   Json errors = Json::array();
   for (const ErrorChange& error : facts.errors) {
@@ -130,18 +155,9 @@ ReportPage MakeReport(const RunFolder& run, const ReportAssets& assets,
   page.notes = report.notes;
 
   ReportBlobs blobs;
-  Json json;
-  json["format"] = "clothfit-report/1";
-  json["version"] = Version();
-  json["title"] = scene.recording.name;
-  json["clock"] = ClockAsJson(scene);
+  Json json = SceneAsJson(scene);
   json["errors"] = ErrorsAsJson(facts);
-  json["size"] = {scene.recording.cloth.size.x(), scene.recording.cloth.size.y()};
-  json["gravity"] = {scene.recording.gravity.x(), scene.recording.gravity.y(),
-                     scene.recording.gravity.z()};
-  json["ground"] =
-      scene.recording.ground_height ? Json(*scene.recording.ground_height) : Json(nullptr);
-  json["obstacles"] = Json::array();
+  json["obstacles"] = ObstaclesAsJson(extras.obstacles, &blobs);
   json["mesh"] = MeshAsJson(scene.mesh, &blobs);
   json["motions"] = MotionsAsJson(report, &blobs);
   json["sections"] = SectionsAsJson(report, fields, extras.sections);

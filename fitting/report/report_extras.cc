@@ -3,6 +3,7 @@
 #include "fitting/report/report_extras.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -44,6 +45,23 @@ ScalarField ReadField(const fs::path& folder, const ReportJson& json, const Repo
   return field;
 }
 
+ReportObstacle ReadObstacle(const fs::path& folder, const ReportJson& json) {
+  const fs::path file = folder / json.at("positions").get<std::string>();
+  ReportObstacle obstacle{json.value("name", "obstacle"), ReadPointsNpy(file), {}};
+  if (obstacle.positions.empty()) throw InputError(file.string(), "holds no frame");
+  const Eigen::Index vertices = obstacle.positions[0].size() / 3;
+  for (const ReportJson& triangle : json.at("triangles")) {
+    for (const auto vertex : triangle.get<std::array<std::int32_t, 3>>()) {
+      if (vertex < 0 || vertex >= vertices) {
+        throw InputError(file.string(), fmt::format("has {} vertices; a triangle names vertex {}",
+                                                    vertices, vertex));
+      }
+      obstacle.triangles.push_back(vertex);
+    }
+  }
+  return obstacle;
+}
+
 void ReadExtra(const fs::path& file, const ReportScene& report, ReportExtras* extras) {
   try {
     const ReportJson json = ReportJson::parse(ReadTextFile(file));
@@ -53,6 +71,9 @@ void ReadExtra(const fs::path& file, const ReportScene& report, ReportExtras* ex
     }
     for (const ReportJson& field : json.value("fields", ReportJson::array())) {
       extras->fields.push_back(ReadField(file.parent_path(), field, report));
+    }
+    for (const ReportJson& obstacle : json.value("obstacles", ReportJson::array())) {
+      extras->obstacles.push_back(ReadObstacle(file.parent_path(), obstacle));
     }
   } catch (const ReportJson::exception& error) {
     throw InputError(file.string(), std::string("is no addition to a report: ") + error.what());

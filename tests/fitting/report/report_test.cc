@@ -139,13 +139,18 @@ TEST_F(Report, TakesSectionsAndFieldsFromTheRun) {
     "fields": [{"name": "force", "title": "Missing force", "unit": "N/m^2",
                 "values": {"after": "force.npy"}}],
     "sections": [{"id": "ranking", "title": "What is missing",
-                  "blocks": [{"kind": "text", "paragraphs": ["<b>wind</b>"]}]}]})");
+                  "blocks": [{"kind": "text", "paragraphs": ["<b>wind</b>"]}]}],
+    "obstacles": [{"name": "table", "positions": "table.npy", "triangles": [[0, 1, 2]]}]})");
+  WriteWholeFile(run_ / "report" / "table.npy", PointsAsNpy({Eigen::VectorXd::Zero(6)}));
   WriteScalars(run_ / "report" / "force.npy", 12, "(12, 75)");
   EXPECT_THAT(ErrorOf(), HasSubstr("has 12 frames of 75 numbers; expected 12 of 25"));
   WriteScalars(run_ / "report" / "force.npy", 4, "(12, 25)");
+  EXPECT_THAT(ErrorOf(), HasSubstr("has 2 vertices; a triangle names vertex 2"));
+  WriteWholeFile(run_ / "report" / "table.npy", PointsAsNpy({Eigen::VectorXd::Zero(9)}));
   const std::string html = MakeReport(RunFolder::Open(run_), kAssets).html;
   const json data = DataOfPage(html);
   EXPECT_EQ(data.at("fields").back().at("name"), "force");
+  EXPECT_EQ(data.at("obstacles")[0].at("positions").at("shape"), (json{1, 3, 3}));
   EXPECT_EQ(data.at("sections")[4].at("id"), "ranking");
   EXPECT_THAT(html, Not(HasSubstr("<b>wind")));  // no text of a run becomes markup
   WriteWholeFile(run_ / "report" / "extra.json", "{\"sections\": [{}]}");

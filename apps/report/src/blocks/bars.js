@@ -3,7 +3,7 @@
 //
 // Blocks of kind "bars": one bar an item on a common axis, with intervals where they are known.
 import { h } from '../dom.js';
-import { number } from '../format.js';
+import { number, unitText } from '../format.js';
 
 function ends(block) {
   const values = block.items.flatMap((item) =>
@@ -23,7 +23,7 @@ function row(item, block, [low, high]) {
     h('span', { class: 'bar-name' }, item.name),
     h('span', { class: 'bar-track' },
       h('span', { class: 'bar', style: `left: ${left}; width: ${width(0, item.value)}` }), whisker),
-    h('span', { class: 'bar-value' }, `${number(item.value, 3)} ${block.unit ?? ''}`,
+    h('span', { class: 'bar-value' }, `${number(item.value, 3)} ${unitText(block.unit)}`,
       item.note ? h('small', {}, item.note) : null));
 }
 

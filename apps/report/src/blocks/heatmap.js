@@ -5,7 +5,7 @@
 // follows the clock. Maps of one group share their colours.
 import { cssGradient, kUnknown, mapColour } from '../colours.js';
 import { h, whenNear } from '../dom.js';
-import { number } from '../format.js';
+import { number, unitText } from '../format.js';
 
 function frameOf(block, frame) {
   return block.frames ? block.values[Math.min(frame, block.values.length - 1)] : block.values;
@@ -47,7 +47,7 @@ export function heatmapBlock(block, { player, section }) {
   const group = section.blocks.filter((other) =>
     other === block || (block.group && other.kind === 'heatmap' && other.group === block.group));
   const range = rangeOf(group);
-  const { unit } = block.value;
+  const unit = unitText(block.value.unit);
   canvas.addEventListener('pointermove', (event) => {
     const rows = frameOf(block, player.frame);
     const box = canvas.getBoundingClientRect();

@@ -5,7 +5,7 @@
 import uPlot from 'uplot';
 
 import { h, whenNear } from '../dom.js';
-import { number } from '../format.js';
+import { number, unitText } from '../format.js';
 import { colour, onTheme } from '../theme.js';
 
 const kHeight = 210;
@@ -42,7 +42,7 @@ function hatch(clock) {
 
 function axis(title, unit, isSide) {
   return {
-    label: unit ? `${title}, ${unit}` : title,
+    label: unit ? `${title}, ${unitText(unit)}` : title,
     labelSize: 22,
     labelFont: '12px system-ui, sans-serif',
     font: '11px system-ui, sans-serif',
@@ -69,7 +69,7 @@ function optionsOf(block, clock, width) {
         range: block.y.from_zero ? (_, __, high) => [0, (high || 1) * 1.08] : undefined,
       },
     },
-    axes: [axis(x.title, x.unit, false), axis(block.y.unit || block.y.title, '', true)],
+    axes: [axis(x.title, x.unit, false), axis(unitText(block.y.unit) || block.y.title, '', true)],
     series: [
       {
         label: x.title,
@@ -81,7 +81,7 @@ function optionsOf(block, clock, width) {
         width: 2,
         dash: series.role === 'before' ? [6, 4] : undefined,
         points: { show: Boolean(series.points), size: 6, fill: () => seriesColour(series, index) },
-        value: (_, value) => (value === null ? '–' : `${number(value, 3)} ${block.y.unit ?? ''}`),
+        value: (_, value) => (value === null ? '–' : `${number(value, 3)} ${unitText(block.y.unit)}`),
       })),
     ],
     hooks: isLinked ? { drawClear: [hatch(clock)] } : {},

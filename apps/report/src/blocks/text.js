@@ -6,7 +6,10 @@ import { h } from '../dom.js';
 import { number } from '../format.js';
 
 function folded(block, content) {
-  if (!block.folded) return content;
+  if (!block.folded) {
+    return block.title
+      ? h('div', {}, h('p', { class: 'block-title' }, block.title), content) : content;
+  }
   return h('details', { class: 'folded' }, h('summary', {}, block.title), content);
 }
 

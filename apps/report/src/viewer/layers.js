@@ -158,7 +158,7 @@ export async function obstacleLayer(obstacles) {
     geometry.setAttribute('position', place);
     geometry.setIndex(new BufferAttribute(new Uint32Array(await decode(obstacle.triangles)), 1));
     geometry.computeVertexNormals();
-    const material = new MeshLambertMaterial({ side: DoubleSide });
+    const material = new MeshLambertMaterial({ color: colour('--obstacle'), side: DoubleSide });
     object.add(new Mesh(geometry, material));
     movers.push({ positions, count, place, geometry, material });
   }
