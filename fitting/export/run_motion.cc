@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path RequireFile(const RunFolder& run, const char* name) {
-  const fs::path file = run.path() / name;
+  fs::path file = run.path() / name;
   if (fs::exists(file)) return file;
   throw InputError(file.string(), "is missing; expected the run of a fit or a simulation");
 }

@@ -46,7 +46,7 @@ ReportBlobs::Json ReportBlobs::AddIntegers(const std::vector<std::int32_t>& valu
 }
 
 ReportBlobs::Json ReportBlobs::AddBytes(std::string bytes) {
-  const Json block = {{"blob", blobs_.size()}, {"type", "bytes"}, {"shape", {bytes.size()}}};
+  Json block = {{"blob", blobs_.size()}, {"type", "bytes"}, {"shape", {bytes.size()}}};
   blobs_.push_back(std::move(bytes));
   return block;
 }

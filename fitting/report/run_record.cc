@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 fs::path RequireFile(const RunFolder& run, const char* name) {
-  const fs::path file = run.path() / name;
+  fs::path file = run.path() / name;
   if (fs::exists(file)) return file;
   throw InputError(file.string(), "is missing; expected the run of a fit that has ended");
 }
 
 Json ReadSummary(const fs::path& file) {
-  const Json summary = Json::parse(ReadTextFile(file), nullptr, false);
+  Json summary = Json::parse(ReadTextFile(file), nullptr, false);
   if (!summary.is_object()) throw InputError(file.string(), "is damaged; expected a JSON object");
   const std::string version = summary.value("clothfit", "");
   if (version != Version()) {
