@@ -62,7 +62,7 @@ std::vector<Eigen::VectorXd> SpreadValues::Values() const {
       Diffuse(&sum);
       Diffuse(&weight);
     }
-    values.push_back(
+    values.emplace_back(
         (weight.array() > kLeast)
             .select(sum.array() / weight.array(), std::numeric_limits<double>::quiet_NaN())
             .matrix());
