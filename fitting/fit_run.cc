@@ -3,6 +3,7 @@
 #include "fitting/fit_run.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -68,6 +69,12 @@ FitCallbacks WithRun(const FitCallbacks& callbacks, const RunFolder& run) {
   all.checkpoint = [&run, &callbacks](const FitCheckpoint& checkpoint) {
     run.WriteCheckpoint(checkpoint);
     if (callbacks.checkpoint) callbacks.checkpoint(checkpoint);
+  };
+  all.progress = [&run, &callbacks,
+                  begin = std::chrono::steady_clock::now()](const FitProgress& progress) {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    run.AppendProgress(progress, passed.count());
+    if (callbacks.progress) callbacks.progress(progress);
   };
   all.log = [&run, &callbacks](const std::string& line) {
     run.AppendLog(line);

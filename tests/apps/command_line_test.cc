@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 
-const char* const kCommands[] = {"fit", "simulate", "predict", "check", "terms", "gradcheck"};
+const char* const kCommands[] = {"fit",   "simulate",  "predict", "check",
+                                 "terms", "gradcheck", "report",  "export"};
 
 SmallRecordingOptions Tiny() {
   SmallRecordingOptions options;
