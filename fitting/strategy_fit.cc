@@ -37,9 +37,11 @@ int NumFabric(const Scene& scene, const FitConfig& config) {
 
 void Show(const FitCallbacks& callbacks, const std::string& stage, const SearchPoint& point,
           double most_simulations) {
-  if (!callbacks.progress) return;
+  if (!callbacks.progress || !std::isfinite(point.error)) return;
   FitProgress progress;
   progress.stage = stage;
+  progress.iteration = static_cast<int>(point.simulations);
+  progress.cost = point.error;
   progress.detail = fmt::format("{:.0f} simulations, error {:.6g}", point.simulations, point.error);
   progress.fraction = std::isfinite(most_simulations) && most_simulations < 1e200
                           ? std::min(1.0, point.simulations / most_simulations)

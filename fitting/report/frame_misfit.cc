@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "autodiff_sim/parallel.h"
 #include "fitting/hard_silhouette.h"
 #include "tracking/camera.h"
-#include "tracking/parallel.h"
 
 namespace clothfit {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "autodiff_sim/parallel.h"
 #include "tracking/images.h"
-#include "tracking/parallel.h"
 
 namespace clothfit {
 namespace {

@@ -9,9 +9,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "autodiff_sim/parallel.h"
 #include "fitting/report/report_cameras.h"
 #include "tracking/images.h"
-#include "tracking/parallel.h"
 
 namespace clothfit {
 namespace {
