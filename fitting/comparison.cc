@@ -38,7 +38,7 @@ const ComparedRun* FindRun(const Comparison* comparison, const std::string& cont
 
 ComparedRun RunOne(const Scene& scene, const FitConfig& config, const Contender& contender,
                    int start, const ComparisonOptions& options, double derivative_cost,
-                   const ComparisonCallbacks& callbacks) {
+                   const std::optional<SurfaceTruth>& truth, const ComparisonCallbacks& callbacks) {
   FitConfig of_run = StartOf(config, options, start);
   of_run.optimiser = contender.optimiser;
   of_run.loops = contender.strategy;
@@ -64,8 +64,7 @@ ComparedRun RunOne(const Scene& scene, const FitConfig& config, const Contender&
   run.converged = found.converged;
   run.reason = found.reason;
   run.history = found.history;
-  if (HasTruthPoints(scene.recording.path))
-    run.truth_rms = RmsFromTruth(SurfaceTruth(scene.recording.path, scene), found);
+  if (truth) run.truth_rms = RmsFromTruth(*truth, found);
   return run;
 }
 
@@ -119,20 +118,21 @@ Comparison Compare(const Scene& scene, const FitConfig& config, const Comparison
   comparison.frames = scene.last_fitted_frame + 1;
   comparison.particles = scene.mesh.num_particles();
   comparison.unknowns = free.size();
-  for (const FreeEntry& entry : free.entries())
-    comparison.fabric += entry.kind == FreeEntry::Kind::kParameter ? 1 : 0;
+  comparison.fabric = static_cast<int>(free.Fabric().size());
   for (const Contender& contender : options.contenders)
     comparison.contenders.push_back(contender.name());
   comparison.derivative_cost =
       done_before != nullptr ? done_before->derivative_cost : MeasureDerivativeCost(scene, config);
+  std::optional<SurfaceTruth> truth;
+  if (HasTruthPoints(scene.recording.path)) truth.emplace(scene.recording.path, scene);
   for (int start = 0; start < options.num_starts; ++start) {
     for (const Contender& contender : options.contenders) {
       if (const ComparedRun* known = FindRun(done_before, contender.name(), start)) {
         comparison.runs.push_back(*known);
         continue;
       }
-      ComparedRun run =
-          RunOne(scene, config, contender, start, options, comparison.derivative_cost, callbacks);
+      ComparedRun run = RunOne(scene, config, contender, start, options, comparison.derivative_cost,
+                               truth, callbacks);
       if (callbacks.stop != nullptr && *callbacks.stop) return comparison;
       comparison.runs.push_back(std::move(run));
       if (callbacks.done) callbacks.done(comparison);

@@ -28,9 +28,7 @@ FrameByFrame::FrameByFrame(const Scene& scene, const FitConfig& config, const Fr
   for (int h = 0; h < static_cast<int>(scene.handles.size()); ++h) {
     if (!scene.handles[h].path.is_known()) unknown_handles_.push_back(h);
   }
-  for (int i = 0; options.fabric && i < free.size(); ++i) {
-    if (free.entries()[i].kind == FreeEntry::Kind::kParameter) fabric_.push_back(i);
-  }
+  if (options.fabric) fabric_ = free.Fabric();
   const double dt = scene.FrameTime(1);
   motion_sigma_ = config.spline_acceleration * dt * dt;
 }

@@ -286,6 +286,14 @@ Eigen::VectorXd FreeParameters::PriorMean() const {
   return prior_jacobian_.colPivHouseholderQr().solve(prior_target_);
 }
 
+std::vector<int> FreeParameters::Fabric() const {
+  std::vector<int> fabric;
+  for (int i = 0; i < size(); ++i) {
+    if (entries_[i].kind == FreeEntry::Kind::kParameter) fabric.push_back(i);
+  }
+  return fabric;
+}
+
 Eigen::VectorXd FreeParameters::lower() const {
   Eigen::VectorXd bounds(size());
   for (int i = 0; i < size(); ++i) bounds[i] = entries_[i].lower;

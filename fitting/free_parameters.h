@@ -40,6 +40,8 @@ class FreeParameters {
   // The start: the config's values, unknown paths as the markers near them suggest or at rest where
   // there are none, no offsets.
   const Eigen::VectorXd& start() const { return start_; }
+  // The entries that are physical parameters: the fabric's.
+  std::vector<int> Fabric() const;
   // The entries' bounds, which may be infinite.
   Eigen::VectorXd lower() const;
   Eigen::VectorXd upper() const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -27,15 +28,6 @@ double FirstStep(const FreeEntry& entry) {
   if (entry.kind == FreeEntry::Kind::kHandle) return 0.05;
   if (entry.is_log) return 0.5;
   return 0.5 * entry.prior_sigma;
-}
-
-std::vector<int> EntriesOf(const FreeParameters& free, bool fabric_only) {
-  std::vector<int> entries;
-  for (int i = 0; i < free.size(); ++i) {
-    const bool is_fabric = free.entries()[i].kind == FreeEntry::Kind::kParameter;
-    if (is_fabric || !fabric_only) entries.push_back(i);
-  }
-  return entries;
 }
 
 // One simulation from the start with nothing in its way. The sum of the frames' errors; infinite
@@ -189,8 +181,10 @@ SearchResult Searcher::Joint() {
     if (ledger_.IsSpent()) stop_ = true;
     return error;
   };
+  std::vector<int> all(static_cast<std::size_t>(free_.size()));
+  std::iota(all.begin(), all.end(), 0);
   const Minimum minimum =
-      MinimiseOver(EntriesOf(free_, options_.fabric_only), config_.optimiser, value);
+      MinimiseOver(options_.fabric_only ? free_.Fabric() : all, config_.optimiser, value);
   SearchResult result;
   result.theta = minimum.x;
   result.converged = minimum.converged;
@@ -222,7 +216,7 @@ SearchResult Searcher::TwoLoops() {
     if (error < result.error) TakePass(std::move(pass), &result);
     return error;
   };
-  const std::vector<int> fabric = EntriesOf(free_, true);
+  const std::vector<int> fabric = free_.Fabric();
   if (fabric.empty()) {
     ledger_.Improve(value(start_, 0));
     result.converged = !stop_;

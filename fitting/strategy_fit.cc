@@ -27,12 +27,8 @@ void Log(const FitCallbacks& callbacks, const std::string& line) {
   if (callbacks.log) callbacks.log(line);
 }
 
-int NumFabric(const Scene& scene, const FitConfig& config) {
-  int count = 0;
-  const FreeParameters free(config, scene, MakeParameterTable());
-  for (const FreeEntry& entry : free.entries())
-    count += entry.kind == FreeEntry::Kind::kParameter ? 1 : 0;
-  return count;
+std::size_t NumFabric(const Scene& scene, const FitConfig& config) {
+  return FreeParameters(config, scene, MakeParameterTable()).Fabric().size();
 }
 
 void Show(const FitCallbacks& callbacks, const std::string& stage, const SearchPoint& point,
