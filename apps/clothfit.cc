@@ -50,6 +50,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddExportCommand(app, action);
   AddCheckCommand(app, action);
   AddCompareCommand(app, action);
+  AddDiagnoseCommand(app, action);
   AddTermsCommand(app, action);
   AddGradcheckCommand(app, action);
   AddSynthesizeCommand(app, action);

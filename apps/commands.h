@@ -27,6 +27,7 @@ void AddPredictCommand(CLI::App* app, Action* action);
 void AddDrawCommand(CLI::App* app, Action* action);
 void AddCheckCommand(CLI::App* app, Action* action);
 void AddCompareCommand(CLI::App* app, Action* action);
+void AddDiagnoseCommand(CLI::App* app, Action* action);
 void AddTermsCommand(CLI::App* app, Action* action);
 void AddGradcheckCommand(CLI::App* app, Action* action);
 void AddSynthesizeCommand(CLI::App* app, Action* action);

@@ -45,7 +45,8 @@ void FreeParameters::AddParameters(const FitConfig& config,
     entry.kind = FreeEntry::Kind::kParameter;
     entry.name = table[i].name;
     entry.unit = table[i].parameter.unit;
-    entry.is_log = table[i].parameter.scale == Scale::kLog;
+    // What may vanish altogether cannot be moved by factors.
+    entry.is_log = table[i].parameter.scale == Scale::kLog && setting.lower > 0.0;
     entry.index = static_cast<int>(i);
     const auto scaled = [&entry](double value) { return entry.is_log ? std::log(value) : value; };
     entry.lower = scaled(setting.lower);

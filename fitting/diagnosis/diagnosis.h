@@ -56,7 +56,7 @@ struct Candidate {
   double score = 0.0;       // decrease of the sum of squares (in sigmas) that it promises
   double raw_score = 0.0;   // the same with nothing projected out
   double share = 0.0;       // score over the sum of squares that the baseline leaves
-  double other_share = 0.0;  // the same on the finer mesh
+  double other_share = 0.0;  // the same on another mesh
   double p_value = 1.0;     // against the re-simulated null
   double q_value = 1.0;     // after false-discovery control
   // Amount of the first parameter's vector that the null passes for in 1 of 20 recordings, in its

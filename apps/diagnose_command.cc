@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit diagnose: what physics does a recording show that the simulation lacks?
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/config_options.h"
+#include "apps/interrupt.h"
+#include "apps/share_display.h"
+#include "autodiff_sim/error.h"
+#include "fitting/diagnosis/diagnosis_folder.h"
+#include "fitting/fit_run.h"
+
+namespace clothfit {
+namespace {
+
+struct DiagnoseOptions {
+  ConfigOptions config;
+  DiagnosisOptions diagnosis;
+  std::string output;
+  bool no_projection = false, table_null = false, no_proof = false, force = false, quiet = false;
+};
+
+int RunDiagnoseCommand(DiagnoseOptions options) {
+  const Recording recording = ReadRecordingOf(options.config);
+  const FitConfig config = ReadConfigOf(options.config, recording);
+  config.Check("command line");
+  CheckFittable(MakeScene(recording, config));
+  const DiagnosisFolder folder(options.output, options.force);
+  if (!options.quiet) PrintWarnings(recording);
+  options.diagnosis.project = !options.no_projection;
+  options.diagnosis.simulate_null = !options.table_null;
+  options.diagnosis.prove = !options.no_proof;
+  options.diagnosis.stop = StopOnInterrupt();
+  options.diagnosis.log = [&folder](const std::string& line) { folder.AppendLog(line); };
+  ShareDisplay display;
+  if (!options.quiet) {
+    options.diagnosis.progress = [&display](const std::string& stage, double fraction) {
+      display.Show(fraction, stage);
+    };
+  }
+  const Diagnosis diagnosis = Diagnose(recording, config, options.diagnosis);
+  display.Finish();
+  folder.Write(diagnosis);
+  if (!options.quiet) fmt::print("{}\n{}\n", diagnosis.words, folder.path().string());
+  return diagnosis.verdict == Verdict::kInterrupted ? kExitInterrupted : kExitSuccess;
+}
+
+}  // namespace
+
+void AddDiagnoseCommand(CLI::App* app, Action* action) {
+  CLI::App* const command = app->add_subcommand(
+      "diagnose", "locate what the simulation cannot explain, say what physics was left out, prove it");
+  const auto options = std::make_shared<DiagnoseOptions>();
+  command->add_option("-o,--output", options->output, "folder of the answer")
+      ->type_name("RUN")
+      ->required();
+  AddConfigOptions(command, &options->config);
+  AddFreeOptions(command, &options->config);
+  command
+      ->add_option("--exclude", options->diagnosis.excluded, "a term that is not looked for; may be repeated")
+      ->type_name("TERM");
+  command->add_option("--max-effects", options->diagnosis.max_effects, "effects to add at most")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10))
+      ->capture_default_str();
+  command
+      ->add_option("--max-models", options->diagnosis.max_models, "candidates to fit, for each effect")
+      ->type_name("N")
+      ->check(CLI::Range(1, 40))
+      ->capture_default_str();
+  command->add_option("--seed", options->diagnosis.seed, "of the null and of the bootstrap")
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_flag("--no-projection", options->no_projection,
+                    "ablation: score candidates without taking out what others can do");
+  command->add_flag("--table-null", options->table_null,
+                    "ablation: noise alone instead of the null that is simulated again");
+  command->add_flag("--no-proof", options->no_proof, "ablation: keep what fits, held-out frames or not");
+  command->add_flag("--force", options->force, "replace an earlier diagnosis there");
+  command->add_flag("--quiet", options->quiet, "print errors only");
+  command->footer(
+      "The baseline is the config: what it switches off is looked for. Writes diagnosis.json,\n"
+      "diagnosis.md and config.yaml, which fit, simulate and predict take.\n\n"
+      "Example:\n"
+      "  clothfit diagnose data/demo --without air_drag -o runs/missing");
+  command->callback(
+      [options, action] { *action = [options] { return RunDiagnoseCommand(*options); }; });
+}
+
+}  // namespace clothfit

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "autodiff_sim/parameter_table.h"
+
+namespace clothfit {
+namespace {
+
+bool IsAttraction(const std::string& term) { return term.rfind("attraction_", 0) == 0; }
+
+// Terms that act only where there is a ground.
+bool NeedsGround(const std::string& term) {
+  return term == "ground" || term == "adhesion" || term == "sticky_patch";
+}
+
+bool IsOff(const NamedParameter& named, const FitConfig& values) {
+  const ParameterSetting& setting = values.parameters.at(named.name);
+  return setting.value == named.parameter.off && !setting.free;
+}
+
+// A share of what was recorded as a value in the parameter's unit.
+double Resolve(const Parameter& parameter, double share, const Extent& extent) {
+  const auto place = [&](int k) { return extent.low[k] + share * (extent.high[k] - extent.low[k]); };
+  switch (parameter.meaning) {
+    case Meaning::kPlaceX:
+      return place(0);
+    case Meaning::kPlaceY:
+      return place(1);
+    case Meaning::kPlaceZ:
+      return place(2);
+    case Meaning::kClothU:
+      return share * extent.size.x();
+    case Meaning::kClothV:
+      return share * extent.size.y();
+    case Meaning::kClothDistance:
+      return share * extent.size.maxCoeff();
+    case Meaning::kTime:
+      return share * extent.duration;
+    default:
+      return share;
+  }
+}
+
+std::vector<double> ProbeValues(const Parameter& parameter, const Extent& extent) {
+  std::vector<double> values;
+  for (int k = 0; k < parameter.probes.count; ++k) {
+    const double value = Resolve(parameter, parameter.probes.values[k], extent);
+    values.push_back(std::clamp(value, parameter.lower, parameter.upper));
+  }
+  return values;
+}
+
+std::vector<const NamedParameter*> Shapes(const std::vector<NamedParameter>& table,
+                                          const std::string& term) {
+  std::vector<const NamedParameter*> shapes;
+  for (const NamedParameter& named : table) {
+    if (named.term == term && !SwitchesOff(named.parameter)) shapes.push_back(&named);
+  }
+  return shapes;
+}
+
+// All combinations of the shapes' values, or `most` of them at chance but always the same.
+std::vector<Probe> Combinations(const std::vector<const NamedParameter*>& shapes,
+                                const Extent& extent, int most) {
+  std::vector<std::vector<double>> values;
+  std::size_t total = 1;
+  for (const NamedParameter* shape : shapes) {
+    values.push_back(ProbeValues(shape->parameter, extent));
+    total *= values.back().size();
+  }
+  std::vector<std::size_t> chosen(total);
+  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  if (total > static_cast<std::size_t>(most)) {
+    std::mt19937_64 random(total);
+    for (std::size_t i = total - 1; i > 0; --i) std::swap(chosen[i], chosen[random() % (i + 1)]);
+    chosen.resize(static_cast<std::size_t>(most));
+    std::sort(chosen.begin(), chosen.end());
+  }
+  std::vector<Probe> probes;
+  for (std::size_t index : chosen) {
+    Probe probe;
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+      probe[shapes[s]->name] = values[s][index % values[s].size()];
+      index /= values[s].size();
+    }
+    probes.push_back(std::move(probe));
+  }
+  return probes;
+}
+
+CandidateTerm MakeCandidate(const std::string& name, const std::string& term,
+                            const std::vector<const NamedParameter*>& switches,
+                            std::vector<Probe> probes) {
+  CandidateTerm candidate{name, term, {}, {}, std::move(probes)};
+  for (const NamedParameter* named : switches) {
+    const Parameter& p = named->parameter;
+    candidate.switches.push_back(named->name);
+    candidate.is_one_sided.push_back(p.off == 0.0 && p.lower >= 0.0);
+  }
+  return candidate;
+}
+
+}  // namespace
+
+std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& scene,
+                                          const Extent& extent,
+                                          const std::vector<std::string>& excluded,
+                                          int most_probes) {
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  std::vector<CandidateTerm> candidates;
+  for (const TermInfo& term : AllTerms()) {
+    const bool is_excluded =
+        std::find(excluded.begin(), excluded.end(), term.name) != excluded.end();
+    if (is_excluded || IsAttraction(term.name)) continue;
+    if (NeedsGround(term.name) && !scene.world.ground_height) continue;
+    std::vector<const NamedParameter*> off, on;
+    for (const NamedParameter& named : table) {
+      if (named.term != term.name || !SwitchesOff(named.parameter)) continue;
+      (IsOff(named, values) ? off : on).push_back(&named);
+    }
+    if (off.empty()) continue;
+    const std::vector<const NamedParameter*> shapes = Shapes(table, term.name);
+    if (on.empty()) {
+      candidates.push_back(MakeCandidate(term.name, term.name, off,
+                                         Combinations(shapes, extent, most_probes)));
+      continue;
+    }
+    // A part of a term that is on: what stands at its off value without being its start value.
+    for (const NamedParameter* named : off) {
+      if (named->parameter.off != 0.0) continue;
+      const bool takes_part = named->parameter.lower > 0.0 || named->parameter.initial != 0.0;
+      if (takes_part) candidates.push_back(MakeCandidate(named->name, term.name, {named}, {Probe{}}));
+    }
+  }
+  return candidates;
+}
+
+std::vector<Probe> ProbesNear(const CandidateTerm& candidate, const Probe& probe,
+                              const Extent& extent, double step) {
+  std::vector<Probe> near;
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  for (const NamedParameter* shape : Shapes(table, candidate.term)) {
+    const auto at = probe.find(shape->name);
+    if (at == probe.end()) continue;
+    const std::vector<double> values = ProbeValues(shape->parameter, extent);
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const bool is_log = shape->parameter.scale == Scale::kLog;
+    const double spacing =
+        values.size() < 2 ? 0.0
+        : is_log ? std::log(*most / *least) / static_cast<double>(values.size() - 1)
+                 : (*most - *least) / static_cast<double>(values.size() - 1);
+    if (!(spacing > 0.0)) continue;
+    for (const double sign : {-1.0, 1.0}) {
+      Probe moved = probe;
+      const double value = is_log ? at->second * std::exp(sign * step * spacing)
+                                  : at->second + sign * step * spacing;
+      moved[shape->name] = std::clamp(value, shape->parameter.lower, shape->parameter.upper);
+      near.push_back(std::move(moved));
+    }
+  }
+  return near;
+}
+
+FitConfig WithProbes(const FitConfig& values,
+                     const std::vector<std::pair<const CandidateTerm*, Probe>>& probes) {
+  FitConfig config = values;
+  for (const auto& [candidate, probe] : probes) {
+    for (const auto& [name, value] : probe) config.parameters.at(name).value = value;
+    for (const std::string& name : candidate->switches) {
+      ParameterSetting& setting = config.parameters.at(name);
+      setting.free = true;
+      setting.lower = std::min(setting.lower, 0.0);  // linear, see FreeParameters
+      if (setting.value != 0.0) setting.lower = config.parameters.at(name).value / 100.0;
+    }
+  }
+  return config;
+}
+
+}  // namespace clothfit

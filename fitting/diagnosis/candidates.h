@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Physics that the baseline lacks and that could be looked for: terms that are off, and parameters
+// of terms that are on, such as a damping, that stand at their off values.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fitting/config.h"
+#include "fitting/scene.h"
+
+namespace clothfit {
+
+// One of the places, times and shapes at which a candidate is tried, by full parameter name.
+using Probe = std::map<std::string, double>;
+
+struct CandidateTerm {
+  std::string name;                   // the term's, or the parameter's full name
+  std::string term;
+  std::vector<std::string> switches;  // full names; off in the baseline, and they switch it on
+  std::vector<bool> is_one_sided;     // may a switch only grow?
+  std::vector<Probe> probes;          // at least one; empty maps where there is nothing to choose
+};
+
+// What a recording's cloth passes through, for probes that are shares of it.
+struct Extent {
+  Eigen::Vector3d low, high;  // m, world
+  Eigen::Vector2d size;       // m, of the cloth
+  double duration = 0.0;      // s
+};
+
+// The candidates of a fitted config, and at most `most_probes` probes each: all combinations where
+// they are fewer, else a fixed choice of them spread over all values.
+std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& scene,
+                                          const Extent& extent,
+                                          const std::vector<std::string>& excluded,
+                                          int most_probes);
+
+// Probes beside one: each of its shape parameters by itself set to its other values, and to values
+// halfway to them.
+std::vector<Probe> ProbesNear(const CandidateTerm& candidate, const Probe& probe,
+                              const Extent& extent, double step);
+
+// The config with candidates' switches free at their off values, on a linear scale, and their
+// shapes as the probes have them.
+FitConfig WithProbes(const FitConfig& values,
+                     const std::vector<std::pair<const CandidateTerm*, Probe>>& probes);
+
+}  // namespace clothfit

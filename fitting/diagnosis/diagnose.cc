@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The steps of a diagnosis, one after the other.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/diagnosis/held_out.h"
+#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/ranking.h"
+
+namespace clothfit {
+namespace {
+
+constexpr double kGate = 0.01;              // p-value below which something is missing
+constexpr int kLongestSide = 13;            // particles; physics does not need a finer mesh
+constexpr double kBlockSeconds = 0.2;       // of the bootstrap
+constexpr double kSameShare = 0.1;          // of what is explained: models nearer than that are equal
+constexpr double kSameSignature = 0.97;     // cosine beyond which two effects are one
+
+// A model of one round with what it was fitted to.
+struct Fitted {
+  RankedCandidate candidate;
+  FittedScene scene;
+  HeldOutErrors errors;
+};
+
+class Diagnoser {
+ public:
+  Diagnoser(const Recording& recording, const FitConfig& baseline, const DiagnosisOptions& options)
+      : recording_(WithHeldOutFrames(recording, options.held_out_share)),
+        baseline_(baseline),
+        options_(options) {}
+
+  Diagnosis Run();
+
+ private:
+  FittedScene FitBaseline();
+  FittedScene UndoSwaps(FittedScene fitted);
+  // One more effect. False where there is none to be had.
+  bool AddEffect(FittedScene* current, HeldOutErrors* errors);
+  std::vector<Fitted> FitModels(const FittedScene& current, const Ranking& ranking);
+  Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
+  void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models,
+                     std::size_t winner, const FittedScene& before);
+  void Conclude(const FittedScene& current);
+  void Say(const std::string& stage, double fraction) {
+    if (options_.progress) options_.progress(stage, fraction);
+  }
+  void Log(const std::string& line) const {
+    if (options_.log) options_.log(line);
+  }
+  bool Stopped() const { return options_.stop != nullptr && *options_.stop; }
+  void Spend(const std::string& stage);
+
+  Recording recording_;
+  FitConfig baseline_;
+  const DiagnosisOptions& options_;
+  Diagnosis diagnosis_;
+  Ranking last_ranking_;
+  std::vector<std::string> kept_parameters_;
+  double baseline_cost_ = 0.0;
+  std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
+};
+
+void Diagnoser::Spend(const std::string& stage) {
+  const auto now = std::chrono::steady_clock::now();
+  diagnosis_.seconds.push_back({stage, std::chrono::duration<double>(now - mark_).count()});
+  mark_ = now;
+}
+
+// The recording's mesh, made coarser where it is finer than physics needs.
+std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig& config) {
+  std::array<int, 2> grid = config.resolution;
+  if (grid[0] == 0) grid = {recording.cloth.resolution.x(), recording.cloth.resolution.y()};
+  const int longer = std::max(grid[0], grid[1]);
+  if (longer <= kLongestSide) return config.resolution;
+  for (int& n : grid) {
+    const double share = static_cast<double>(kLongestSide - 1) / (longer - 1);
+    n = 1 + std::max(1, static_cast<int>(std::lround(share * (n - 1))));
+  }
+  return grid;
+}
+
+FittedScene Diagnoser::FitBaseline() {
+  FitConfig config = baseline_;
+  // Nobody lays out a cloth exactly: the start is free, up to bilinear offsets.
+  config.initial_order = std::max(config.initial_order, 1);
+  config.resolution = WorkingResolution(recording_, config);
+  Scene scene = MakeScene(recording_, config);
+  FitCallbacks callbacks;
+  callbacks.stop = options_.stop;
+  callbacks.log = options_.log;
+  callbacks.progress = [this](const FitProgress& p) { Say("baseline: " + p.stage, 0.2 * p.fraction); };
+  const FitResult fit = RunFit(scene, config, callbacks);
+  if (fit.status == FitStatus::kFailed)
+    throw std::runtime_error("the baseline's fit failed: the simulation diverges");
+  diagnosis_.baseline = config;
+  diagnosis_.baseline_fit = fit;
+  return MakeFittedScene(std::move(scene), config, fit);
+}
+
+// Swapped markers are put right at once: nothing else can be said before.
+FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
+  constexpr int kMost = 8;
+  for (int k = 0; k < kMost && !Stopped(); ++k) {
+    std::vector<Eigen::VectorXd> positions;
+    const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
+    SimulateFrames(fitted.scene, fitted.config, free, fitted.fit.theta,
+                   fitted.scene.last_fitted_frame,
+                   [&](int, const State& state) { positions.push_back(state.x); });
+    const std::vector<SwappedMarkers> swaps = FindSwappedMarkers(fitted.scene, positions);
+    if (swaps.empty()) break;
+    const SwappedMarkers& swap = swaps.front();
+    const std::string name = fmt::format("markers {} and {} swapped from frame {} on", swap.first_id,
+                                         swap.second_id, swap.from_frame);
+    ModelStart start{SwapBack(fitted.scene.recording, swap), fitted.config};
+    std::optional<FittedScene> again = FitModel(fitted, start, options_.stop);
+    if (!again || !(again->fit.cost_after < fitted.fit.cost_after)) break;
+    Log(name);
+    diagnosis_.effects.push_back(name);
+    fitted = std::move(*again);
+  }
+  return fitted;
+}
+
+std::vector<Fitted> Diagnoser::FitModels(const FittedScene& current, const Ranking& ranking) {
+  std::vector<Fitted> models;
+  for (const RankedCandidate& candidate : ranking.candidates) {
+    if (static_cast<int>(models.size()) >= options_.max_models || Stopped()) break;
+    if (!candidate.summary.is_short_listed) continue;
+    Say("fitting with " + candidate.summary.name, 0.5);
+    std::optional<FittedScene> fitted =
+        FitModel(current, SwitchOn(current, candidate, ranking.faults), options_.stop);
+    if (!fitted) {
+      Log(candidate.summary.name + ": the fit with it fails");
+      continue;
+    }
+    Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", candidate.summary.name,
+                    current.fit.cost_after, fitted->fit.cost_after));
+    HeldOutErrors errors = MeasureHeldOut(*fitted);
+    models.push_back({candidate, std::move(*fitted), std::move(errors)});
+  }
+  std::stable_sort(models.begin(), models.end(), [](const Fitted& a, const Fitted& b) {
+    return a.scene.fit.cost_after < b.scene.fit.cost_after;
+  });
+  return models;
+}
+
+Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
+                          const HeldOutErrors& errors) {
+  Model described;
+  described.effects = diagnosis_.effects;
+  described.effects.push_back(model.candidate.summary.name);
+  described.config = model.scene.values;
+  described.cost = model.scene.fit.cost_after;
+  const double excess = before.fit.cost_after - 0.5 * last_ranking_.null_mean;
+  described.explained =
+      excess > 0.0
+          ? std::clamp((before.fit.cost_after - described.cost) / excess, 0.0, 1.0)
+          : 0.0;
+  std::vector<std::string> names = kept_parameters_;
+  if (model.candidate.faults.empty()) {
+    names.insert(names.end(), model.candidate.names.begin(), model.candidate.names.end());
+    for (const auto& [name, value] : model.candidate.probe) names.push_back(name);
+  } else {
+    described.parameters = model.candidate.summary.parameters;
+  }
+  constexpr double k90Of95 = 1.645 / 1.96;
+  for (const ParameterEstimate& estimate : model.scene.fit.estimates) {
+    if (std::find(names.begin(), names.end(), estimate.name) == names.end()) continue;
+    described.parameters.push_back(
+        {estimate.name, estimate.unit, estimate.value,
+         estimate.value + k90Of95 * (estimate.lower95 - estimate.value),
+         estimate.value + k90Of95 * (estimate.upper95 - estimate.value)});
+  }
+  const double frame_rate = recording_.frame_rate;
+  const double sigma = model.scene.scene.markers.empty() ? model.scene.scene.track_sigma
+                                                         : model.scene.scene.marker_sigma;
+  const double dimensions = model.scene.scene.markers.empty() ? 2.0 : 3.0;
+  const double floor = sigma * std::sqrt(dimensions) *
+                       std::sqrt(1.0 + last_ranking_.floor_rms * last_ranking_.floor_rms);
+  described.proof = Prove(errors, model.errors,
+                          static_cast<int>(std::lround(kBlockSeconds * frame_rate)), floor,
+                          options_.seed);
+  return described;
+}
+
+// Every model of the round that fits about as well as the one that is kept, and what has the same
+// signature without having been fitted.
+void Diagnoser::FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models,
+                              std::size_t winner, const FittedScene& before) {
+  const Fitted& best = models[winner];
+  const double gained = before.fit.cost_after - best.scene.fit.cost_after;
+  diagnosis_.ambiguity.push_back(best.candidate.summary.name);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (i == winner) continue;
+    const double worse = models[i].scene.fit.cost_after - best.scene.fit.cost_after;
+    if (worse < kSameShare * gained)
+      diagnosis_.ambiguity.push_back(models[i].candidate.summary.name);
+  }
+  for (const RankedCandidate& other : ranking.candidates) {
+    const bool is_fitted = std::any_of(models.begin(), models.end(), [&](const Fitted& m) {
+      return m.candidate.summary.name == other.summary.name;
+    });
+    const bool is_near = other.summary.score > (1.0 - kSameShare) * best.candidate.summary.score &&
+                         ranking.Cosine(other, best.candidate) > kSameSignature;
+    if (!is_fitted && is_near) diagnosis_.ambiguity.push_back(other.summary.name);
+  }
+}
+
+bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
+  Say("ranking what could be missing", 0.3);
+  Ranking ranking = RankCandidates(*current, options_);
+  Spend("ranking");
+  const bool is_first = diagnosis_.ranking.empty();
+  if (is_first) {
+    diagnosis_.gate_p_value = ranking.gate_p_value;
+    diagnosis_.residual_rms = ranking.residual_rms;
+    diagnosis_.floor_rms = ranking.floor_rms;
+    for (const RankedCandidate& candidate : ranking.candidates)
+      diagnosis_.ranking.push_back(candidate.summary);
+  }
+  last_ranking_ = ranking;
+  Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
+                  ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
+  std::vector<Fitted> models = FitModels(*current, ranking);
+  Spend("fitting models");
+  if (models.empty()) return false;
+  const std::size_t first_model = diagnosis_.models.size();
+  for (const Fitted& model : models) diagnosis_.models.push_back(Describe(model, *current, *errors));
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    Model& described = diagnosis_.models[first_model + i];
+    const bool is_worth_it = described.explained >= options_.least_share;
+    described.is_kept = is_worth_it && (!options_.prove || described.proof.is_proven);
+    if (!described.is_kept) continue;
+    if (!diagnosis_.answer) FindAmbiguity(ranking, models, i, *current);
+    diagnosis_.answer = described;
+    diagnosis_.effects = described.effects;
+    for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);
+    *errors = models[i].errors;
+    *current = std::move(models[i].scene);
+    return true;
+  }
+  return false;
+}
+
+void Diagnoser::Conclude(const FittedScene& current) {
+  const double excess = baseline_cost_ - 0.5 * last_ranking_.null_mean;
+  const double explained = excess > 0.0 ? (baseline_cost_ - current.fit.cost_after) / excess : 0.0;
+  bool is_physics = false, is_fault = false;
+  for (const std::string& effect : diagnosis_.effects) {
+    const bool is_term =
+        std::any_of(diagnosis_.ranking.begin(), diagnosis_.ranking.end(), [&](const Candidate& c) {
+          return c.name == effect && c.kind == CandidateKind::kPhysics;
+        });
+    (is_term ? is_physics : is_fault) = true;
+  }
+  constexpr double kMostOfIt = 0.5;
+  if (Stopped()) {
+    diagnosis_.verdict = Verdict::kInterrupted;
+  } else if (is_physics) {
+    diagnosis_.verdict = explained >= kMostOfIt ? Verdict::kNamed : Verdict::kNoneOfTheAbove;
+  } else if (is_fault) {
+    diagnosis_.verdict = Verdict::kObservationFault;
+  } else {
+    diagnosis_.verdict = diagnosis_.gate_p_value < kGate ? Verdict::kNoneOfTheAbove
+                                                         : Verdict::kNothingMissing;
+  }
+  diagnosis_.words = DescribeDiagnosis(diagnosis_, recording_);
+}
+
+Diagnosis Diagnoser::Run() {
+  Say("fitting the baseline", 0.0);
+  FittedScene current = UndoSwaps(FitBaseline());
+  baseline_cost_ = current.fit.cost_after;
+  Spend("baseline");
+  HeldOutErrors errors = MeasureHeldOut(current);
+  for (int k = 0; k < options_.max_effects && !Stopped(); ++k) {
+    if (!AddEffect(&current, &errors)) break;
+  }
+  Conclude(current);
+  return diagnosis_;
+}
+
+}  // namespace
+
+std::string ToString(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNothingMissing:
+      return "nothing is missing";
+    case Verdict::kNamed:
+      return "named";
+    case Verdict::kObservationFault:
+      return "observation fault";
+    case Verdict::kNoneOfTheAbove:
+      return "none of the above";
+    case Verdict::kInterrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+Diagnosis Diagnose(const Recording& recording, const FitConfig& baseline,
+                   const DiagnosisOptions& options) {
+  return Diagnoser(recording, baseline, options).Run();
+}
+
+}  // namespace clothfit

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/diagnosis_folder.h"
+
+#include "autodiff_sim/error.h"
+#include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/whole_file.h"
+
+namespace clothfit {
+namespace fs = std::filesystem;
+
+DiagnosisFolder::DiagnosisFolder(const fs::path& folder, bool replace) : path_(folder) {
+  const bool is_there = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
+  const bool is_diagnosis = fs::exists(folder / "diagnosis.json") || fs::exists(folder / "log.txt");
+  if (is_there && !is_diagnosis)
+    throw InputError(folder.string(), "holds something else than a diagnosis; expected a new folder");
+  if (is_there && !replace)
+    throw InputError(folder.string(), "already holds a diagnosis; --force replaces it");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  WriteWholeFile(folder / "log.txt", "clothfit diagnose\n");
+  for (const char* name : {"diagnosis.json", "diagnosis.md", "config.yaml"})
+    fs::remove(folder / name, error);
+}
+
+void DiagnosisFolder::AppendLog(const std::string& line) const {
+  AppendLine(path_ / "log.txt", line);
+}
+
+void DiagnosisFolder::Write(const Diagnosis& diagnosis) const {
+  const FitConfig& config = diagnosis.answer ? diagnosis.answer->config : diagnosis.baseline;
+  WriteWholeFile(path_ / "config.yaml", ConfigToYaml(config));
+  WriteWholeFile(path_ / "diagnosis.md", DiagnosisAsMarkdown(diagnosis));
+  WriteWholeFile(path_ / "diagnosis.json", DiagnosisAsJson(diagnosis));
+}
+
+}  // namespace clothfit

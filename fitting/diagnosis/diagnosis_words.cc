@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/diagnosis_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "fitting/version.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json OrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+// "9.1 mm" or "1.3 px".
+std::string Length(double value, bool is_px) {
+  return is_px ? fmt::format("{:.3g} px", value) : fmt::format("{:.3g} mm", 1000.0 * value);
+}
+
+std::string Estimate(const EffectParameter& p) {
+  const double half = 0.5 * (p.upper90 - p.lower90);
+  const std::string unit = p.unit == "1" || p.unit.empty() ? "" : " " + p.unit;
+  if (!std::isfinite(half)) return fmt::format("{} = {:.3g}{}", p.name, p.value, unit);
+  return fmt::format("{} = {:.3g}{} ({:.3g} to {:.3g})", p.name, p.value, unit, p.lower90,
+                     p.upper90);
+}
+
+std::string NameEffects(const Diagnosis& diagnosis) {
+  const Model& answer = *diagnosis.answer;
+  std::string words = "What was left out: " + JoinNames(diagnosis.effects) + ".";
+  std::string estimates;
+  for (const EffectParameter& p : answer.parameters)
+    estimates += (estimates.empty() ? "" : "; ") + Estimate(p);
+  if (!estimates.empty()) words += " " + estimates + ".";
+  return words + fmt::format(" It explains {:.0f} % of what the baseline cannot.",
+                             100.0 * answer.explained);
+}
+
+std::string SayProof(const Model& answer, bool is_px) {
+  return fmt::format(
+      "With it, the error on the held-out frames falls from {} to {}; {} would be noise.",
+      Length(answer.proof.before, is_px), Length(answer.proof.after, is_px),
+      Length(answer.proof.floor, is_px));
+}
+
+std::string SayAmbiguity(const Diagnosis& diagnosis) {
+  if (diagnosis.ambiguity.size() < 2) return "";
+  std::vector<std::string> others(diagnosis.ambiguity.begin() + 1, diagnosis.ambiguity.end());
+  std::string words = "This recording cannot tell it from " + JoinNames(others);
+  if (!diagnosis.separating_motion.empty()) words += "; " + diagnosis.separating_motion;
+  return words + ".";
+}
+
+Json AsJson(const EffectParameter& p) {
+  return {{"name", p.name},
+          {"unit", p.unit},
+          {"value", OrNull(p.value)},
+          {"interval90", {OrNull(p.lower90), OrNull(p.upper90)}}};
+}
+
+Json AsJson(const std::vector<EffectParameter>& parameters) {
+  Json json = Json::array();
+  for (const EffectParameter& p : parameters) json.push_back(AsJson(p));
+  return json;
+}
+
+Json AsJson(const Candidate& c) {
+  return {{"name", c.name},
+          {"kind", c.kind == CandidateKind::kPhysics ? "physics" : "observation"},
+          {"parameters", AsJson(c.parameters)},
+          {"score", OrNull(c.score)},
+          {"score_without_projection", OrNull(c.raw_score)},
+          {"share", OrNull(c.share)},
+          {"share_on_other_mesh", OrNull(c.other_share)},
+          {"p_value", OrNull(c.p_value)},
+          {"false_discovery_rate", OrNull(c.q_value)},
+          {"detection_limit", OrNull(c.detection_limit)},
+          {"short_listed", c.is_short_listed},
+          {"why_not", c.why_not}};
+}
+
+Json AsJson(const Model& m) {
+  return {{"effects", m.effects},
+          {"parameters", AsJson(m.parameters)},
+          {"cost", OrNull(m.cost)},
+          {"explained", OrNull(m.explained)},
+          {"held_out",
+           {{"before", OrNull(m.proof.before)},
+            {"after", OrNull(m.proof.after)},
+            {"improvement_lower95", OrNull(m.proof.improvement_lower95)},
+            {"floor", OrNull(m.proof.floor)},
+            {"proven", m.proof.is_proven}}},
+          {"kept", m.is_kept}};
+}
+
+Json AsJson(const Mismatch& m) {
+  return {{"significant", m.is_significant},
+          {"p_value", OrNull(m.p_value)},
+          {"frames", {m.first_frame, m.last_frame}},
+          {"low_uv_m", {m.low_uv.x(), m.low_uv.y()}},
+          {"high_uv_m", {m.high_uv.x(), m.high_uv.y()}},
+          {"direction", {m.direction.x(), m.direction.y(), m.direction.z()}},
+          {"peak_N_per_m2", OrNull(m.peak)},
+          {"peak_sigma_N_per_m2", OrNull(m.peak_sigma)},
+          {"words", m.words}};
+}
+
+Json AsJson(const MismatchClass& c) {
+  return {{"internal", c.is_internal},
+          {"dissipative", c.is_dissipative},
+          {"driving", c.is_driving},
+          {"net_force_sigmas", OrNull(c.net_force_sigmas)},
+          {"net_moment_sigmas", OrNull(c.net_moment_sigmas)},
+          {"power_W", OrNull(c.power)},
+          {"power_sigma_W", OrNull(c.power_sigma)},
+          {"tied_to", c.tied_to},
+          {"words", c.words}};
+}
+
+}  // namespace
+
+std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recording) {
+  const bool is_px = recording.markers.empty();
+  std::vector<std::string> sentences;
+  if (diagnosis.verdict == Verdict::kInterrupted) sentences.push_back("Interrupted; so far:");
+  if (diagnosis.verdict == Verdict::kNothingMissing) {
+    sentences.push_back(fmt::format(
+        "Nothing is missing that this recording could show: the baseline leaves {:.2g} sigmas, of "
+        "which mesh and time step make {:.2g}, and a recording of nothing but the baseline would "
+        "leave as much with a probability of {:.2g}.",
+        diagnosis.residual_rms, diagnosis.floor_rms, diagnosis.gate_p_value));
+  }
+  if (diagnosis.mismatch && diagnosis.mismatch->is_significant)
+    sentences.push_back(diagnosis.mismatch->words);
+  if (diagnosis.mismatch_class && diagnosis.mismatch && diagnosis.mismatch->is_significant)
+    sentences.push_back(diagnosis.mismatch_class->words);
+  if (diagnosis.answer) {
+    sentences.push_back(NameEffects(diagnosis));
+    sentences.push_back(SayAmbiguity(diagnosis));
+    sentences.push_back(SayProof(*diagnosis.answer, is_px));
+  } else if (!diagnosis.effects.empty()) {
+    sentences.push_back("Put right in the observation: " + JoinNames(diagnosis.effects) + ".");
+  }
+  if (diagnosis.verdict == Verdict::kObservationFault)
+    sentences.push_back("That is a fault of the observation, not of the physics.");
+  if (diagnosis.verdict == Verdict::kNoneOfTheAbove) {
+    sentences.push_back(diagnosis.answer
+                            ? "Most of the mismatch remains: no effect in the catalogue explains it."
+                            : "Something is missing, and no effect in the catalogue predicts "
+                              "unseen frames better.");
+  }
+  std::string words;
+  for (const std::string& sentence : sentences) {
+    if (!sentence.empty()) words += (words.empty() ? "" : " ") + sentence;
+  }
+  return words;
+}
+
+std::string DiagnosisAsMarkdown(const Diagnosis& diagnosis) {
+  std::string text = fmt::format("# {}\n\n{}\n", ToString(diagnosis.verdict), diagnosis.words);
+  text +=
+      "\n## Candidates\n\n| | explains | score | without projection | p | false discovery | "
+      "detection limit | |\n|---|---:|---:|---:|---:|---:|---:|---|\n";
+  for (const Candidate& c : diagnosis.ranking) {
+    text += fmt::format("| {} | {:.0f} % | {:.4g} | {:.4g} | {:.2g} | {:.2g} | {:.2g} {} | {} |\n",
+                        c.name, 100.0 * c.share, c.score, c.raw_score, c.p_value, c.q_value,
+                        c.detection_limit, c.parameters.empty() ? "" : c.parameters[0].unit,
+                        c.is_short_listed ? "short-listed" : c.why_not);
+  }
+  text +=
+      "\n## Models\n\n| effects | cost | explains | held out before | after | improvement, at "
+      "least | |\n|---|---:|---:|---:|---:|---:|---|\n";
+  for (const Model& m : diagnosis.models) {
+    text += fmt::format("| {} | {:.6g} | {:.0f} % | {:.4g} | {:.4g} | {:.3g} | {} |\n",
+                        JoinNames(m.effects), m.cost, 100.0 * m.explained, m.proof.before,
+                        m.proof.after, m.proof.improvement_lower95, m.is_kept ? "kept" : "");
+  }
+  text += "\n## Time\n\n";
+  for (const auto& [stage, seconds] : diagnosis.seconds)
+    text += fmt::format("- {}: {:.1f} s\n", stage, seconds);
+  return text;
+}
+
+std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
+  Json json;
+  json["format"] = "clothfit-diagnosis/1";
+  json["clothfit"] = Version();
+  json["verdict"] = ToString(diagnosis.verdict);
+  json["words"] = diagnosis.words;
+  json["gate"] = {{"residual_rms_sigmas", OrNull(diagnosis.residual_rms)},
+                  {"floor_rms_sigmas", OrNull(diagnosis.floor_rms)},
+                  {"p_value", OrNull(diagnosis.gate_p_value)}};
+  json["mismatch"] = diagnosis.mismatch ? AsJson(*diagnosis.mismatch) : Json(nullptr);
+  json["class"] = diagnosis.mismatch_class ? AsJson(*diagnosis.mismatch_class) : Json(nullptr);
+  json["effects"] = diagnosis.effects;
+  json["ambiguity"] = diagnosis.ambiguity;
+  json["separating_motion"] = diagnosis.separating_motion;
+  json["answer"] = diagnosis.answer ? AsJson(*diagnosis.answer) : Json(nullptr);
+  json["ranking"] = Json::array();
+  for (const Candidate& c : diagnosis.ranking) json["ranking"].push_back(AsJson(c));
+  json["models"] = Json::array();
+  for (const Model& m : diagnosis.models) json["models"].push_back(AsJson(m));
+  json["seconds"] = Json::object();
+  for (const auto& [stage, seconds] : diagnosis.seconds) {
+    const double before = json["seconds"].value(stage, 0.0);
+    json["seconds"][stage] = before + seconds;
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace clothfit

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A candidate switched on and everything fitted again.
+#pragma once
+
+#include <atomic>
+#include <optional>
+
+#include "fitting/diagnosis/ranking.h"
+
+namespace clothfit {
+
+// The fitted baseline's own config, started from what it found, with a candidate's parameters and
+// shapes free from their estimates; for an observation fault the recording is put right instead.
+struct ModelStart {
+  Recording recording;
+  FitConfig config;
+};
+ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
+                    const std::vector<Fault>& faults);
+
+// Fits it. Empty where the fit fails.
+std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
+                                    const std::atomic<bool>* stop);
+
+}  // namespace clothfit

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a fit leaves where nothing is missing: the fitted baseline simulated on a finer mesh with a
+// shorter step, seen by cameras and markers with the errors of well-made ones, with noise.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fitting/diagnosis/rows.h"
+
+namespace clothfit {
+
+// What mesh and step leave: residuals of a finer simulation less those of the fit's own, at the
+// fit and at parameters drawn around it.
+struct NumericalErrors {
+  Eigen::VectorXd half_step, finer_mesh;      // rows; at the fit
+  std::vector<Eigen::VectorXd> at_draws;      // rows; both finer, at drawn parameters
+};
+
+// `baseline`: the rows of the fit with its Jacobian, from which the draws are made.
+NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrames& frames,
+                                       const Rows& baseline, int draws, std::uint64_t seed);
+
+// The finer mesh and step that stand for the truth.
+FittedScene Finer(const FittedScene& fitted, bool mesh, bool step);
+
+// A null residual, by its products with all columns of a Gram matrix and with itself.
+struct NullResidual {
+  Eigen::VectorXd products;
+  double squared = 0.0;
+};
+
+// A column and how much of it a draw contains: about once its amount, or its amount times a normal
+// variate. Amounts are in the columns' own scale.
+struct DrawnColumn {
+  int column;
+  double amount;
+};
+
+// Draws: noise of unit variance in each of `num_rows` rows, plus one of the columns `numerical` and
+// all of `faults`. Columns should be of about one length.
+std::vector<NullResidual> DrawNulls(const Eigen::MatrixXd& gram, Eigen::Index num_rows,
+                                    const std::vector<DrawnColumn>& numerical,
+                                    const std::vector<DrawnColumn>& faults, int count,
+                                    std::uint64_t seed);
+
+}  // namespace clothfit

@@ -1,0 +1,395 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/ranking.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/null_residuals.h"
+
+namespace clothfit {
+namespace {
+
+constexpr int kMostRows = 30000;
+constexpr int kMostProbes = 8;      // of a candidate, in the first round
+constexpr int kRefined = 5;         // candidates whose places and shapes are looked at again
+constexpr double kLargestFault = 5.0;    // sigmas of those that go unremarked, one sigma
+constexpr double kNumericalSigma = 1.5;  // of the amounts of numerical error that are taken out
+
+// One candidate at one probe, and where its columns are.
+struct Trial {
+  int candidate;
+  Probe probe;
+  std::vector<int> columns;
+};
+
+// Everything that is put into the Gram matrix.
+class Ranker {
+ public:
+  Ranker(const FittedScene& fitted, const DiagnosisOptions& options)
+      : fitted_(fitted),
+        options_(options),
+        observations_(fitted.scene, fitted.config),
+        frames_(fitted.scene, observations_, kMostRows),
+        faults_(ListFaults(fitted.scene, fitted.config)) {}
+
+  Ranking Run();
+
+ private:
+  void RunBaseline();
+  void AddNumericalErrors();
+  // Simulates with one probe of each of these candidates set free.
+  void AddTrials(const std::vector<std::pair<int, Probe>>& probes);
+  void AddFirstTrials();
+  void Refine();
+  void Scale();
+  std::vector<Nuisance> Nuisances(const std::string& but_fault_group) const;
+  ScoredGroup GroupOf(const Trial& trial) const;
+  RankedCandidate Physics(int candidate, const Projection& projection, const Projection& raw) const;
+  RankedCandidate Observation(const std::string& group, const Projection& raw) const;
+  void Judge(const Projection& projection, const std::vector<double>& null_scores, double left,
+             RankedCandidate* candidate) const;
+  void ShortList(Ranking* ranking) const;
+  void DrawTheNulls();
+  double AtScale(int column) const { return 1.0 / scale_[column]; }
+
+  const FittedScene& fitted_;
+  const DiagnosisOptions& options_;
+  ObservationResiduals observations_;
+  RowFrames frames_;
+  std::vector<Fault> faults_;
+  std::vector<CandidateTerm> candidates_;
+  std::vector<Trial> trials_;
+  std::optional<Rows> baseline_;
+  std::vector<Eigen::VectorXd> positions_;
+  Extent extent_;
+  std::optional<ColumnSet> columns_;
+  int residual_ = 0, first_baseline_ = 0, first_fault_ = 0, first_numerical_ = 0;
+  std::vector<int> drawn_errors_;
+  Eigen::MatrixXd gram_;
+  Eigen::VectorXd scale_;  // a column of the Gram matrix is its values times this
+  std::vector<NullResidual> nulls_;
+  double null_mean_ = 0.0;
+};
+
+void Ranker::RunBaseline() {
+  extent_.low.setConstant(1e9);
+  extent_.high.setConstant(-1e9);
+  extent_.size = fitted_.scene.recording.cloth.size;
+  extent_.duration = fitted_.scene.FrameTime(fitted_.scene.last_fitted_frame);
+  Pass pass{fitted_.values, true, true};
+  for (auto& [name, setting] : pass.config.parameters)
+    setting.free = fitted_.config.parameters.at(name).free;
+  baseline_ = EvaluateRows(fitted_, pass, frames_, faults_, [&](int, const State& state) {
+    positions_.push_back(state.x);
+    for (Eigen::Index i = 0; i < state.x.size(); i += 3) {
+      extent_.low = extent_.low.cwiseMin(state.x.segment<3>(i));
+      extent_.high = extent_.high.cwiseMax(state.x.segment<3>(i));
+    }
+  });
+  if (!baseline_) throw std::runtime_error("the fitted baseline cannot be simulated");
+  columns_.emplace(frames_.num_rows());
+  residual_ = columns_->Add(baseline_->residuals);
+  first_baseline_ = columns_->Add(baseline_->jacobian);
+  first_fault_ = columns_->Add(baseline_->faults);
+}
+
+void Ranker::AddNumericalErrors() {
+  constexpr int kDraws = 3;
+  const NumericalErrors errors = MeasureNumericalErrors(
+      fitted_, frames_, *baseline_, options_.simulate_null ? kDraws : 0, options_.seed);
+  first_numerical_ = columns_->Add(errors.half_step);
+  columns_->Add(errors.finer_mesh);
+  for (const Eigen::VectorXd& error : errors.at_draws) drawn_errors_.push_back(columns_->Add(error));
+}
+
+void Ranker::AddTrials(const std::vector<std::pair<int, Probe>>& probes) {
+  std::vector<std::pair<const CandidateTerm*, Probe>> on;
+  for (const auto& [candidate, probe] : probes) on.push_back({&candidates_[candidate], probe});
+  const std::optional<Rows> rows =
+      EvaluateRows(fitted_, {WithProbes(fitted_.values, on)}, frames_, {});
+  if (!rows) return;
+  const int first = columns_->Add(rows->jacobian);
+  for (const auto& [candidate, probe] : probes) {
+    Trial trial{candidate, probe, {}};
+    for (const std::string& name : candidates_[candidate].switches) {
+      for (std::size_t e = 0; e < rows->entries.size(); ++e) {
+        if (rows->entries[e].name == name)
+          trial.columns.push_back(first + static_cast<int>(e));
+      }
+    }
+    trials_.push_back(std::move(trial));
+  }
+}
+
+void Ranker::AddFirstTrials() {
+  candidates_ = ListCandidates(fitted_.values, fitted_.scene, extent_, options_.excluded, kMostProbes);
+  for (std::size_t round = 0; round < kMostProbes; ++round) {
+    std::vector<std::pair<int, Probe>> probes;
+    for (std::size_t c = 0; c < candidates_.size(); ++c) {
+      if (round < candidates_[c].probes.size())
+        probes.push_back({static_cast<int>(c), candidates_[c].probes[round]});
+    }
+    if (!probes.empty()) AddTrials(probes);
+  }
+}
+
+void Ranker::Scale() {
+  gram_ = columns_->values().transpose() * columns_->values();
+  scale_ = gram_.diagonal().cwiseSqrt();
+  for (double& s : scale_) s = s > 0.0 ? 1.0 / s : 1.0;
+  gram_ = scale_.asDiagonal() * gram_ * scale_.asDiagonal();
+}
+
+std::vector<Nuisance> Ranker::Nuisances(const std::string& but_fault_group) const {
+  std::vector<Nuisance> nuisances;
+  if (!options_.project) return nuisances;
+  const auto add = [&](int column, double sigma) {
+    const double scaled = sigma * AtScale(column);
+    nuisances.push_back({column, 1.0 / (scaled * scaled)});
+  };
+  for (Eigen::Index i = 0; i < baseline_->jacobian.cols(); ++i) {
+    add(first_baseline_ + static_cast<int>(i),
+        baseline_->entries[static_cast<std::size_t>(i)].prior_sigma);
+  }
+  for (std::size_t i = 0; i < faults_.size(); ++i) {
+    if (faults_[i].group != but_fault_group)
+      add(first_fault_ + static_cast<int>(i), faults_[i].tolerated);
+  }
+  for (int k = 0; k < 2; ++k) add(first_numerical_ + k, kNumericalSigma);
+  return nuisances;
+}
+
+ScoredGroup Ranker::GroupOf(const Trial& trial) const {
+  return {trial.columns, candidates_[trial.candidate].is_one_sided, {}};
+}
+
+// Places and shapes beside the best ones of the candidates that look best, finer each time.
+void Ranker::Refine() {
+  double step = 0.5;
+  for (int round = 0; round < 2; ++round, step *= 0.5) {
+    Scale();
+    const Projection projection(gram_, Nuisances(""));
+    std::vector<std::pair<double, std::size_t>> best(candidates_.size(), {-1.0, 0});
+    for (std::size_t t = 0; t < trials_.size(); ++t) {
+      const Score score =
+          ScoreOf(projection, GroupOf(trials_[t]), projection.gram().col(residual_));
+      auto& own = best[static_cast<std::size_t>(trials_[t].candidate)];
+      own = std::max(own, {score.decrease, t});
+    }
+    std::sort(best.rbegin(), best.rend());
+    best.resize(std::min<std::size_t>(best.size(), kRefined));
+    std::vector<std::vector<Probe>> near;
+    std::size_t most = 0;
+    for (const auto& [decrease, t] : best) {
+      const CandidateTerm& candidate = candidates_[trials_[t].candidate];
+      near.push_back(ProbesNear(candidate, trials_[t].probe, extent_, step));
+      most = std::max(most, near.back().size());
+    }
+    std::vector<int> which;
+    for (const auto& [decrease, t] : best) which.push_back(trials_[t].candidate);
+    for (std::size_t k = 0; k < most; ++k) {
+      std::vector<std::pair<int, Probe>> probes;
+      for (std::size_t b = 0; b < near.size(); ++b) {
+        if (k < near[b].size()) probes.push_back({which[b], near[b][k]});
+      }
+      AddTrials(probes);
+    }
+  }
+}
+
+// p-value, share and detection limit from the scores that the null gave the same candidate.
+void Ranker::Judge(const Projection& projection, const std::vector<double>& null_scores,
+                   double left, RankedCandidate* candidate) const {
+  Candidate& summary = candidate->summary;
+  summary.share = left > 0.0 ? std::min(1.0, summary.score / left) : 0.0;
+  const Eigen::VectorXd scaled_amounts =
+      candidate->amounts.cwiseQuotient(scale_(candidate->columns));
+  const double information =
+      scaled_amounts.dot(projection.gram()(candidate->columns, candidate->columns) * scaled_amounts);
+  if (null_scores.empty()) {
+    summary.p_value = TailProbability({}, 0.0);
+  } else {
+    summary.p_value = TailProbability(null_scores, summary.score);
+    std::vector<double> sorted = null_scores;
+    std::sort(sorted.begin(), sorted.end());
+    const double passes = sorted[sorted.size() * 19 / 20];
+    if (information > 0.0)
+      summary.detection_limit = candidate->amounts.norm() * std::sqrt(passes / information);
+  }
+}
+
+RankedCandidate Ranker::Physics(int candidate, const Projection& projection,
+                                const Projection& raw) const {
+  RankedCandidate ranked;
+  ranked.term = candidates_[candidate];
+  ranked.summary.name = ranked.term.name;
+  ranked.summary.kind = CandidateKind::kPhysics;
+  ranked.names = ranked.term.switches;
+  double best = -1.0;
+  for (const Trial& trial : trials_) {
+    if (trial.candidate != candidate) continue;
+    const Score score = ScoreOf(projection, GroupOf(trial), projection.gram().col(residual_));
+    if (score.decrease <= best) continue;
+    best = score.decrease;
+    ranked.summary.score = score.decrease / (scale_[residual_] * scale_[residual_]);
+    ranked.summary.raw_score =
+        ScoreOf(raw, GroupOf(trial), raw.gram().col(residual_)).decrease /
+        (scale_[residual_] * scale_[residual_]);
+    ranked.amounts = score.amounts.cwiseProduct(scale_(trial.columns)) / scale_[residual_];
+    ranked.sigma = score.sigma.cwiseProduct(scale_(trial.columns));
+    ranked.columns = trial.columns;
+    ranked.probe = trial.probe;
+  }
+  return ranked;
+}
+
+RankedCandidate Ranker::Observation(const std::string& group, const Projection& raw) const {
+  RankedCandidate ranked;
+  ranked.summary.name = group;
+  ranked.summary.kind = CandidateKind::kObservation;
+  ScoredGroup scored;
+  for (std::size_t i = 0; i < faults_.size(); ++i) {
+    if (faults_[i].group != group) continue;
+    ranked.faults.push_back(static_cast<int>(i));
+    ranked.names.push_back(faults_[i].name);
+    scored.columns.push_back(first_fault_ + static_cast<int>(i));
+    scored.is_one_sided.push_back(false);
+    const double sigma = kLargestFault * faults_[i].tolerated * AtScale(scored.columns.back());
+    scored.precision.push_back(1.0 / (sigma * sigma));
+  }
+  const Projection projection(gram_, Nuisances(group));
+  const Score score = ScoreOf(projection, scored, projection.gram().col(residual_));
+  const double residual2 = scale_[residual_] * scale_[residual_];
+  ranked.summary.score = score.decrease / residual2;
+  ranked.summary.raw_score = ScoreOf(raw, scored, raw.gram().col(residual_)).decrease / residual2;
+  ranked.amounts = score.amounts.cwiseProduct(scale_(scored.columns)) / scale_[residual_];
+  ranked.sigma = score.sigma.cwiseProduct(scale_(scored.columns));
+  ranked.columns = scored.columns;
+  std::vector<double> null_scores;
+  for (const NullResidual& null : nulls_)
+    null_scores.push_back(ScoreOf(projection, scored, projection.Products(null.products)).decrease);
+  const double left = projection.gram()(residual_, residual_) / residual2 - null_mean_;
+  Judge(projection, null_scores, std::max(left, ranked.summary.score), &ranked);
+  return ranked;
+}
+
+void Ranker::ShortList(Ranking* ranking) const {
+  std::vector<double> p_values;
+  for (const RankedCandidate& c : ranking->candidates) p_values.push_back(c.summary.p_value);
+  const std::vector<double> rates = FalseDiscoveryRates(p_values);
+  for (std::size_t i = 0; i < ranking->candidates.size(); ++i) {
+    RankedCandidate& candidate = ranking->candidates[i];
+    Candidate& summary = candidate.summary;
+    summary.q_value = rates[i];
+    for (std::size_t k = 0; k < candidate.names.size(); ++k) {
+      const auto index = static_cast<Eigen::Index>(k);
+      const double value = candidate.amounts[index], half = 1.645 * candidate.sigma[index];
+      std::string unit;
+      if (summary.kind == CandidateKind::kObservation) {
+        unit = faults_[candidate.faults[k]].unit;
+      } else {
+        const std::vector<NamedParameter> table = MakeParameterTable();
+        unit = table[FindParameter(table, candidate.names[k])].parameter.unit;
+      }
+      summary.parameters.push_back({candidate.names[k], unit, value, value - half, value + half});
+    }
+    if (summary.q_value > options_.false_discovery) {
+      summary.why_not = fmt::format("the null does as much with p = {:.2g}", summary.p_value);
+    } else if (summary.share < options_.least_share) {
+      summary.why_not = fmt::format("explains {:.0f} % of it", 100.0 * summary.share);
+    } else {
+      summary.is_short_listed = true;
+    }
+  }
+}
+
+void Ranker::DrawTheNulls() {
+  std::vector<DrawnColumn> numerical, faults;
+  if (options_.simulate_null) {
+    for (const int column : drawn_errors_) numerical.push_back({column, AtScale(column)});
+    for (std::size_t i = 0; i < faults_.size(); ++i) {
+      const int column = first_fault_ + static_cast<int>(i);
+      faults.push_back({column, faults_[i].typical * AtScale(column)});
+    }
+  }
+  nulls_ = DrawNulls(gram_, frames_.num_rows(), numerical, faults, options_.num_nulls,
+                     options_.seed);
+}
+
+Ranking Ranker::Run() {
+  RunBaseline();
+  AddNumericalErrors();
+  AddFirstTrials();
+  Refine();
+  Scale();
+  const Projection projection(gram_, Nuisances("")), raw(gram_, {});
+  const double residual2 = scale_[residual_] * scale_[residual_];
+  Ranking ranking;
+  ranking.faults = faults_;
+  ranking.extent = extent_;
+  ranking.num_rows = frames_.num_rows();
+  ranking.swaps = FindSwappedMarkers(fitted_.scene, positions_);
+  DrawTheNulls();
+  std::vector<double> left;
+  for (const NullResidual& null : nulls_)
+    left.push_back(projection.Product(null.squared, null.products, null.products));
+  std::vector<Eigen::VectorXd> projected;
+  for (const NullResidual& null : nulls_) projected.push_back(projection.Products(null.products));
+  null_mean_ = std::accumulate(left.begin(), left.end(), 0.0) /
+               std::max(1.0, static_cast<double>(left.size()));
+  const double own = projection.gram()(residual_, residual_) / residual2;
+  ranking.null_mean = null_mean_;
+  ranking.gate_p_value = TailProbability(left, own);
+  ranking.unexplained = std::max(0.0, own - null_mean_);
+  ranking.residual_rms = std::sqrt(1.0 / residual2 / frames_.num_rows());
+  if (!drawn_errors_.empty()) {
+    double floor = 0.0;
+    for (const int column : drawn_errors_) {
+      floor += projection.gram()(column, column) / (scale_[column] * scale_[column]) /
+               static_cast<double>(drawn_errors_.size());
+    }
+    ranking.floor_rms = std::sqrt(std::max(0.0, floor) / frames_.num_rows());
+  }
+  for (std::size_t c = 0; c < candidates_.size(); ++c) {
+    RankedCandidate candidate = Physics(static_cast<int>(c), projection, raw);
+    if (candidate.columns.empty()) continue;
+    std::vector<double> null_scores(nulls_.size(), 0.0);
+    for (const Trial& trial : trials_) {
+      if (trial.candidate != static_cast<int>(c)) continue;
+      for (std::size_t k = 0; k < nulls_.size(); ++k) {
+        const Score score = ScoreOf(projection, GroupOf(trial), projected[k]);
+        null_scores[k] = std::max(null_scores[k], score.decrease);
+      }
+    }
+    Judge(projection, null_scores, ranking.unexplained, &candidate);
+    ranking.candidates.push_back(std::move(candidate));
+  }
+  std::set<std::string> groups;
+  for (const Fault& fault : faults_) groups.insert(fault.group);
+  for (const std::string& group : groups) ranking.candidates.push_back(Observation(group, raw));
+  std::stable_sort(ranking.candidates.begin(), ranking.candidates.end(),
+                   [](const auto& a, const auto& b) { return a.summary.score > b.summary.score; });
+  ShortList(&ranking);
+  ranking.projection = projection;
+  return ranking;
+}
+
+}  // namespace
+
+double Ranking::Cosine(const RankedCandidate& a, const RankedCandidate& b) const {
+  const bool are_physics = a.faults.empty() && b.faults.empty() && projection.has_value();
+  return are_physics ? LargestCosine(*projection, a.columns, b.columns) : 0.0;
+}
+
+Ranking RankCandidates(const FittedScene& fitted, const DiagnosisOptions& options) {
+  return Ranker(fitted, options).Run();
+}
+
+}  // namespace clothfit

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Everything that could explain what a fit leaves, ranked: one differentiated pass over all absent
+// terms at their off values, against a null that is simulated again.
+#pragma once
+
+#include <vector>
+
+#include "fitting/diagnosis/candidates.h"
+#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/rows.h"
+#include "fitting/diagnosis/score_test.h"
+
+namespace clothfit {
+
+// A candidate as it was scored, with what is needed to switch it on.
+struct RankedCandidate {
+  Candidate summary;
+  CandidateTerm term;                 // physics only
+  Probe probe;                        // the best
+  std::vector<std::string> names;     // of the amounts: parameters, or faults
+  Eigen::VectorXd amounts, sigma;     // in their units
+  std::vector<int> columns;           // at the best probe
+  std::vector<int> faults;            // indices into Ranking::faults, observation only
+};
+
+struct Ranking {
+  std::vector<RankedCandidate> candidates;  // the highest score first
+  std::vector<Fault> faults;
+  double gate_p_value = 1.0;   // of what is left when the faults have taken their part
+  double unexplained = 0.0;    // the same in sums of squares, above what the null leaves
+  double residual_rms = 0.0, floor_rms = 0.0;  // in sigmas: of all rows, and of mesh and step alone
+  double null_mean = 0.0;      // sum of squares that the null leaves
+  int num_rows = 0;
+  std::vector<SwappedMarkers> swaps;
+  Extent extent;
+  // Cosine of two candidates' effects after projection; 0 for observation faults.
+  double Cosine(const RankedCandidate& a, const RankedCandidate& b) const;
+  std::optional<Projection> projection;
+};
+
+// Throws std::runtime_error where the fitted scene cannot be simulated.
+Ranking RankCandidates(const FittedScene& fitted, const DiagnosisOptions& options);
+
+}  // namespace clothfit
