@@ -55,7 +55,8 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
 
 void AddDiagnoseCommand(CLI::App* app, Action* action) {
   CLI::App* const command = app->add_subcommand(
-      "diagnose", "locate what the simulation cannot explain, say what physics was left out, prove it");
+      "diagnose",
+      "locate what the simulation cannot explain, say what physics was left out, prove it");
   const auto options = std::make_shared<DiagnoseOptions>();
   command->add_option("-o,--output", options->output, "folder of the answer")
       ->type_name("RUN")
@@ -63,14 +64,16 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
   AddConfigOptions(command, &options->config);
   AddFreeOptions(command, &options->config);
   command
-      ->add_option("--exclude", options->diagnosis.excluded, "a term that is not looked for; may be repeated")
+      ->add_option("--exclude", options->diagnosis.excluded,
+                   "a term that is not looked for; may be repeated")
       ->type_name("TERM");
   command->add_option("--max-effects", options->diagnosis.max_effects, "effects to add at most")
       ->type_name("N")
       ->check(CLI::Range(1, 10))
       ->capture_default_str();
   command
-      ->add_option("--max-models", options->diagnosis.max_models, "candidates to fit, for each effect")
+      ->add_option("--max-models", options->diagnosis.max_models,
+                   "candidates to fit, for each effect")
       ->type_name("N")
       ->check(CLI::Range(1, 40))
       ->capture_default_str();
@@ -81,7 +84,8 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
                     "ablation: score candidates without taking out what others can do");
   command->add_flag("--table-null", options->table_null,
                     "ablation: noise alone instead of the null that is simulated again");
-  command->add_flag("--no-proof", options->no_proof, "ablation: keep what fits, held-out frames or not");
+  command->add_flag("--no-proof", options->no_proof,
+                    "ablation: keep what fits, held-out frames or not");
   command->add_flag("--force", options->force, "replace an earlier diagnosis there");
   command->add_flag("--quiet", options->quiet, "print errors only");
   command->footer(

@@ -26,7 +26,9 @@ bool IsOff(const NamedParameter& named, const FitConfig& values) {
 
 // A share of what was recorded as a value in the parameter's unit.
 double Resolve(const Parameter& parameter, double share, const Extent& extent) {
-  const auto place = [&](int k) { return extent.low[k] + share * (extent.high[k] - extent.low[k]); };
+  const auto place = [&](int k) {
+    return extent.low[k] + share * (extent.high[k] - extent.low[k]);
+  };
   switch (parameter.meaning) {
     case Meaning::kPlaceX:
       return place(0);
@@ -127,15 +129,16 @@ std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& 
     if (off.empty()) continue;
     const std::vector<const NamedParameter*> shapes = Shapes(table, term.name);
     if (on.empty()) {
-      candidates.push_back(MakeCandidate(term.name, term.name, off,
-                                         Combinations(shapes, extent, most_probes)));
+      candidates.push_back(
+          MakeCandidate(term.name, term.name, off, Combinations(shapes, extent, most_probes)));
       continue;
     }
     // A part of a term that is on: what stands at its off value without being its start value.
     for (const NamedParameter* named : off) {
       if (named->parameter.off != 0.0) continue;
       const bool takes_part = named->parameter.lower > 0.0 || named->parameter.initial != 0.0;
-      if (takes_part) candidates.push_back(MakeCandidate(named->name, term.name, {named}, {Probe{}}));
+      if (takes_part)
+        candidates.push_back(MakeCandidate(named->name, term.name, {named}, {Probe{}}));
     }
   }
   return candidates;
@@ -151,10 +154,10 @@ std::vector<Probe> ProbesNear(const CandidateTerm& candidate, const Probe& probe
     const std::vector<double> values = ProbeValues(shape->parameter, extent);
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     const bool is_log = shape->parameter.scale == Scale::kLog;
-    const double spacing =
-        values.size() < 2 ? 0.0
-        : is_log ? std::log(*most / *least) / static_cast<double>(values.size() - 1)
-                 : (*most - *least) / static_cast<double>(values.size() - 1);
+    const double spacing = values.size() < 2 ? 0.0
+                           : is_log
+                               ? std::log(*most / *least) / static_cast<double>(values.size() - 1)
+                               : (*most - *least) / static_cast<double>(values.size() - 1);
     if (!(spacing > 0.0)) continue;
     for (const double sign : {-1.0, 1.0}) {
       Probe moved = probe;

@@ -18,7 +18,7 @@ namespace clothfit {
 using Probe = std::map<std::string, double>;
 
 struct CandidateTerm {
-  std::string name;                   // the term's, or the parameter's full name
+  std::string name;  // the term's, or the parameter's full name
   std::string term;
   std::vector<std::string> switches;  // full names; off in the baseline, and they switch it on
   std::vector<bool> is_one_sided;     // may a switch only grow?

@@ -19,11 +19,13 @@
 namespace clothfit {
 namespace {
 
-constexpr double kGate = 0.01;              // p-value below which something is missing
-constexpr int kLongestSide = 13;            // particles; physics does not need a finer mesh
-constexpr double kBlockSeconds = 0.2;       // of the bootstrap
-constexpr double kSameShare = 0.1;          // of what is explained: models nearer than that are equal
-constexpr double kSameSignature = 0.97;     // cosine beyond which two effects are one
+constexpr double kGate = 0.01;           // p-value below which something is missing
+constexpr int kLongestSide = 13;         // particles; physics does not need a finer mesh
+constexpr int kFinestSide = 21;          // particles, where the mesh turns out to matter
+constexpr double kFineEnough = 0.4;      // share of the unexplained that the mesh may make
+constexpr double kBlockSeconds = 0.2;    // of the bootstrap
+constexpr double kSameShare = 0.1;       // of what is explained: models nearer than that are equal
+constexpr double kSameSignature = 0.97;  // cosine beyond which two effects are one
 
 // A model of one round with what it was fitted to.
 struct Fitted {
@@ -44,12 +46,14 @@ class Diagnoser {
  private:
   FittedScene FitBaseline();
   FittedScene UndoSwaps(FittedScene fitted);
+  // Ranks; where mesh and step make much of what is left, on a finer mesh.
+  Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
   // One more effect. False where there is none to be had.
   bool AddEffect(FittedScene* current, HeldOutErrors* errors);
   std::vector<Fitted> FitModels(const FittedScene& current, const Ranking& ranking);
   Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
-  void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models,
-                     std::size_t winner, const FittedScene& before);
+  void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models, std::size_t winner,
+                     const FittedScene& before);
   void Conclude(const FittedScene& current);
   void Say(const std::string& stage, double fraction) {
     if (options_.progress) options_.progress(stage, fraction);
@@ -67,6 +71,7 @@ class Diagnoser {
   Ranking last_ranking_;
   std::vector<std::string> kept_parameters_;
   double baseline_cost_ = 0.0;
+  double first_unexplained_ = 0.0;  // sum of squares
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
 
@@ -74,6 +79,13 @@ void Diagnoser::Spend(const std::string& stage) {
   const auto now = std::chrono::steady_clock::now();
   diagnosis_.seconds.push_back({stage, std::chrono::duration<double>(now - mark_).count()});
   mark_ = now;
+}
+
+// Would anything be said of it?
+bool IsSuspicious(const Ranking& ranking) {
+  return ranking.gate_p_value < kGate ||
+         std::any_of(ranking.candidates.begin(), ranking.candidates.end(),
+                     [](const RankedCandidate& c) { return c.summary.is_short_listed; });
 }
 
 // The recording's mesh, made coarser where it is finer than physics needs.
@@ -94,11 +106,16 @@ FittedScene Diagnoser::FitBaseline() {
   // Nobody lays out a cloth exactly: the start is free, up to bilinear offsets.
   config.initial_order = std::max(config.initial_order, 1);
   config.resolution = WorkingResolution(recording_, config);
+  // What is left of the way to the minimum is linear, and the projection goes it.
+  constexpr int kMostIterations = 15;
+  config.max_iterations = std::min(config.max_iterations, kMostIterations);
   Scene scene = MakeScene(recording_, config);
   FitCallbacks callbacks;
   callbacks.stop = options_.stop;
   callbacks.log = options_.log;
-  callbacks.progress = [this](const FitProgress& p) { Say("baseline: " + p.stage, 0.2 * p.fraction); };
+  callbacks.progress = [this](const FitProgress& p) {
+    Say("baseline: " + p.stage, 0.2 * p.fraction);
+  };
   const FitResult fit = RunFit(scene, config, callbacks);
   if (fit.status == FitStatus::kFailed)
     throw std::runtime_error("the baseline's fit failed: the simulation diverges");
@@ -119,8 +136,8 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
     const std::vector<SwappedMarkers> swaps = FindSwappedMarkers(fitted.scene, positions);
     if (swaps.empty()) break;
     const SwappedMarkers& swap = swaps.front();
-    const std::string name = fmt::format("markers {} and {} swapped from frame {} on", swap.first_id,
-                                         swap.second_id, swap.from_frame);
+    const std::string name = fmt::format("markers {} and {} swapped from frame {} on",
+                                         swap.first_id, swap.second_id, swap.from_frame);
     ModelStart start{SwapBack(fitted.scene.recording, swap), fitted.config};
     std::optional<FittedScene> again = FitModel(fitted, start, options_.stop);
     if (!again || !(again->fit.cost_after < fitted.fit.cost_after)) break;
@@ -136,6 +153,8 @@ std::vector<Fitted> Diagnoser::FitModels(const FittedScene& current, const Ranki
   for (const RankedCandidate& candidate : ranking.candidates) {
     if (static_cast<int>(models.size()) >= options_.max_models || Stopped()) break;
     if (!candidate.summary.is_short_listed) continue;
+    // What comes second has to matter beside what came first.
+    if (candidate.summary.score < options_.least_share * first_unexplained_) continue;
     Say("fitting with " + candidate.summary.name, 0.5);
     std::optional<FittedScene> fitted =
         FitModel(current, SwitchOn(current, candidate, ranking.faults), options_.stop);
@@ -163,9 +182,7 @@ Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
   described.cost = model.scene.fit.cost_after;
   const double excess = before.fit.cost_after - 0.5 * last_ranking_.null_mean;
   described.explained =
-      excess > 0.0
-          ? std::clamp((before.fit.cost_after - described.cost) / excess, 0.0, 1.0)
-          : 0.0;
+      excess > 0.0 ? std::clamp((before.fit.cost_after - described.cost) / excess, 0.0, 1.0) : 0.0;
   std::vector<std::string> names = kept_parameters_;
   if (model.candidate.faults.empty()) {
     names.insert(names.end(), model.candidate.names.begin(), model.candidate.names.end());
@@ -187,9 +204,9 @@ Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
   const double dimensions = model.scene.scene.markers.empty() ? 2.0 : 3.0;
   const double floor = sigma * std::sqrt(dimensions) *
                        std::sqrt(1.0 + last_ranking_.floor_rms * last_ranking_.floor_rms);
-  described.proof = Prove(errors, model.errors,
-                          static_cast<int>(std::lround(kBlockSeconds * frame_rate)), floor,
-                          options_.seed);
+  described.proof =
+      Prove(errors, model.errors, static_cast<int>(std::lround(kBlockSeconds * frame_rate)), floor,
+            options_.seed);
   return described;
 }
 
@@ -216,26 +233,55 @@ void Diagnoser::FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>&
   }
 }
 
+Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
+  for (;;) {
+    Ranking ranking = RankCandidates(*current, options_);
+    Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
+                    ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
+    const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
+    std::array<int, 2> grid = current->scene.mesh.grid;
+    const bool matters = ranking.floor_rms > kFineEnough * left && IsSuspicious(ranking);
+    if (!matters || !current->scene.mesh.is_grid() || Stopped() ||
+        std::max(grid[0], grid[1]) >= kFinestSide) {
+      return ranking;
+    }
+    ModelStart finer{current->scene.recording, current->config};
+    for (int& n : grid) n = std::min(kFinestSide, 1 + static_cast<int>(std::lround(1.5 * (n - 1))));
+    finer.config.resolution = grid;
+    for (auto& [name, setting] : finer.config.parameters)
+      setting.value = current->values.parameters.at(name).value;
+    Log(fmt::format("the mesh matters: {} x {} particles", grid[0], grid[1]));
+    Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
+    std::optional<FittedScene> refined = FitModel(*current, finer, options_.stop);
+    if (!refined) return ranking;
+    *current = std::move(*refined);
+    *errors = MeasureHeldOut(*current);
+    baseline_cost_ = current->fit.cost_after;
+    diagnosis_.baseline = current->config;
+    diagnosis_.baseline_fit = current->fit;
+  }
+}
+
 bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   Say("ranking what could be missing", 0.3);
-  Ranking ranking = RankCandidates(*current, options_);
-  Spend("ranking");
   const bool is_first = diagnosis_.ranking.empty();
+  Ranking ranking = is_first ? RankOnFineMesh(current, errors) : RankCandidates(*current, options_);
+  Spend("ranking");
   if (is_first) {
     diagnosis_.gate_p_value = ranking.gate_p_value;
     diagnosis_.residual_rms = ranking.residual_rms;
     diagnosis_.floor_rms = ranking.floor_rms;
+    first_unexplained_ = ranking.unexplained;
     for (const RankedCandidate& candidate : ranking.candidates)
       diagnosis_.ranking.push_back(candidate.summary);
   }
   last_ranking_ = ranking;
-  Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
-                  ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
   std::vector<Fitted> models = FitModels(*current, ranking);
   Spend("fitting models");
   if (models.empty()) return false;
   const std::size_t first_model = diagnosis_.models.size();
-  for (const Fitted& model : models) diagnosis_.models.push_back(Describe(model, *current, *errors));
+  for (const Fitted& model : models)
+    diagnosis_.models.push_back(Describe(model, *current, *errors));
   for (std::size_t i = 0; i < models.size(); ++i) {
     Model& described = diagnosis_.models[first_model + i];
     const bool is_worth_it = described.explained >= options_.least_share;
@@ -257,10 +303,9 @@ void Diagnoser::Conclude(const FittedScene& current) {
   const double explained = excess > 0.0 ? (baseline_cost_ - current.fit.cost_after) / excess : 0.0;
   bool is_physics = false, is_fault = false;
   for (const std::string& effect : diagnosis_.effects) {
-    const bool is_term =
-        std::any_of(diagnosis_.ranking.begin(), diagnosis_.ranking.end(), [&](const Candidate& c) {
-          return c.name == effect && c.kind == CandidateKind::kPhysics;
-        });
+    const bool is_term = std::any_of(
+        diagnosis_.ranking.begin(), diagnosis_.ranking.end(),
+        [&](const Candidate& c) { return c.name == effect && c.kind == CandidateKind::kPhysics; });
     (is_term ? is_physics : is_fault) = true;
   }
   constexpr double kMostOfIt = 0.5;
@@ -271,8 +316,8 @@ void Diagnoser::Conclude(const FittedScene& current) {
   } else if (is_fault) {
     diagnosis_.verdict = Verdict::kObservationFault;
   } else {
-    diagnosis_.verdict = diagnosis_.gate_p_value < kGate ? Verdict::kNoneOfTheAbove
-                                                         : Verdict::kNothingMissing;
+    diagnosis_.verdict =
+        diagnosis_.gate_p_value < kGate ? Verdict::kNoneOfTheAbove : Verdict::kNothingMissing;
   }
   diagnosis_.words = DescribeDiagnosis(diagnosis_, recording_);
 }

@@ -19,21 +19,23 @@
 
 namespace clothfit {
 
-// Where in the pipeline a part of the answer comes from can be switched off to see what it is worth.
+// Where in the pipeline a part of the answer comes from can be switched off to see what it is
+// worth.
 struct DiagnosisOptions {
   // Terms that are not looked for, whatever the recording has.
   std::vector<std::string> excluded;
-  int max_effects = 3;        // that are added one after the other
-  int max_models = 4;         // candidates that are fitted in earnest, each time
-  int num_nulls = 400;        // residuals drawn of the re-simulated null
+  int max_effects = 3;            // that are added one after the other
+  int max_models = 4;             // candidates that are fitted in earnest, each time
+  int num_nulls = 400;            // residuals drawn of the re-simulated null
   double false_discovery = 0.05;  // expected share of false ones among those short-listed
-  double least_share = 0.1;   // of the unexplained residual; below it a candidate is no explanation
-  double held_out_share = 1.0 / 3.0;  // of the frames, at the end, where the recording holds none out
+  double least_share = 0.1;  // of the unexplained residual; below it a candidate is no explanation
+  double held_out_share =
+      1.0 / 3.0;  // of the frames, at the end, where the recording holds none out
   std::uint64_t seed = 1;
   // Ablations.
-  bool project = true;         // candidates compete after the baseline and the faults took their part
-  bool simulate_null = true;   // false: chi-squared tables
-  bool prove = true;           // false: keep what fits better, held-out frames or not
+  bool project = true;  // candidates compete after the baseline and the faults took their part
+  bool simulate_null = true;  // false: chi-squared tables
+  bool prove = true;          // false: keep what fits better, held-out frames or not
   std::function<void(const std::string& stage, double fraction)> progress;
   std::function<void(const std::string&)> log;
   const std::atomic<bool>* stop = nullptr;
@@ -53,12 +55,12 @@ struct Candidate {
   CandidateKind kind = CandidateKind::kPhysics;
   // First-order estimates at the best of the places and times that were tried.
   std::vector<EffectParameter> parameters;
-  double score = 0.0;       // decrease of the sum of squares (in sigmas) that it promises
-  double raw_score = 0.0;   // the same with nothing projected out
-  double share = 0.0;       // score over the sum of squares that the baseline leaves
+  double score = 0.0;        // decrease of the sum of squares (in sigmas) that it promises
+  double raw_score = 0.0;    // the same with nothing projected out
+  double share = 0.0;        // score over the sum of squares that the baseline leaves
   double other_share = 0.0;  // the same on another mesh
-  double p_value = 1.0;     // against the re-simulated null
-  double q_value = 1.0;     // after false-discovery control
+  double p_value = 1.0;      // against the re-simulated null
+  double q_value = 1.0;      // after false-discovery control
   // Amount of the first parameter's vector that the null passes for in 1 of 20 recordings, in its
   // unit: less of it cannot be told from nothing here.
   double detection_limit = 0.0;
@@ -77,11 +79,11 @@ struct HeldOutProof {
 
 // A candidate switched on and everything fitted again.
 struct Model {
-  std::vector<std::string> effects;  // all that are on, the newest last
-  FitConfig config;                  // an ordinary config: simulate, fit and predict take it
+  std::vector<std::string> effects;         // all that are on, the newest last
+  FitConfig config;                         // an ordinary config: simulate, fit and predict take it
   std::vector<EffectParameter> parameters;  // the effects'
-  double cost = 0.0;                 // half the sum of squares, of fitted frames
-  double explained = 0.0;            // share of the excess cost of the baseline that is gone
+  double cost = 0.0;                        // half the sum of squares, of fitted frames
+  double explained = 0.0;                   // share of the excess cost of the baseline that is gone
   HeldOutProof proof;
   bool is_kept = false;
 };
@@ -98,9 +100,9 @@ std::string ToString(Verdict verdict);
 // Of what class the missing force is, each with how sure that is.
 struct MismatchClass {
   // Shares of the missing force's work: 1 for what is certain.
-  bool is_internal = false;      // no net force, no net moment over the cloth
-  bool is_dissipative = false;   // takes energy out wherever it acts
-  bool is_driving = false;       // puts energy in
+  bool is_internal = false;     // no net force, no net moment over the cloth
+  bool is_dissipative = false;  // takes energy out wherever it acts
+  bool is_driving = false;      // puts energy in
   double net_force_sigmas = 0.0, net_moment_sigmas = 0.0;  // how far each is from nothing
   double power = 0.0, power_sigma = 0.0;                   // W, mean over the time where it acts
   std::string tied_to;  // "world", "material", "contact", "clock" or empty where it cannot be told
@@ -109,12 +111,12 @@ struct MismatchClass {
 
 // Where and when a force is missing.
 struct Mismatch {
-  bool is_significant = false;   // against the re-simulated null
+  bool is_significant = false;  // against the re-simulated null
   double p_value = 1.0;
-  int first_frame = 0, last_frame = 0;          // inclusive
-  Eigen::Vector2d low_uv, high_uv;              // m, corners of the region on the cloth
-  Eigen::Vector3d direction;                    // world, unit; mean over region and time
-  double peak = 0.0, peak_sigma = 0.0;          // N/m^2
+  int first_frame = 0, last_frame = 0;  // inclusive
+  Eigen::Vector2d low_uv, high_uv;      // m, corners of the region on the cloth
+  Eigen::Vector3d direction;            // world, unit; mean over region and time
+  double peak = 0.0, peak_sigma = 0.0;  // N/m^2
   std::string words;
 };
 
@@ -128,9 +130,9 @@ struct Diagnosis {
   double gate_p_value = 1.0;  // of the whole residual against the null
   std::optional<Mismatch> mismatch;
   std::optional<MismatchClass> mismatch_class;
-  std::vector<Candidate> ranking;   // best first
-  std::vector<Model> models;        // all that were fitted
-  std::optional<Model> answer;      // the last that was kept
+  std::vector<Candidate> ranking;      // best first
+  std::vector<Model> models;           // all that were fitted
+  std::optional<Model> answer;         // the last that was kept
   std::vector<std::string> effects;    // of the answer, and faults named
   std::vector<std::string> ambiguity;  // what cannot be told from the first effect, itself included
   std::string separating_motion;       // what to record to tell them apart

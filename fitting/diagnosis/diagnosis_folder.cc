@@ -13,7 +13,8 @@ DiagnosisFolder::DiagnosisFolder(const fs::path& folder, bool replace) : path_(f
   const bool is_there = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
   const bool is_diagnosis = fs::exists(folder / "diagnosis.json") || fs::exists(folder / "log.txt");
   if (is_there && !is_diagnosis)
-    throw InputError(folder.string(), "holds something else than a diagnosis; expected a new folder");
+    throw InputError(folder.string(),
+                     "holds something else than a diagnosis; expected a new folder");
   if (is_there && !replace)
     throw InputError(folder.string(), "already holds a diagnosis; --force replaces it");
   std::error_code error;

@@ -150,10 +150,10 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recor
   if (diagnosis.verdict == Verdict::kObservationFault)
     sentences.push_back("That is a fault of the observation, not of the physics.");
   if (diagnosis.verdict == Verdict::kNoneOfTheAbove) {
-    sentences.push_back(diagnosis.answer
-                            ? "Most of the mismatch remains: no effect in the catalogue explains it."
-                            : "Something is missing, and no effect in the catalogue predicts "
-                              "unseen frames better.");
+    sentences.push_back(
+        diagnosis.answer ? "Most of the mismatch remains: no effect in the catalogue explains it."
+                         : "Something is missing, and no effect in the catalogue predicts "
+                           "unseen frames better.");
   }
   std::string words;
   for (const std::string& sentence : sentences) {

@@ -20,7 +20,8 @@ namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
-void AddCamera(const Scene& scene, const FitConfig& config, int camera, std::vector<Fault>* faults) {
+void AddCamera(const Scene& scene, const FitConfig& config, int camera,
+               std::vector<Fault>* faults) {
   const std::string name = "camera " + scene.recording.cameras[camera].name;
   const auto add = [&](Fault::Kind kind, const std::string& part, const std::string& unit, int axis,
                        const std::string& suffix, double tolerated, double typical) {
@@ -165,7 +166,8 @@ std::vector<ResidualSource> SourcesOfFrame(const Scene& scene, int frame) {
     sources.insert(sources.end(), 3, {Kind::kMarker, m->id, m->on_cloth});
   auto t = std::lower_bound(scene.tracks.begin(), scene.tracks.end(), frame, before);
   for (; t != scene.tracks.end() && t->frame == frame; ++t) {
-    if (scene.IsFitted(*t)) sources.insert(sources.end(), 2, {Kind::kTrack, t->camera, t->on_cloth});
+    if (scene.IsFitted(*t))
+      sources.insert(sources.end(), 2, {Kind::kTrack, t->camera, t->on_cloth});
   }
   if (!scene.silhouettes) return sources;
   const auto& all = scene.silhouettes->observations;
@@ -264,7 +266,8 @@ Recording WithoutFaults(const Recording& recording, const std::vector<Fault>& fa
     const Fault& fault = faults[i];
     const double amount = amounts[static_cast<Eigen::Index>(i)];
     if (amount == 0.0) continue;
-    const auto zero = std::make_pair(Eigen::Vector3d::Zero().eval(), Eigen::Vector3d::Zero().eval());
+    const auto zero =
+        std::make_pair(Eigen::Vector3d::Zero().eval(), Eigen::Vector3d::Zero().eval());
     switch (fault.kind) {
       case Fault::Kind::kCameraShift:
         poses.emplace(fault.source, zero).first->second.first[fault.axis] += amount;
@@ -335,7 +338,15 @@ std::vector<SwappedMarkers> FindSwappedMarkers(const Scene& scene,
   }
   std::stable_sort(swaps.begin(), swaps.end(),
                    [](const auto& a, const auto& b) { return a.gain > b.gain; });
-  return swaps;
+  // A marker that changed places with one fits badly to all others too.
+  std::set<int> taken;
+  std::vector<SwappedMarkers> clear;
+  for (const SwappedMarkers& swap : swaps) {
+    if (taken.count(swap.first_id) > 0 || taken.count(swap.second_id) > 0) continue;
+    taken.insert({swap.first_id, swap.second_id});
+    clear.push_back(swap);
+  }
+  return clear;
 }
 
 Recording SwapBack(const Recording& recording, const SwappedMarkers& swap) {

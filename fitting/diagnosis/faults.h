@@ -18,20 +18,20 @@ namespace clothfit {
 
 struct Fault {
   enum class Kind {
-    kCameraShift,     // of its centre, m, along the world's axes
-    kCameraTurn,      // about its centre, rad, about the world's axes
-    kCameraClock,     // s, by which its pictures were taken later than said
-    kCameraScale,     // share by which its focal length is longer
-    kMaskBias,        // px by which its masks are too fat
-    kMarkerShift,     // m, of all markers together, world
-    kMarkerScale,     // share by which markers are farther from their middle than said
-    kMarkerClock,     // s, by which markers were seen later than said
-    kMarkerOffset,    // m, of one marker on the cloth, along u or v
+    kCameraShift,   // of its centre, m, along the world's axes
+    kCameraTurn,    // about its centre, rad, about the world's axes
+    kCameraClock,   // s, by which its pictures were taken later than said
+    kCameraScale,   // share by which its focal length is longer
+    kMaskBias,      // px by which its masks are too fat
+    kMarkerShift,   // m, of all markers together, world
+    kMarkerScale,   // share by which markers are farther from their middle than said
+    kMarkerClock,   // s, by which markers were seen later than said
+    kMarkerOffset,  // m, of one marker on the cloth, along u or v
   };
   Kind kind;
   std::string group;  // what it is called as a candidate: "camera 2: pose"
   std::string name, unit;
-  int source = -1;    // camera, or marker's id
+  int source = -1;  // camera, or marker's id
   int axis = 0;
   double tolerated = 0.0;  // one sigma that goes unremarked as long as physics is looked for
   double typical = 0.0;    // one sigma of a well-made recording
@@ -43,7 +43,7 @@ std::vector<Fault> ListFaults(const Scene& scene, const FitConfig& config);
 struct ResidualSource {
   enum class Kind { kMarker, kTrack, kOutline, kParticle };
   Kind kind;
-  int source;  // marker's id, or camera
+  int source;          // marker's id, or camera
   SurfacePoint point;  // markers and tracks
 };
 std::vector<ResidualSource> SourcesOfFrame(const Scene& scene, int frame);

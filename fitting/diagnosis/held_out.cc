@@ -80,8 +80,8 @@ HeldOutErrors MeasureHeldOut(const FittedScene& fitted) {
   return errors;
 }
 
-HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int block,
-                   double floor, std::uint64_t seed) {
+HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int block, double floor,
+                   std::uint64_t seed) {
   HeldOutProof proof;
   proof.before = before.Rms();
   proof.after = after.Rms();
@@ -98,7 +98,8 @@ HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int 
   for (int k = 0; k < kResamples; ++k) {
     double sum_before = 0.0, sum_after = 0.0;
     for (int n = 0; n < frames;) {
-      const auto first = static_cast<int>(random() % static_cast<std::uint64_t>(frames - block + 1));
+      const auto first =
+          static_cast<int>(random() % static_cast<std::uint64_t>(frames - block + 1));
       for (int i = 0; i < block && n < frames; ++i, ++n) {
         sum_before += before.squared[static_cast<std::size_t>(first + i)];
         sum_after += after.squared[static_cast<std::size_t>(first + i)];
@@ -116,9 +117,8 @@ HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int 
 Recording WithHeldOutFrames(const Recording& recording, double share) {
   Recording result = recording;
   if (result.splits.held_out_frames) return result;
-  const int first = std::clamp(
-      static_cast<int>(std::lround((1.0 - share) * recording.frame_count)), 1,
-      recording.frame_count - 1);
+  const int first = std::clamp(static_cast<int>(std::lround((1.0 - share) * recording.frame_count)),
+                               1, recording.frame_count - 1);
   if (recording.frame_count > 2) result.splits.held_out_frames = {first, recording.frame_count - 1};
   return result;
 }

@@ -30,8 +30,8 @@ HeldOutErrors MeasureHeldOut(const FittedScene& fitted);
 // By how much the root mean square is lower, and the lower end of its one-sided 95 % interval, by
 // a moving-block bootstrap (Kuensch 1989) of the frames with blocks of this many. `floor`: what is
 // left of errors in any case; the improvement has to be above a twentieth of it too.
-HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int block,
-                   double floor, std::uint64_t seed);
+HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int block, double floor,
+                   std::uint64_t seed);
 
 // Holds out the last share of the frames where the recording holds none out.
 Recording WithHeldOutFrames(const Recording& recording, double share);

@@ -17,8 +17,8 @@ constexpr double kFinerMesh = 1.6;
 constexpr double kFinerStep = 0.5;
 
 // Moves a fit's parameters and unknowns along a random direction of their posterior.
-FittedScene DrawAround(const FittedScene& fitted, const Rows& baseline,
-                       const Eigen::MatrixXd& root, std::mt19937_64* random) {
+FittedScene DrawAround(const FittedScene& fitted, const Rows& baseline, const Eigen::MatrixXd& root,
+                       std::mt19937_64* random) {
   std::normal_distribution<double> normal;
   Eigen::VectorXd unit(root.cols());
   for (double& u : unit) u = normal(*random);
@@ -32,9 +32,8 @@ FittedScene DrawAround(const FittedScene& fitted, const Rows& baseline,
       continue;
     }
     ParameterSetting& setting = drawn.values.parameters.at(entry.name);
-    const double value =
-        entry.is_log ? setting.value * std::exp(std::clamp(moved[i], -0.5, 0.5))
-                     : setting.value + moved[i];
+    const double value = entry.is_log ? setting.value * std::exp(std::clamp(moved[i], -0.5, 0.5))
+                                      : setting.value + moved[i];
     setting.value = std::clamp(value, setting.lower, setting.upper);
   }
   return drawn;
@@ -49,8 +48,8 @@ FittedScene Finer(const FittedScene& fitted, bool mesh, bool step) {
   } else {
     resolution = fitted.config.resolution;
   }
-  return WithOtherSteps(fitted, resolution, step ? kFinerStep * fitted.scene.step
-                                                 : fitted.config.max_step);
+  return WithOtherSteps(fitted, resolution,
+                        step ? kFinerStep * fitted.scene.step : fitted.config.max_step);
 }
 
 NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrames& frames,
@@ -116,8 +115,7 @@ std::vector<NullResidual> DrawNulls(const Eigen::MatrixXd& gram, Eigen::Index nu
     const double rest = std::max(0.0, others + std::sqrt(2.0 * others) * normal(random));
     NullResidual null;
     null.products = noise + moved;
-    null.squared =
-        unit.squaredNorm() + rest + 2.0 * amounts.dot(noise) + amounts.dot(moved);
+    null.squared = unit.squaredNorm() + rest + 2.0 * amounts.dot(noise) + amounts.dot(moved);
     nulls.push_back(std::move(null));
   }
   return nulls;

@@ -17,8 +17,8 @@ namespace clothfit {
 // What mesh and step leave: residuals of a finer simulation less those of the fit's own, at the
 // fit and at parameters drawn around it.
 struct NumericalErrors {
-  Eigen::VectorXd half_step, finer_mesh;      // rows; at the fit
-  std::vector<Eigen::VectorXd> at_draws;      // rows; both finer, at drawn parameters
+  Eigen::VectorXd half_step, finer_mesh;  // rows; at the fit
+  std::vector<Eigen::VectorXd> at_draws;  // rows; both finer, at drawn parameters
 };
 
 // `baseline`: the rows of the fit with its Jacobian, from which the draws are made.

@@ -17,9 +17,12 @@ namespace clothfit {
 namespace {
 
 constexpr int kMostRows = 30000;
-constexpr int kMostProbes = 8;      // of a candidate, in the first round
-constexpr int kRefined = 5;         // candidates whose places and shapes are looked at again
-constexpr double kLargestFault = 5.0;    // sigmas of those that go unremarked, one sigma
+constexpr int kMostProbes = 8;  // of a candidate, in the first round
+constexpr int kRefined = 5;     // candidates whose places and shapes are looked at again
+// Errors of second order between the fit's mesh and a 1.6 times finer one, as parts of those that
+// the fit's mesh makes in all: 1 - 1 / 1.6^2.
+constexpr double kExtrapolated = 1.64;
+constexpr double kLargestFault = 2.0;    // sigmas of those that go unremarked, one sigma
 constexpr double kNumericalSigma = 1.5;  // of the amounts of numerical error that are taken out
 
 // One candidate at one probe, and where its columns are.
@@ -49,12 +52,15 @@ class Ranker {
   void AddFirstTrials();
   void Refine();
   void Scale();
+  double Floor() const;
   std::vector<Nuisance> Nuisances(const std::string& but_fault_group) const;
   ScoredGroup GroupOf(const Trial& trial) const;
   RankedCandidate Physics(int candidate, const Projection& projection, const Projection& raw) const;
   RankedCandidate Observation(const std::string& group, const Projection& raw) const;
   void Judge(const Projection& projection, const std::vector<double>& null_scores, double left,
              RankedCandidate* candidate) const;
+  double ExplainedTogether(const Projection& projection,
+                           const std::vector<Eigen::VectorXd>& nulls) const;
   void ShortList(Ranking* ranking) const;
   void DrawTheNulls();
   double AtScale(int column) const { return 1.0 / scale_[column]; }
@@ -106,7 +112,8 @@ void Ranker::AddNumericalErrors() {
       fitted_, frames_, *baseline_, options_.simulate_null ? kDraws : 0, options_.seed);
   first_numerical_ = columns_->Add(errors.half_step);
   columns_->Add(errors.finer_mesh);
-  for (const Eigen::VectorXd& error : errors.at_draws) drawn_errors_.push_back(columns_->Add(error));
+  for (const Eigen::VectorXd& error : errors.at_draws)
+    drawn_errors_.push_back(columns_->Add(error));
 }
 
 void Ranker::AddTrials(const std::vector<std::pair<int, Probe>>& probes) {
@@ -120,8 +127,7 @@ void Ranker::AddTrials(const std::vector<std::pair<int, Probe>>& probes) {
     Trial trial{candidate, probe, {}};
     for (const std::string& name : candidates_[candidate].switches) {
       for (std::size_t e = 0; e < rows->entries.size(); ++e) {
-        if (rows->entries[e].name == name)
-          trial.columns.push_back(first + static_cast<int>(e));
+        if (rows->entries[e].name == name) trial.columns.push_back(first + static_cast<int>(e));
       }
     }
     trials_.push_back(std::move(trial));
@@ -129,7 +135,8 @@ void Ranker::AddTrials(const std::vector<std::pair<int, Probe>>& probes) {
 }
 
 void Ranker::AddFirstTrials() {
-  candidates_ = ListCandidates(fitted_.values, fitted_.scene, extent_, options_.excluded, kMostProbes);
+  candidates_ =
+      ListCandidates(fitted_.values, fitted_.scene, extent_, options_.excluded, kMostProbes);
   for (std::size_t round = 0; round < kMostProbes; ++round) {
     std::vector<std::pair<int, Probe>> probes;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
@@ -145,6 +152,19 @@ void Ranker::Scale() {
   scale_ = gram_.diagonal().cwiseSqrt();
   for (double& s : scale_) s = s > 0.0 ? 1.0 / s : 1.0;
   gram_ = scale_.asDiagonal() * gram_ * scale_.asDiagonal();
+}
+
+// What mesh and step leave when baseline and faults have taken their part, extrapolated.
+double Ranker::Floor() const {
+  std::vector<Nuisance> nuisances = Nuisances("");
+  const int columns = options_.project ? 2 : 0;
+  nuisances.resize(nuisances.size() - static_cast<std::size_t>(columns));
+  const Projection projection(gram_, nuisances);
+  const int finer_mesh = first_numerical_ + 1;
+  double sum = 0.0;
+  for (const int column : {first_numerical_, finer_mesh})
+    sum += projection.gram()(column, column) / (scale_[column] * scale_[column]);
+  return kExtrapolated * std::sqrt(std::max(0.0, sum) / std::max(1, frames_.num_rows()));
 }
 
 std::vector<Nuisance> Ranker::Nuisances(const std::string& but_fault_group) const {
@@ -211,8 +231,8 @@ void Ranker::Judge(const Projection& projection, const std::vector<double>& null
   summary.share = left > 0.0 ? std::min(1.0, summary.score / left) : 0.0;
   const Eigen::VectorXd scaled_amounts =
       candidate->amounts.cwiseQuotient(scale_(candidate->columns));
-  const double information =
-      scaled_amounts.dot(projection.gram()(candidate->columns, candidate->columns) * scaled_amounts);
+  const double information = scaled_amounts.dot(
+      projection.gram()(candidate->columns, candidate->columns) * scaled_amounts);
   if (null_scores.empty()) {
     summary.p_value = TailProbability({}, 0.0);
   } else {
@@ -239,9 +259,8 @@ RankedCandidate Ranker::Physics(int candidate, const Projection& projection,
     if (score.decrease <= best) continue;
     best = score.decrease;
     ranked.summary.score = score.decrease / (scale_[residual_] * scale_[residual_]);
-    ranked.summary.raw_score =
-        ScoreOf(raw, GroupOf(trial), raw.gram().col(residual_)).decrease /
-        (scale_[residual_] * scale_[residual_]);
+    ranked.summary.raw_score = ScoreOf(raw, GroupOf(trial), raw.gram().col(residual_)).decrease /
+                               (scale_[residual_] * scale_[residual_]);
     ranked.amounts = score.amounts.cwiseProduct(scale_(trial.columns)) / scale_[residual_];
     ranked.sigma = score.sigma.cwiseProduct(scale_(trial.columns));
     ranked.columns = trial.columns;
@@ -310,17 +329,36 @@ void Ranker::ShortList(Ranking* ranking) const {
   }
 }
 
+// By how much all absent physics together would lower the sum of squares, above what they do to the
+// null: small effects show here long before they show in the whole sum.
+double Ranker::ExplainedTogether(const Projection& projection,
+                                 const std::vector<Eigen::VectorXd>& nulls) const {
+  ScoredGroup all;
+  for (const Trial& trial : trials_)
+    all.columns.insert(all.columns.end(), trial.columns.begin(), trial.columns.end());
+  all.is_one_sided.assign(all.columns.size(), false);
+  constexpr std::size_t kEnough = 20;
+  double of_null = 0.0;
+  const std::size_t count = std::min(kEnough, nulls.size());
+  for (std::size_t k = 0; k < count; ++k)
+    of_null += ScoreOf(projection, all, nulls[k]).decrease / static_cast<double>(count);
+  const double own = ScoreOf(projection, all, projection.gram().col(residual_)).decrease /
+                     (scale_[residual_] * scale_[residual_]);
+  return std::max(0.0, own - of_null);
+}
+
 void Ranker::DrawTheNulls() {
   std::vector<DrawnColumn> numerical, faults;
   if (options_.simulate_null) {
-    for (const int column : drawn_errors_) numerical.push_back({column, AtScale(column)});
+    for (const int column : drawn_errors_)
+      numerical.push_back({column, kExtrapolated * AtScale(column)});
     for (std::size_t i = 0; i < faults_.size(); ++i) {
       const int column = first_fault_ + static_cast<int>(i);
       faults.push_back({column, faults_[i].typical * AtScale(column)});
     }
   }
-  nulls_ = DrawNulls(gram_, frames_.num_rows(), numerical, faults, options_.num_nulls,
-                     options_.seed);
+  nulls_ =
+      DrawNulls(gram_, frames_.num_rows(), numerical, faults, options_.num_nulls, options_.seed);
 }
 
 Ranking Ranker::Run() {
@@ -349,14 +387,9 @@ Ranking Ranker::Run() {
   ranking.gate_p_value = TailProbability(left, own);
   ranking.unexplained = std::max(0.0, own - null_mean_);
   ranking.residual_rms = std::sqrt(1.0 / residual2 / frames_.num_rows());
-  if (!drawn_errors_.empty()) {
-    double floor = 0.0;
-    for (const int column : drawn_errors_) {
-      floor += projection.gram()(column, column) / (scale_[column] * scale_[column]) /
-               static_cast<double>(drawn_errors_.size());
-    }
-    ranking.floor_rms = std::sqrt(std::max(0.0, floor) / frames_.num_rows());
-  }
+  ranking.floor_rms = Floor();
+  const double explainable =
+      std::max(ranking.unexplained, ExplainedTogether(projection, projected));
   for (std::size_t c = 0; c < candidates_.size(); ++c) {
     RankedCandidate candidate = Physics(static_cast<int>(c), projection, raw);
     if (candidate.columns.empty()) continue;
@@ -368,7 +401,7 @@ Ranking Ranker::Run() {
         null_scores[k] = std::max(null_scores[k], score.decrease);
       }
     }
-    Judge(projection, null_scores, ranking.unexplained, &candidate);
+    Judge(projection, null_scores, explainable, &candidate);
     ranking.candidates.push_back(std::move(candidate));
   }
   std::set<std::string> groups;

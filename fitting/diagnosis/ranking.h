@@ -17,21 +17,21 @@ namespace clothfit {
 // A candidate as it was scored, with what is needed to switch it on.
 struct RankedCandidate {
   Candidate summary;
-  CandidateTerm term;                 // physics only
-  Probe probe;                        // the best
-  std::vector<std::string> names;     // of the amounts: parameters, or faults
-  Eigen::VectorXd amounts, sigma;     // in their units
-  std::vector<int> columns;           // at the best probe
-  std::vector<int> faults;            // indices into Ranking::faults, observation only
+  CandidateTerm term;              // physics only
+  Probe probe;                     // the best
+  std::vector<std::string> names;  // of the amounts: parameters, or faults
+  Eigen::VectorXd amounts, sigma;  // in their units
+  std::vector<int> columns;        // at the best probe
+  std::vector<int> faults;         // indices into Ranking::faults, observation only
 };
 
 struct Ranking {
   std::vector<RankedCandidate> candidates;  // the highest score first
   std::vector<Fault> faults;
-  double gate_p_value = 1.0;   // of what is left when the faults have taken their part
-  double unexplained = 0.0;    // the same in sums of squares, above what the null leaves
+  double gate_p_value = 1.0;  // of what is left when the faults have taken their part
+  double unexplained = 0.0;   // the same in sums of squares, above what the null leaves
   double residual_rms = 0.0, floor_rms = 0.0;  // in sigmas: of all rows, and of mesh and step alone
-  double null_mean = 0.0;      // sum of squares that the null leaves
+  double null_mean = 0.0;                      // sum of squares that the null leaves
   int num_rows = 0;
   std::vector<SwappedMarkers> swaps;
   Extent extent;

@@ -100,25 +100,26 @@ std::optional<Rows> EvaluateRows(
   bool usable = true;
   Eigen::VectorXd of_frame;
   RowMajorMatrix jacobian;
-  const auto outcome = simulator.Run(
-      start, theta, scene.last_fitted_frame, kept > 0,
-      [&](int frame, const State& state, const Sensitivity* sensitivity) {
-        if (observer) observer(frame, state);
-        const int row = frames.FirstRow(frame);
-        if (row < 0 || !usable) return;
-        const int count = observations.Count(frame);
-        of_frame.resize(count);
-        jacobian.resize(count, free.size());
-        RowMajorMatrix* const own = sensitivity != nullptr ? &jacobian : nullptr;
-        usable = observations.Evaluate(frame, state, sensitivity, 0, &of_frame, own);
-        if (!usable) return;
-        rows.residuals.segment(row, count) = of_frame;
-        if (own != nullptr) rows.jacobian.middleRows(row, count) = jacobian.leftCols(kept);
-        if (pass.of_faults) {
-          rows.faults.middleRows(row, count) =
-              FaultColumns(scene, pass.config, observations, faults, frame, state);
-        }
-      });
+  const auto outcome =
+      simulator.Run(start, theta, scene.last_fitted_frame, kept > 0,
+                    [&](int frame, const State& state, const Sensitivity* sensitivity) {
+                      if (observer) observer(frame, state);
+                      const int row = frames.FirstRow(frame);
+                      if (row < 0 || !usable) return;
+                      const int count = observations.Count(frame);
+                      of_frame.resize(count);
+                      jacobian.resize(count, free.size());
+                      RowMajorMatrix* const own = sensitivity != nullptr ? &jacobian : nullptr;
+                      usable = observations.Evaluate(frame, state, sensitivity, 0, &of_frame, own);
+                      if (!usable) return;
+                      rows.residuals.segment(row, count) = of_frame;
+                      if (own != nullptr)
+                        rows.jacobian.middleRows(row, count) = jacobian.leftCols(kept);
+                      if (pass.of_faults) {
+                        rows.faults.middleRows(row, count) =
+                            FaultColumns(scene, pass.config, observations, faults, frame, state);
+                      }
+                    });
   usable = usable && outcome == WindowSimulator::Outcome::kComplete && rows.residuals.allFinite() &&
            rows.jacobian.allFinite();
   return usable ? std::optional<Rows>(std::move(rows)) : std::nullopt;

@@ -58,8 +58,8 @@ struct Rows {
 
 // Which derivatives a pass takes.
 struct Pass {
-  FitConfig config;           // FittedScene::values with what is to be differentiated set free
-  bool of_unknown = false;    // handles and initial state too
+  FitConfig config;         // FittedScene::values with what is to be differentiated set free
+  bool of_unknown = false;  // handles and initial state too
   bool of_faults = false;
 };
 // Simulates once from the fit's start. Empty where the simulation or an observation fails.

@@ -21,8 +21,9 @@ Eigen::MatrixXd PseudoInverse(const Eigen::MatrixXd& symmetric) {
   if (symmetric.size() == 0) return symmetric;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
   const double least = kUnseen * std::max(1e-300, eigen.eigenvalues().maxCoeff());
-  const Eigen::VectorXd inverse = (eigen.eigenvalues().array() > least)
-                                      .select(eigen.eigenvalues().cwiseMax(least).cwiseInverse(), 0.0);
+  const Eigen::VectorXd inverse =
+      (eigen.eigenvalues().array() > least)
+          .select(eigen.eigenvalues().cwiseMax(least).cwiseInverse(), 0.0);
   return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
@@ -126,8 +127,7 @@ double LargestCosine(const Projection& projection, const std::vector<int>& a,
             .select(eigen.eigenvalues().cwiseMax(least).cwiseSqrt().cwiseInverse(), 0.0);
     return scaled.scale.asDiagonal() * eigen.eigenvectors() * inverse.asDiagonal();
   };
-  const Eigen::MatrixXd cross =
-      root(a).transpose() * projection.gram()(a, b) * root(b);
+  const Eigen::MatrixXd cross = root(a).transpose() * projection.gram()(a, b) * root(b);
   if (cross.size() == 0) return 0.0;
   return std::min(1.0, Eigen::JacobiSVD<Eigen::MatrixXd>(cross).singularValues()[0]);
 }
@@ -156,7 +156,8 @@ std::vector<double> FalseDiscoveryRates(const std::vector<double>& p_values) {
   std::vector<double> rates(n, 1.0);
   double least = 1.0;
   for (std::size_t i = n; i-- > 0;) {
-    least = std::min(least, p_values[order[i]] * static_cast<double>(n) / static_cast<double>(i + 1));
+    least =
+        std::min(least, p_values[order[i]] * static_cast<double>(n) / static_cast<double>(i + 1));
     rates[order[i]] = least;
   }
   return rates;

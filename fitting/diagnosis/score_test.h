@@ -42,9 +42,9 @@ struct ScoredGroup {
 };
 
 struct Score {
-  double decrease = 0.0;      // of the sum of squares
-  Eigen::VectorXd amounts;    // estimates, one a column
-  Eigen::VectorXd sigma;      // of each by itself, from unit noise; infinite where nothing shows it
+  double decrease = 0.0;    // of the sum of squares
+  Eigen::VectorXd amounts;  // estimates, one a column
+  Eigen::VectorXd sigma;    // of each by itself, from unit noise; infinite where nothing shows it
 };
 
 // Inner products with what the nuisances can explain taken out. Column c of the Gram matrix belongs
@@ -60,8 +60,8 @@ class Projection {
 
  private:
   std::vector<int> columns_;
-  Eigen::MatrixXd cross_;     // all columns x nuisances
-  Eigen::MatrixXd inverse_;   // of the nuisances' information
+  Eigen::MatrixXd cross_;    // all columns x nuisances
+  Eigen::MatrixXd inverse_;  // of the nuisances' information
   Eigen::MatrixXd projected_;
 };
 

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whole diagnoses of small recordings that were simulated on a finer mesh with a shorter step.
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/candidates.h"
+#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/diagnosis/ranking.h"
+#include "tracking/synthetic_recording.h"
+
+namespace clothfit {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+SyntheticOptions Small() {
+  SyntheticOptions options;
+  options.resolution = {6, 6};
+  options.refinement = 2;
+  options.frame_rate = 30.0;
+  options.frame_count = 36;
+  options.steps_per_frame = 8;
+  options.seed = 5;
+  return options;
+}
+
+// A baseline that knows the fabric but for its drag, so that a test takes seconds.
+FitConfig Baseline(const Recording& recording) {
+  FitConfig config = DefaultConfig(recording);
+  for (auto& [name, setting] : config.parameters) setting.free = false;
+  for (const char* name : {"air_drag.normal", "stretch.stiffness", "bending.stiffness"})
+    config.parameters.at(name).free = true;
+  config.max_iterations = 8;
+  return config;
+}
+
+DiagnosisOptions Quick() {
+  DiagnosisOptions options;
+  options.max_models = 2;
+  options.max_effects = 1;
+  options.num_nulls = 200;
+  return options;
+}
+
+TEST(Diagnose, NamesTheWind) {
+  SyntheticOptions options = Small();
+  options.parameters["wind.x"] = 1.0;
+  const Recording recording = MakeSyntheticRecording(options).recording;
+  const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), Quick());
+  EXPECT_EQ(diagnosis.verdict, Verdict::kNamed) << diagnosis.words;
+  ASSERT_TRUE(diagnosis.answer.has_value());
+  EXPECT_EQ(diagnosis.answer->effects, std::vector<std::string>{"wind"});
+  const auto x =
+      std::find_if(diagnosis.answer->parameters.begin(), diagnosis.answer->parameters.end(),
+                   [](const EffectParameter& p) { return p.name == "wind.x"; });
+  ASSERT_NE(x, diagnosis.answer->parameters.end());
+  EXPECT_NEAR(x->value, 1.0, 0.15);
+  EXPECT_LT(x->lower90, x->upper90);
+  EXPECT_TRUE(diagnosis.answer->proof.is_proven);
+  EXPECT_LT(diagnosis.answer->proof.after, diagnosis.answer->proof.before);
+  EXPECT_THAT(diagnosis.words, HasSubstr("wind"));
+  EXPECT_THAT(DiagnosisAsJson(diagnosis), HasSubstr("\"verdict\": \"named\""));
+  EXPECT_LT(diagnosis.gate_p_value, 0.01);
+}
+
+TEST(Diagnose, FindsNothingMissingWhereNothingIs) {
+  const Recording recording = MakeSyntheticRecording(Small()).recording;
+  const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), Quick());
+  EXPECT_EQ(diagnosis.verdict, Verdict::kNothingMissing) << diagnosis.words;
+  EXPECT_TRUE(diagnosis.effects.empty());
+}
+
+TEST(Diagnose, BlamesTheCameraThatStandsElsewhere) {
+  SyntheticOptions options = Small();
+  options.markers = {0, 0};
+  options.num_cameras = 3;
+  Recording recording = MakeSyntheticRecording(options).recording;
+  const Eigen::Vector3d shift(0.015, -0.01, 0.0);
+  Camera& camera = recording.cameras[1];
+  camera.camera_from_world_translation -= camera.camera_from_world_rotation * shift;
+  FitConfig config = Baseline(recording);
+  config.loss = LossKind::kNone;
+  const Diagnosis diagnosis = Diagnose(recording, config, Quick());
+  EXPECT_EQ(diagnosis.verdict, Verdict::kObservationFault) << diagnosis.words;
+  EXPECT_THAT(diagnosis.effects, Contains("camera " + camera.name + ": pose"));
+}
+
+TEST(Candidates, AreWhatIsOffAndCouldAct) {
+  const Recording recording = MakeSyntheticRecording(Small()).recording;
+  FitConfig config = DefaultConfig(recording);
+  SwitchOff("test", "air_drag", &config);
+  SetParameter("test", "bending.damping=0", &config);
+  SetFree("test", "bending.damping", false, &config);
+  const Scene scene = MakeScene(recording, config);
+  Extent extent{{-1, -1, -1}, {1, 1, 1}, {0.4, 0.4}, 1.5};
+  std::vector<std::string> names;
+  for (const CandidateTerm& c : ListCandidates(config, scene, extent, {"gust"}, 8)) {
+    names.push_back(c.name);
+    EXPECT_LE(c.probes.size(), 8U) << c.name;
+    EXPECT_GE(c.probes.size(), 1U) << c.name;
+    EXPECT_EQ(c.switches.size(), c.is_one_sided.size());
+  }
+  EXPECT_THAT(names, Contains("wind"));
+  EXPECT_THAT(names, Contains("air_drag"));
+  EXPECT_THAT(names, Contains("bending.damping"));
+  EXPECT_THAT(names, Not(Contains("gust")));      // excluded
+  EXPECT_THAT(names, Not(Contains("adhesion")));  // no ground
+  EXPECT_THAT(names, Not(Contains("gravity")));   // on
+  EXPECT_THAT(names, Not(Contains("attraction_point")));
+}
+
+}  // namespace
+}  // namespace clothfit
