@@ -279,7 +279,7 @@ void AddPairTrials(Planner* planner) {
       {"gravity_tilt", "added_mass", SyntheticScenario::kTwoCornerSwing},
       {"obstacle_sphere", "heavy_patch", SyntheticScenario::kTwoCornerSwing},
       {"gust", "attractor", SyntheticScenario::kTwoCornerTurn},
-      {"heavy_patch", "bending_friction", SyntheticScenario::kFourCornerSag},
+      {"heavy_patch", "shear_friction", SyntheticScenario::kFourCornerSag},
       {"stretch_orthotropy", "stiff_seam_stretch", SyntheticScenario::kFourCornerSag},
       {"bending_orthotropy", "stiff_patch_bending", SyntheticScenario::kCornerLift},
       {"adhesion", "bending_friction", SyntheticScenario::kCornerLift}};

@@ -105,7 +105,7 @@ TEST(TrialRecording, WritesTheTruthBeside) {
 
 TEST(TrueForce, OfAGustActsWhileItBlowsAndWhereItIs) {
   const std::vector<Trial> trials = SmallPlan("listed", {"gust"});
-  const TrialRecording made = MakeTrialRecording(Find(trials, kSwing, TrialObservation::kMarkers));
+  const TrialRecording made = MakeTrialRecording(Find(trials, kSwing, TrialObservation::kTracks));
   const TrueForce& force = made.truth.force;
   ASSERT_TRUE(force.acts);
   const double rate = made.recording.frame_rate, onset = made.truth.parameters.at("gust.onset"),
