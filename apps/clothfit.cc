@@ -55,6 +55,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddGradcheckCommand(app, action);
   AddSynthesizeCommand(app, action);
   AddStudyCommand(app, action);
+  AddTrialsCommand(app, action);
   AddImportCommand(app, action);
 }
 

@@ -34,6 +34,7 @@ void AddSynthesizeCommand(CLI::App* app, Action* action);
 void AddEvaluateCommand(CLI::App* app, Action* action);
 void AddTrackCommand(CLI::App* app, Action* action);
 void AddStudyCommand(CLI::App* app, Action* action);
+void AddTrialsCommand(CLI::App* app, Action* action);
 void AddExportCommand(CLI::App* app, Action* action);
 void AddReportCommand(CLI::App* app, Action* action);
 void AddImportCommand(CLI::App* app, Action* action);

@@ -24,7 +24,10 @@ const std::vector<std::pair<std::string, SyntheticScenario>>& Names() {
   static const std::vector<std::pair<std::string, SyntheticScenario>> names = {
       {"two-corner-swing", SyntheticScenario::kTwoCornerSwing},
       {"corner-lift", SyntheticScenario::kCornerLift},
-      {"two-corner-lift", SyntheticScenario::kTwoCornerLift}};
+      {"two-corner-lift", SyntheticScenario::kTwoCornerLift},
+      {"two-corner-shake", SyntheticScenario::kTwoCornerShake},
+      {"two-corner-turn", SyntheticScenario::kTwoCornerTurn},
+      {"four-corner-sag", SyntheticScenario::kFourCornerSag}};
   return names;
 }
 
@@ -40,13 +43,17 @@ double Envelope(double time, double duration) {
   return SmoothStep(time / (kRamp * duration)) * SmoothStep((duration - time) / (kRamp * duration));
 }
 
+// Hanging in the plane y = 0 below the height 0, with u along x.
+FlatPlacement Hanging(const Vector2d& size) {
+  return {Vector3d(-0.5 * size.x(), 0.0, 0.0), Vector3d::UnitX(), Vector3d(0.0, 0.0, -1.0)};
+}
+
 // Hangs in the plane y = 0 below the height 0. Both corners move to and fro (y), up and down (z)
 // and sideways (x); against each other they turn and come closer. Gentle enough that the cloth does
 // not crumple: where it does, a recording tells of its start and little of its parameters.
 SyntheticMotion TwoCornerSwing(const Vector2d& size, double duration) {
   SyntheticMotion motion;
-  motion.initial = {Vector3d(-0.5 * size.x(), 0.0, 0.0), Vector3d::UnitX(),
-                    Vector3d(0.0, 0.0, -1.0)};
+  motion.initial = Hanging(size);
   const double length = size.y(), width = size.x();
   for (const double side : {-1.0, 1.0}) {
     const auto path = [=](double time) {
@@ -106,6 +113,68 @@ SyntheticMotion TwoCornerLift(const Vector2d& size, double duration) {
   return motion;
 }
 
+// Hangs as above; both corners shake to and fro (y) and up and down (z), a little closer than taut.
+// What goes with the speed or its square shows here, beside the slow swing.
+SyntheticMotion TwoCornerShake(const Vector2d& size, double duration) {
+  SyntheticMotion motion;
+  motion.initial = Hanging(size);
+  const double length = size.y(), width = size.x();
+  for (const double side : {-1.0, 1.0}) {
+    const auto path = [=](double time) {
+      const double amount = Envelope(time, duration), t = kTwoPi * time;
+      const Vector3d moved(-0.02 * width * side, 0.08 * length * std::sin(1.6 * t),
+                           0.03 * length * std::sin(2.3 * t));
+      return Vector3d(Vector3d(0.5 * side * width, 0.0, 0.0) + amount * moved);
+    };
+    const bool left = side < 0.0;
+    motion.handles.push_back({left ? "left" : "right", Vector2d(left ? 0.0 : width, 0.0), path});
+  }
+  return motion;
+}
+
+// Hangs as above; the corners turn by a quarter about the vertical between them, and sway gently
+// along y: what comes from one side of the world meets the cloth face on first, edge on at last.
+SyntheticMotion TwoCornerTurn(const Vector2d& size, double duration) {
+  SyntheticMotion motion;
+  motion.initial = Hanging(size);
+  const double length = size.y(), half = 0.5 * size.x();
+  for (const double side : {-1.0, 1.0}) {
+    const auto path = [=](double time) {
+      const double angle = 0.25 * kTwoPi * SmoothStep((time / duration - 0.15) / 0.6);
+      const double sway = 0.04 * length * std::sin(0.7 * kTwoPi * time);
+      return Vector3d(side * half * std::cos(angle),
+                      side * half * std::sin(angle) + Envelope(time, duration) * sway, 0.0);
+    };
+    const bool left = side < 0.0;
+    motion.handles.push_back({left ? "left" : "right", Vector2d(left ? 0.0 : size.x(), 0.0), path});
+  }
+  return motion;
+}
+
+// Lies level in the air, held by its four corners, and sags. The corners come closer to the middle
+// and rise and sink, those of the edge u = 0 after the others. Weight acts across the cloth here,
+// and along it where it hangs.
+SyntheticMotion FourCornerSag(const Vector2d& size, double duration) {
+  SyntheticMotion motion;
+  motion.initial = {Vector3d(-0.5 * size.x(), -0.5 * size.y(), 0.0), Vector3d::UnitX(),
+                    Vector3d::UnitY()};
+  const double length = size.maxCoeff();
+  for (const Vector2d& corner :
+       {Vector2d(0.0, 0.0), Vector2d(1.0, 0.0), Vector2d(0.0, 1.0), Vector2d(1.0, 1.0)}) {
+    const Vector2d uv = corner.cwiseProduct(size), from_middle = uv - 0.5 * size;
+    const auto path = [=](double time) {
+      const double closer = 0.06 * SmoothStep(time / (0.4 * duration));
+      const double phase = kTwoPi * (0.8 * time - (corner.x() > 0.5 ? 0.0 : 0.15));
+      const double height = 0.06 * length * Envelope(time, duration) * std::sin(phase);
+      return Vector3d((1.0 - closer) * from_middle.x(), (1.0 - closer) * from_middle.y(), height);
+    };
+    const std::string name = std::string(corner.y() > 0.5 ? "far" : "near") + "_" +
+                             (corner.x() > 0.5 ? "right" : "left");
+    motion.handles.push_back({name, uv, path});
+  }
+  return motion;
+}
+
 }  // namespace
 
 std::vector<std::string> SyntheticScenarioNames() {
@@ -135,6 +204,12 @@ SyntheticMotion MakeSyntheticMotion(SyntheticScenario scenario, const Vector2d& 
       return CornerLift(size, duration);
     case SyntheticScenario::kTwoCornerLift:
       return TwoCornerLift(size, duration);
+    case SyntheticScenario::kTwoCornerShake:
+      return TwoCornerShake(size, duration);
+    case SyntheticScenario::kTwoCornerTurn:
+      return TwoCornerTurn(size, duration);
+    case SyntheticScenario::kFourCornerSag:
+      return FourCornerSag(size, duration);
     case SyntheticScenario::kTwoCornerSwing:
       break;
   }

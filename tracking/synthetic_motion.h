@@ -18,9 +18,13 @@ enum class SyntheticScenario {
   kTwoCornerSwing,  // hangs from two corners that swing to and fro, turn, and come closer
   kCornerLift,      // lies on the ground; one corner is lifted and drawn over the cloth
   kTwoCornerLift,   // lies on the ground; both corners of an edge are lifted and swung
+  kTwoCornerShake,  // hangs from two corners that shake it, faster than a swing
+  kTwoCornerTurn,   // hangs from two corners that turn it by a quarter about the vertical
+  kFourCornerSag,   // lies in the air, held by four corners that come closer, rise and sink
 };
 
-// The names on the command line: two-corner-swing, corner-lift, two-corner-lift.
+// The names on the command line: two-corner-swing, corner-lift, two-corner-lift, two-corner-shake,
+// two-corner-turn, four-corner-sag.
 std::vector<std::string> SyntheticScenarioNames();
 std::string ToString(SyntheticScenario scenario);
 // Throws InputError, naming `place`, where there is no such scenario.

@@ -31,9 +31,11 @@ bool IsHidden(const SyntheticOptions& options, const std::string& handle) {
 // Every particle's position (3N, m) in every frame.
 class Generator {
  public:
-  Generator(const SyntheticOptions& options, const SyntheticMotion& motion)
+  Generator(const SyntheticOptions& options, const SyntheticMotion& motion,
+            const SyntheticGenerator& generator)
       : options_(options),
         motion_(motion),
+        generator_(generator),
         mesh_(MakeGrid(options.size, {options.refinement * (options.resolution.x() - 1) + 1,
                                       options.refinement * (options.resolution.y() - 1) + 1})) {
     std::vector<Vector2d> uv;
@@ -42,7 +44,7 @@ class Generator {
   }
 
   const ClothMesh& mesh() const { return mesh_; }
-  const Eigen::VectorXd& parameters() const { return parameters_; }
+  const std::map<std::string, double>& parameters() const { return parameters_; }
 
   // The positions after every step where they are needed, else in every frame.
   SyntheticSurface Run(const SyntheticProgress& progress) {
@@ -50,7 +52,9 @@ class Generator {
     world.ground_height = motion_.ground_height;
     SimulationOptions simulation_options;
     simulation_options.integrator = options_.integrator;
-    Simulation simulation(mesh_, world, handles_, simulation_options);
+    Simulation simulation = generator_.make
+                                ? generator_.make(mesh_, world, handles_, simulation_options)
+                                : Simulation(mesh_, world, handles_, simulation_options);
     SetParameters(&simulation);
     State state = simulation.MakeState(InitialPositions());
     const Drive drive = [this](double time, bool) {
@@ -64,9 +68,11 @@ class Generator {
     SyntheticSurface surface{mesh_, keeps_steps ? step : 1.0 / options_.frame_rate, {state.x}};
     for (int frame = 1; frame < options_.frame_count; ++frame) {
       for (int k = 0; k < options_.steps_per_frame; ++k) {
+        const State before = generator_.observe ? state : State();
         if (simulation.Advance(step, drive, &state).status != StepStatus::kConverged) {
           throw std::runtime_error(fmt::format("the simulation diverges in frame {}", frame));
         }
+        if (generator_.observe) generator_.observe(simulation, before, state);
         if (keeps_steps) surface.positions.push_back(state.x);
       }
       state.time = static_cast<double>(frame) / options_.frame_rate;
@@ -79,10 +85,17 @@ class Generator {
  private:
   void SetParameters(Simulation* simulation) {
     const std::vector<NamedParameter>& table = simulation->model().parameters();
-    parameters_ = InitialValues(table);
-    for (const auto& [name, value] : options_.parameters)
-      parameters_[FindParameter(table, name)] = value;
-    simulation->SetParameters(parameters_);
+    Eigen::VectorXd values = InitialValues(table);
+    for (const auto& given : {options_.parameters, generator_.parameters}) {
+      for (const auto& [name, value] : given) {
+        const int index = FindParameter(table, name);
+        if (index < 0) throw InputError(name, "the generator has no such parameter");
+        values[index] = value;
+      }
+    }
+    simulation->SetParameters(values);
+    for (std::size_t i = 0; i < table.size(); ++i)
+      parameters_[table[i].name] = values[static_cast<Eigen::Index>(i)];
   }
 
   Eigen::VectorXd InitialPositions() const {
@@ -97,9 +110,10 @@ class Generator {
 
   const SyntheticOptions& options_;
   const SyntheticMotion& motion_;
+  const SyntheticGenerator& generator_;
   ClothMesh mesh_;
   std::vector<SurfacePoint> handles_;
-  Eigen::VectorXd parameters_;
+  std::map<std::string, double> parameters_;  // every one, by its full name
 };
 
 // What the recording says of its scene, without observations.
@@ -145,23 +159,22 @@ std::vector<Eigen::VectorXd> Frames(const SyntheticSurface& surface,
 }  // namespace
 
 SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options,
-                                          const SyntheticProgress& progress) {
+                                          const SyntheticProgress& progress,
+                                          const SyntheticGenerator& generator) {
   options.Check("synthetic recording");
   const SyntheticMotion motion =
       MakeSyntheticMotion(options.scenario, options.size, options.Duration());
-  Generator generator(options, motion);
+  Generator run(options, motion, generator);
   SyntheticRecording result;
-  result.surface = generator.Run(progress);
+  result.surface = run.Run(progress);
   const std::vector<Eigen::VectorXd> frames = Frames(result.surface, options);
-  const std::vector<NamedParameter> table = MakeParameterTable();
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    result.truth_parameters[table[i].name] = generator.parameters()[static_cast<Eigen::Index>(i)];
-  }
-  result.recording = DescribeScene(options, motion, generator.parameters()[kArealDensity]);
+  result.truth_parameters = run.parameters();
+  result.recording =
+      DescribeScene(options, motion, result.truth_parameters.at("cloth.areal_density"));
   AddCameras(options, frames, &result.recording);
-  AddMarkers(options, generator.mesh(), frames, &result.recording);
-  AddTracks(options, generator.mesh(), frames, &result.recording);
-  result.truth_points = TruthPoints(options, generator.mesh(), frames);
+  AddMarkers(options, run.mesh(), frames, &result.recording);
+  AddTracks(options, run.mesh(), frames, &result.recording);
+  result.truth_points = TruthPoints(options, run.mesh(), frames);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -66,11 +67,26 @@ struct SyntheticRecording {
   std::map<std::string, double> truth_parameters;  // every parameter by its full name
 };
 
+// What simulates, where it is not clothfit's own list of terms, and who looks on.
+struct SyntheticGenerator {
+  // Makes the simulation of a scenario; empty: with clothfit's own terms.
+  std::function<Simulation(ClothMesh mesh, const World& world,
+                           const std::vector<SurfacePoint>& handles,
+                           const SimulationOptions& options)>
+      make;
+  // Full name -> value, over those of the options; for terms that clothfit's list does not have.
+  std::map<std::string, double> parameters;
+  // Called after each step that converged, with the states at its ends.
+  std::function<void(const Simulation& simulation, const State& before, const State& after)>
+      observe;
+};
+
 // Positions are rounded to a micrometre and pixels to a thousandth, as they will be on disk. The
-// same options give the same recording. Throws InputError where the options are of no use, and
-// std::runtime_error where the simulation diverges.
+// same options give the same recording. Throws InputError where the options are of no use or a
+// parameter is not the generator's, and std::runtime_error where the simulation diverges.
 SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options,
-                                          const SyntheticProgress& progress = {});
+                                          const SyntheticProgress& progress = {},
+                                          const SyntheticGenerator& generator = {});
 
 // The recording's folder with its truth/, but no pictures. Throws InputError as WriteRecording
 // does.

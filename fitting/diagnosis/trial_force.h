@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Measures the force of planted effects while the generator runs: where and when it acts.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "autodiff_sim/simulation.h"
+#include "fitting/diagnosis/trial_recording.h"
+
+namespace clothfit {
+
+class TrueForceMeter {
+ public:
+  explicit TrueForceMeter(const Trial& trial);
+
+  // To be called after every step of the generator, for as long as the meter lives.
+  std::function<void(const Simulation&, const State& before, const State& after)> Observer();
+
+  TrueForce Result(const ClothMesh& mesh) const;
+
+ private:
+  void Add(const Simulation& simulation, const State& before, const State& after);
+
+  std::vector<std::string> switches_;  // full names of what is put at its off value
+  double frame_rate_;
+  std::vector<double> of_frames_;  // sum of squared forces, N^2
+  Eigen::VectorXd of_particles_;   // sum of squared forces per area, (N/m^2)^2
+  int num_steps_ = 0;
+  double work_in_ = 0.0, work_out_ = 0.0;  // J
+};
+
+}  // namespace clothfit

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Scores of trials as files: a row a trial, from which an interrupted run goes on, and the summary.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fitting/diagnosis/trial_score.h"
+
+namespace clothfit {
+
+// One row a trial. ReadScores reads it back; it throws InputError where it is not such a table.
+std::string ScoresAsCsv(const std::vector<TrialScore>& scores);
+std::vector<TrialScore> ReadScores(const std::filesystem::path& file);
+
+// An effect is a fair trial where it is at least this many times the detection limit.
+constexpr double kFairOverLimit = 3.0;
+// True where it is, and where the diagnosis tells no limit.
+bool IsFair(const TrialScore& score);
+
+// How many of these scores, of those that have an answer, say yes.
+Coverage CountYes(const std::vector<TrialScore>& scores,
+                  const std::optional<bool> TrialScore::*answer,
+                  const std::function<bool(const TrialScore&)>& which = {});
+
+// Not a number where there are none.
+double Median(std::vector<double> values);
+
+// The tables of docs/studies/trials.md: shares with Wilson intervals beside what is asked for.
+std::string ScoresAsMarkdown(const std::vector<TrialScore>& scores);
+
+}  // namespace clothfit

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/trial_terms/trial_terms.h"
+
+#include <utility>
+
+namespace clothfit {
+namespace {
+
+template <class... A, class... B>
+constexpr TypeList<A..., B...> Joined(TypeList<A...>, TypeList<B...>) {
+  return {};
+}
+
+}  // namespace
+
+std::vector<TermInfo> UnlistedTerms() { return MakeTermInfos(TrialTerms{}); }
+
+Simulation MakeTrialSimulation(ClothMesh mesh, const World& world,
+                               const std::vector<SurfacePoint>& handles,
+                               const SimulationOptions& options) {
+  return Simulation::WithTerms(Joined(Terms{}, TrialTerms{}), std::move(mesh), world, handles,
+                               options);
+}
+
+}  // namespace clothfit

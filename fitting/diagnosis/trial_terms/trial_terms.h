@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Effects that clothfit's own list of terms lacks, for the generator of trials: what no diagnosis
+// can name, and has to say so of.
+#pragma once
+
+#include <vector>
+
+#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/terms.h"
+#include "fitting/diagnosis/trial_terms/diagonal_thread.h"
+#include "fitting/diagnosis/trial_terms/sticky_point.h"
+#include "fitting/diagnosis/trial_terms/vortex.h"
+
+namespace clothfit {
+
+using TrialTerms = TypeList<Vortex, DiagonalThread, StickyPoint>;
+
+// What these terms say of themselves, in the list's order.
+std::vector<TermInfo> UnlistedTerms();
+
+// A simulation with clothfit's own terms and these after them.
+Simulation MakeTrialSimulation(ClothMesh mesh, const World& world,
+                               const std::vector<SurfacePoint>& handles,
+                               const SimulationOptions& options);
+
+}  // namespace clothfit

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Plans of trials can be looked at, and wrong ones are refused in one line.
+#include "tests/apps/command.h"
+
+namespace clothfit {
+namespace {
+
+using testing::HasSubstr;
+
+CommandResult Trials(std::vector<std::string> words, const TestFolder& folder) {
+  words.insert(words.begin(), "trials");
+  return RunCommand(words, folder.path());
+}
+
+TEST(TrialsCommand, ListsAPlan) {
+  const TestFolder folder;
+  const CommandResult listed = Trials({"--list", "unlisted", "--only", "vortex"}, folder);
+  ASSERT_EQ(listed.status, 0) << listed.err;
+  EXPECT_THAT(listed.out, HasSubstr("unlisted-vortex-two-corner-swing-markers-small-s1 "));
+  EXPECT_THAT(listed.out, HasSubstr("vortex.speed="));
+  EXPECT_THAT(listed.out, HasSubstr("12 trials"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(TrialsCommand, MeasuresHowFarEffectsMoveTheCloth) {
+  const TestFolder folder;
+  const CommandResult measured = Trials({"--effects", "unlisted", "--only", "vortex", "--frames",
+                                         "10", "--resolution", "4", "--same-generator"},
+                                        folder);
+  ASSERT_EQ(measured.status, 0) << measured.err;
+  EXPECT_THAT(measured.out, HasSubstr("| vortex | two-corner-swing | woven |"));
+  EXPECT_THAT(measured.out, HasSubstr("| vortex | two-corner-turn | woven |"));
+}
+
+TEST(TrialsCommand, SaysInOneLineWhatIsWrong) {
+  const TestFolder folder;
+  EXPECT_THAT(BadInputLine(Trials({"--list", "lsited"}, folder)), HasSubstr("'listed'"));
+  EXPECT_THAT(BadInputLine(Trials({"--list", "listed", "--only", "wimd"}, folder)),
+              HasSubstr("'wind'"));
+  EXPECT_THAT(BadInputLine(Trials({"--list", "listed", "--seeds", "0"}, folder)),
+              HasSubstr("--seeds"));
+  EXPECT_THAT(BadInputLine(Trials({"--list", "listed", "--threads", "0"}, folder)),
+              HasSubstr("--threads"));
+}
+
+}  // namespace
+}  // namespace clothfit
