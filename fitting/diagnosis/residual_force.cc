@@ -81,13 +81,14 @@ PosteriorForce::PosteriorForce(const LinearSystem& system,
 
 Eigen::MatrixXd PosteriorForce::Mean(const Eigen::MatrixXd& data) const {
   const Eigen::MatrixXd right = factor_.transpose().triangularView<Eigen::Upper>() * data;
-  return strength_ * strength_ * (factor_.triangularView<Eigen::Lower>() * whitened_.solve(right));
+  const Eigen::MatrixXd white = strength_ * strength_ * whitened_.solve(right);
+  return factor_.triangularView<Eigen::Lower>() * white;
 }
 
 // L'h for each function h, as columns, times the prior's sigma.
 Eigen::MatrixXd PosteriorForce::ScaledRows(const Eigen::MatrixXd& functions) const {
-  return noise_ * strength_ *
-         (factor_.transpose().triangularView<Eigen::Upper>() * functions.transpose());
+  const Eigen::MatrixXd scaled = noise_ * strength_ * functions.transpose();
+  return factor_.transpose().triangularView<Eigen::Upper>() * scaled;
 }
 
 Eigen::MatrixXd PosteriorForce::Covariance(const Eigen::MatrixXd& functions) const {
