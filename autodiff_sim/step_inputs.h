@@ -33,8 +33,8 @@ struct RayTarget {
 };
 
 // A force per area on the cloth, from outside: given at the nodes of a grid over (u, v), bilinear
-// between them and constant beyond its edges. Node (i, j) counts i along u and j along v and has the
-// index i + j * nodes[0].
+// between them and constant beyond its edges. Node (i, j) counts i along u and j along v and has
+// the index i + j * nodes[0].
 struct ForceGrid {
   Eigen::Vector2d low = {0.0, 0.0}, high = {0.0, 0.0};  // m, (u, v) of the first and last node
   std::array<int, 2> nodes = {0, 0};                    // along u and v, at least 2 each
@@ -50,7 +50,8 @@ struct StepInputs {
   ForceGrid residual_force;  // acts as much as residual_force.share says
   // Derivatives of the inputs with respect to the directions of a sensitivity: num_rows() x
   // directions, the handles' positions first (3 rows each), then the points' (3), then the rays'
-  // direction and moment (6), then the grid's forces (3). Empty where the inputs depend on no direction.
+  // direction and moment (6), then the grid's forces (3). Empty where the inputs depend on no
+  // direction.
   Eigen::MatrixXd directions;
 
   int first_point_row() const { return 3 * static_cast<int>(handles.size()); }

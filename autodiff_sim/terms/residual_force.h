@@ -5,8 +5,8 @@
 // lacks is estimated as such a force. With the weights w_k of the grid's nodes at a triangle's
 // middle, its area A at rest, unit normal n and unit warp t,
 //   f = share A sum_k w_k (c_k0 n + c_k1 t + c_k2 n x t),
-// and each corner gets a third. It moves and turns with the cloth, so that a cloth in the same shape
-// elsewhere feels the same.
+// and each corner gets a third. It moves and turns with the cloth, so that a cloth in the same
+// shape elsewhere feels the same.
 #pragma once
 
 #include <algorithm>

@@ -78,8 +78,8 @@ ForceEquations::ForceEquations(const Scene& scene, const FitConfig& config,
 
 NormalSums ForceEquations::Empty() const {
   const Eigen::Index size = num_fixed() + layout_.size();
-  return {Eigen::MatrixXd::Zero(size, size),
-          Eigen::MatrixXd::Zero(size, 1 + options_.nulls.cols()), 0.0, 0.0};
+  return {Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, 1 + options_.nulls.cols()),
+          0.0, 0.0};
 }
 
 bool ForceEquations::Evaluate(int frame, const State& state, const ForceUnknowns& at,
@@ -123,12 +123,12 @@ void ForceEquations::Add(const FrameRows& rows, const std::vector<int>& chosen,
     by_position = upper.leftCols(by_position.cols());
     by_faults = upper.rightCols(num_faults_);
   }
-  const Eigen::Index controls = std::max<Eigen::Index>(0, motion.cols() - motion_.first_control());
+  const Eigen::Index controls =  // lanes may go on beyond the last
+      std::min<Eigen::Index>(motion.cols() - motion_.first_control(), layout_.size());
   Eigen::MatrixXd jacobian(by_position.rows(), num_fixed() + controls);
-  jacobian.leftCols(free_.size()) =
-      by_position * motion.leftCols(std::min<Eigen::Index>(free_.size(), motion.cols()));
+  jacobian.leftCols(free_.size()) = by_position * motion.leftCols(free_.size());
   jacobian.middleCols(free_.size(), num_faults_) = by_faults;
-  jacobian.rightCols(controls) = by_position * motion.rightCols(controls);
+  jacobian.rightCols(controls) = by_position * motion.middleCols(motion_.first_control(), controls);
   const Eigen::Index active = jacobian.cols();
   sums->information.topLeftCorner(active, active)
       .selfadjointView<Eigen::Lower>()
@@ -139,8 +139,7 @@ void ForceEquations::Add(const FrameRows& rows, const std::vector<int>& chosen,
 std::optional<NormalSums> ForceEquations::Linearise(const ForceUnknowns& at,
                                                     std::vector<NormalSums>* by_source) {
   NormalSums sums = Empty();
-  if (by_source != nullptr)
-    by_source->assign(1 + scene_.recording.cameras.size(), NormalSums());
+  if (by_source != nullptr) by_source->assign(1 + scene_.recording.cameras.size(), NormalSums());
   bool usable = true;
   const auto observe = [&](int frame, const State& state, const Sensitivity* sensitivity) {
     if (!usable || first_row_[frame] < 0) return;
@@ -149,8 +148,7 @@ std::optional<NormalSums> ForceEquations::Linearise(const ForceUnknowns& at,
     if (!usable || rows.right.rows() == 0) return;
     Eigen::MatrixXd motion = MovedDirections(*sensitivity);
     if (motion.cols() < motion_.first_control()) {
-      motion.conservativeResizeLike(
-          Eigen::MatrixXd::Zero(state.x.size(), motion_.first_control()));
+      motion.conservativeResizeLike(Eigen::MatrixXd::Zero(state.x.size(), motion_.first_control()));
     }
     std::vector<int> all(static_cast<std::size_t>(rows.right.rows()));
     std::iota(all.begin(), all.end(), 0);
@@ -198,8 +196,8 @@ double ForceEquations::PriorSum(const ForceUnknowns& at) const {
 
 Eigen::LLT<Eigen::MatrixXd> ForceEquations::FixedFactor(const NormalSums& sums) const {
   const Eigen::Index p = free_.size();
-  Eigen::MatrixXd fixed = sums.information.topLeftCorner(num_fixed(), num_fixed())
-                              .selfadjointView<Eigen::Lower>();
+  Eigen::MatrixXd fixed =
+      sums.information.topLeftCorner(num_fixed(), num_fixed()).selfadjointView<Eigen::Lower>();
   fixed.topLeftCorner(p, p) += free_.prior_jacobian().transpose() * free_.prior_jacobian();
   fixed.diagonal().tail(num_faults_) += options_.fault_sigmas.cwiseAbs2().cwiseInverse();
   return fixed.llt();
@@ -250,7 +248,8 @@ ForceUnknowns ForceEquations::Complete(const NormalSums& sums, const ForceUnknow
       targets.fixed.col(0) -
       sums.information.bottomLeftCorner(layout_.size(), num_fixed()).transpose() * force;
   const Eigen::VectorXd fixed = FixedFactor(sums).solve(right);
-  result.theta = (at.theta + fixed.head(free_.size())).cwiseMax(free_.lower()).cwiseMin(free_.upper());
+  result.theta =
+      (at.theta + fixed.head(free_.size())).cwiseMax(free_.lower()).cwiseMin(free_.upper());
   result.faults = fixed.tail(num_faults_);
   return result;
 }

@@ -65,7 +65,8 @@ Eigen::Vector3d ForceLayout::At(const Eigen::VectorXd& force, double time,
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int corner = 0; corner < 4; ++corner) {
     const int i = corner % 2, j = corner / 2;
-    const double w = (i == 1 ? weight[0] : 1.0 - weight[0]) * (j == 1 ? weight[1] : 1.0 - weight[1]);
+    const double w =
+        (i == 1 ? weight[0] : 1.0 - weight[0]) * (j == 1 ? weight[1] : 1.0 - weight[1]);
     sum += w * grid.force[first[0] + i + (first[1] + j) * nodes[0]];
   }
   return sum;
@@ -101,8 +102,8 @@ ForceLayout MakeForceLayout(const ClothMesh& mesh, const std::array<int, 2>& nod
   layout.nodes = nodes;
   layout.frame_rate = frame_rate;
   layout.frames_per_knot = std::max(1, static_cast<int>(std::lround(spacing * frame_rate)));
-  layout.num_knots = std::max(2, 1 + (last_frame + layout.frames_per_knot - 1) /
-                                         layout.frames_per_knot);
+  layout.num_knots =
+      std::max(2, 1 + (last_frame + layout.frames_per_knot - 1) / layout.frames_per_knot);
   return layout;
 }
 
@@ -137,10 +138,10 @@ Eigen::MatrixXd TriangleForces(const ClothMesh& mesh, const ForceLayout& layout,
   Eigen::MatrixXd forces(3, static_cast<Eigen::Index>(mesh.triangles.size()));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::array<int, 3>& nodes = mesh.triangles[t];
-    const Eigen::Vector2d middle = (mesh.uv[nodes[0]] + mesh.uv[nodes[1]] + mesh.uv[nodes[2]]) / 3.0;
-    forces.col(static_cast<Eigen::Index>(t)) = SignedArea(mesh, nodes) *
-                                               (TriangleFrame(mesh, nodes, x) *
-                                                layout.At(force, time, middle));
+    const Eigen::Vector2d middle =
+        (mesh.uv[nodes[0]] + mesh.uv[nodes[1]] + mesh.uv[nodes[2]]) / 3.0;
+    forces.col(static_cast<Eigen::Index>(t)) =
+        SignedArea(mesh, nodes) * (TriangleFrame(mesh, nodes, x) * layout.At(force, time, middle));
   }
   return forces;
 }

@@ -42,8 +42,8 @@ struct ForceLayout {
   Eigen::Vector3d At(const Eigen::VectorXd& force, double time, const Eigen::Vector2d& uv) const;
 
   // Factor L of the correlations LL' of a field whose correlation falls with the distance d as
-  // (1 + a) exp(-a), a = sqrt(3) d / range (Matern 3/2: Rasmussen and Williams 2006, eq. 4.17), over
-  // the cloth (range in m) and over time (s); components are independent. Lower triangular.
+  // (1 + a) exp(-a), a = sqrt(3) d / range (Matern 3/2: Rasmussen and Williams 2006, eq. 4.17),
+  // over the cloth (range in m) and over time (s); components are independent. Lower triangular.
   Eigen::MatrixXd CorrelationFactor(double length, double time) const;
 };
 
@@ -56,8 +56,8 @@ ForceLayout MakeForceLayout(const ClothMesh& mesh, const std::array<int, 2>& nod
 Eigen::Matrix3d TriangleFrame(const ClothMesh& mesh, const std::array<int, 3>& triangle,
                               const Eigen::VectorXd& x);
 
-// What one node of the grid does to one triangle: its force (N) on it is `area` times the triangle's
-// frame times the node's components.
+// What one node of the grid does to one triangle: its force (N) on it is `area` times the
+// triangle's frame times the node's components.
 struct NodeShare {
   std::array<int, 3> triangle;
   int node;

@@ -159,7 +159,8 @@ class PatchSearch {
     for (int k = 0; k < layout_.num_knots; ++k) {
       *data += weights[k] * data_.segment(k * size, size);
       for (int l = 0; l < layout_.num_knots; ++l)
-        *information += weights[k] * weights[l] * information_.block(k * size, l * size, size, size);
+        *information +=
+            weights[k] * weights[l] * information_.block(k * size, l * size, size, size);
     }
   }
 

@@ -19,50 +19,45 @@ double ChiSquared3Tail(double x) {
 
 }  // namespace
 
-Eigen::MatrixXd MapStatistic(const MissingForce& missing, const Eigen::VectorXd& force) {
-  const ForceLayout& layout = missing.layout;
+Eigen::MatrixXd MapStatistics(const MissingForce& missing, const Eigen::MatrixXd& forces) {
   const Eigen::MatrixXd blocks = missing.posterior.NoiseBlocks();
   double largest = 0.0;
   for (Eigen::Index i = 0; i < blocks.cols(); ++i) largest = std::max(largest, blocks(i % 3, i));
-  Eigen::MatrixXd statistic(layout.num_knots, layout.num_nodes());
-  for (int k = 0; k < layout.num_knots; ++k) {
-    for (int node = 0; node < layout.num_nodes(); ++node) {
-      const int i = layout.Index(k, node, 0);
-      // Where the data say nothing both vanish; the statistic does too.
-      constexpr double kNothing = 1e-6;
-      const Eigen::Matrix3d covariance =
-          blocks.middleCols<3>(i) + kNothing * largest * Eigen::Matrix3d::Identity();
-      const Eigen::Vector3d f = force.segment<3>(i);
-      statistic(k, node) = std::sqrt(std::max(0.0, f.dot(covariance.llt().solve(f))));
-    }
+  Eigen::MatrixXd statistics(forces.rows() / 3, forces.cols());
+  for (Eigen::Index part = 0; part < statistics.rows(); ++part) {
+    // Where the data say nothing both vanish; the statistic does too.
+    constexpr double kNothing = 1e-6;
+    const Eigen::Matrix3d covariance =
+        blocks.middleCols<3>(3 * part) + kNothing * largest * Eigen::Matrix3d::Identity();
+    const Eigen::MatrixXd white = covariance.llt().matrixL().solve(forces.middleRows<3>(3 * part));
+    statistics.row(part) = white.colwise().norm();
   }
-  return statistic;
+  return statistics;
 }
 
 double MapPValue(const MissingForce& missing) {
-  const Eigen::MatrixXd observed = MapStatistic(missing, missing.force);
   const Eigen::Index nulls = missing.null_forces.cols();
+  Eigen::MatrixXd forces(missing.force.size(), 1 + nulls);
+  forces << missing.force, missing.null_forces;
+  const Eigen::MatrixXd all = MapStatistics(missing, forces);
   if (nulls == 0) {
-    const double each = ChiSquared3Tail(std::pow(observed.maxCoeff(), 2));
-    return -std::expm1(static_cast<double>(observed.size()) * std::log1p(-std::min(each, 1.0 - 1e-15)));
+    const double each = ChiSquared3Tail(std::pow(all.maxCoeff(), 2));
+    return -std::expm1(static_cast<double>(all.size()) * std::log1p(-std::min(each, 1.0 - 1e-15)));
   }
-  std::vector<Eigen::MatrixXd> all = {observed};
-  for (Eigen::Index i = 0; i < nulls; ++i)
-    all.push_back(MapStatistic(missing, missing.null_forces.col(i)));
   constexpr double kOfNoise = 10.0;  // recordings that noise alone counts for; squares are about 3
-  Eigen::MatrixXd scale = Eigen::MatrixXd::Constant(observed.rows(), observed.cols(), kOfNoise);
-  for (const Eigen::MatrixXd& one : all) scale += one.cwiseAbs2() / 3.0;
-  scale = (scale / (kOfNoise + static_cast<double>(all.size()))).cwiseSqrt();
-  const double largest = observed.cwiseQuotient(scale).maxCoeff();
-  double as_large = 0.0;
-  for (const Eigen::MatrixXd& one : all)
-    as_large += one.cwiseQuotient(scale).maxCoeff() >= largest ? 1.0 : 0.0;
-  return as_large / static_cast<double>(all.size());
+  const Eigen::VectorXd squares = all.rowwise().squaredNorm() / 3.0;
+  const Eigen::VectorXd scale =
+      ((squares.array() + kOfNoise) / (kOfNoise + static_cast<double>(all.cols())))
+          .sqrt()
+          .inverse();
+  const Eigen::VectorXd largest = (scale.asDiagonal() * all).colwise().maxCoeff().transpose();
+  return static_cast<double>((largest.array() >= largest[0]).count()) /
+         static_cast<double>(largest.size());
 }
 
 namespace {
 
-// The force along `axis` of the cloth's frame at the region's strongest (node, knot).
+// The largest force of any (node, knot) in the region, and its sigma along itself.
 void FindPeak(const MissingForce& missing, Mismatch* mismatch) {
   const ForceLayout& layout = missing.layout;
   const Eigen::MatrixXd blocks = missing.posterior.Blocks();
@@ -153,9 +148,8 @@ SourceShift ShiftWithout(const SourceSystem& source, const ForcePatch& patch,
   // Along the amplitude, of which the others are to tell whether it is there.
   const Eigen::Vector3d along = with_all.value.normalized();
   const double difference = along.dot(without.value - with_all.value);
-  const double variance =
-      std::max(along.dot((without.covariance - with_all.covariance) * along),
-               1e-12 * along.dot(with_all.covariance * along));
+  const double variance = std::max(along.dot((without.covariance - with_all.covariance) * along),
+                                   1e-12 * along.dot(with_all.covariance * along));
   shift.p_value = std::erfc(std::abs(difference) / std::sqrt(2.0 * variance));
   return shift;
 }
@@ -171,8 +165,7 @@ std::vector<SourceShift> WhoseMismatch(const Recording& recording, const Missing
   for (const SourceSystem& source : missing.without) {
     shifts.push_back(ShiftWithout(source, patch, with_all, missing.noise_factor));
     SourceShift& shift = shifts.back();
-    shift.name =
-        source.camera < 0 ? "markers" : "camera " + recording.cameras[source.camera].name;
+    shift.name = source.camera < 0 ? "markers" : "camera " + recording.cameras[source.camera].name;
     if (shift.kept < shifts[least].kept) least = shifts.size() - 1;
   }
   constexpr double kMost = 0.5, kByChance = 1e-3;

@@ -130,9 +130,8 @@ class Balance {
     Eigen::VectorXd largest = Eigen::VectorXd::Zero(num_knots_);
     for (int k = 0; k < num_knots_; ++k) {
       const int frame = FrameOfKnot(missing_, k);
-      const Eigen::MatrixXd forces =
-          TriangleForces(scene_.mesh, missing_.layout, missing_.force,
-                         missing_.layout.KnotTime(k), missing_.x[frame]);
+      const Eigen::MatrixXd forces = TriangleForces(scene_.mesh, missing_.layout, missing_.force,
+                                                    missing_.layout.KnotTime(k), missing_.x[frame]);
       for (std::size_t t = 0; t < scene_.mesh.triangles.size(); ++t) {
         largest[k] += forces.col(static_cast<Eigen::Index>(t)).norm() *
                       KnotSums::Middle(scene_.mesh.triangles[t], missing_.v[frame]).norm();
@@ -170,18 +169,20 @@ class Balance {
       const Eigen::MatrixXd combinations = FreeOfKnot(k, &origin);
       Eigen::MatrixXd wrench = Eigen::MatrixXd::Zero(6, controls);
       Eigen::MatrixXd power = Eigen::MatrixXd::Zero(1, controls);
-      sums_.Add(k,
-                [&](const Eigen::Vector3d& place, const Eigen::Vector3d&) {
-                  Eigen::Matrix<double, 6, 3> both;
-                  both << Eigen::Matrix3d::Identity(), CrossMatrix(place - origin) / length_;
-                  return both;
-                },
-                &wrench);
-      sums_.Add(k,
-                [](const Eigen::Vector3d&, const Eigen::Vector3d& velocity) {
-                  return Eigen::RowVector3d(velocity.transpose());
-                },
-                &power);
+      sums_.Add(
+          k,
+          [&](const Eigen::Vector3d& place, const Eigen::Vector3d&) {
+            Eigen::Matrix<double, 6, 3> both;
+            both << Eigen::Matrix3d::Identity(), CrossMatrix(place - origin) / length_;
+            return both;
+          },
+          &wrench);
+      sums_.Add(
+          k,
+          [](const Eigen::Vector3d&, const Eigen::Vector3d& velocity) {
+            return Eigen::RowVector3d(velocity.transpose());
+          },
+          &power);
       force_rows_.middleRows<3>(3 * k) = wrench.topRows<3>();
       power_rows_.row(k) = power;
       free.push_back(combinations * wrench);
@@ -239,9 +240,9 @@ void FillPower(const MissingForce& missing, const ForcePatch& patch, const Balan
   result->power = weights.dot(power);
   result->power_sigma =
       std::sqrt(std::max(0.0, missing.posterior.Covariance(weights.transpose() * rows)(0, 0)));
-  constexpr double kSure = 3.0;      // sigmas
-  constexpr double kOneSign = 0.8;   // of the work done either way
-  constexpr double kEnough = 0.2;    // of what a force along the motion would do
+  constexpr double kSure = 3.0;     // sigmas
+  constexpr double kOneSign = 0.8;  // of the work done either way
+  constexpr double kEnough = 0.2;   // of what a force along the motion would do
   const double either_way = weights.dot(power.cwiseAbs());
   const bool is_clear = std::abs(result->power) > kSure * result->power_sigma &&
                         std::abs(result->power) > kEnough * weights.dot(largest);

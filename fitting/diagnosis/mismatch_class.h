@@ -16,20 +16,20 @@ namespace clothfit {
 
 // A missing force that is tied to something spans fewer dimensions than any force at all.
 struct Tie {
-  std::string to;      // as in MismatchClass::tied_to; "" for any force at all
-  std::string family;  // "one vector", "field in the world", ...
+  std::string to;             // as in MismatchClass::tied_to; "" for any force at all
+  std::string family;         // "one vector", "field in the world", ...
   double log_evidence = 0.0;  // against no force
   double explained = 0.0;     // decrease of the sum of squares over that of any force at all
 };
 
 // Net sums over the cloth at the knots of the map, and what they show.
 struct MismatchBalance {
-  std::vector<double> times;            // s
-  Eigen::MatrixXd force, force_sigma;   // N, world, 3 x times
+  std::vector<double> times;           // s
+  Eigen::MatrixXd force, force_sigma;  // N, world, 3 x times
   // N m about what the handles cannot turn the cloth around: components along the directions in
   // which they leave it free (about a point, the line through two of them, nothing beyond).
   std::vector<double> moment, moment_sigma;  // of all knots, component after component
-  Eigen::VectorXd power, power_sigma;   // W, of the force on the cloth's motion
+  Eigen::VectorXd power, power_sigma;        // W, of the force on the cloth's motion
   // |free net moment, and net force where nothing holds the cloth| over the same sum with all parts
   // taken without their signs: near 0 for forces that cancel, towards 1 for those that add up.
   double coherence = 0.0;

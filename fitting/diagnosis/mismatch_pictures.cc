@@ -77,8 +77,7 @@ void DrawScale(const cv::Rect& box, double top, cv::Mat* picture) {
   }
   cv::rectangle(*picture, box, kInk);
   for (const double tick : LinearTicks(0.0, top, 5)) {
-    const int y = box.y + box.height -
-                  static_cast<int>(std::lround(tick / top * (box.height - 1)));
+    const int y = box.y + box.height - static_cast<int>(std::lround(tick / top * (box.height - 1)));
     cv::line(*picture, {box.x + box.width, y}, {box.x + box.width + 4, y}, kInk);
     Write(fmt::format("{:g}", tick), {box.x + box.width + 8, y}, Align::kLeft, picture);
   }
@@ -109,7 +108,8 @@ void DrawPanel(const MissingForce& missing, const Location& location, double tim
                   {panel.u.At(m.high_uv.x()), up(m.high_uv.y())}, kPatch, 2);
   }
   cv::rectangle(*picture, box, kInk);
-  Write(fmt::format("{:.2f} s", time), {box.x + box.width / 2, box.y - 14}, Align::kCentre, picture);
+  Write(fmt::format("{:.2f} s", time), {box.x + box.width / 2, box.y - 14}, Align::kCentre,
+        picture);
   for (const double tick : LinearTicks(panel.u.low, panel.u.high, 3)) {
     const int x = panel.u.At(tick);
     cv::line(*picture, {x, box.y + box.height}, {x, box.y + box.height + 4}, kInk);
@@ -217,8 +217,8 @@ cv::Mat DrawForceMap(const Scene&, const MissingForce& missing, const Location& 
     left += kWide + kGap;
   }
   DrawScale({left + 8, kTop, 18, tall}, top, &picture);
-  DrawCourse(missing, location, top,
-             {kLeft, course, kPanels * (kWide + kGap) - kGap, 150}, &picture);
+  DrawCourse(missing, location, top, {kLeft, course, kPanels * (kWide + kGap) - kGap, 150},
+             &picture);
   return picture;
 }
 
@@ -254,7 +254,8 @@ void DrawCloth(const Scene& scene, const Eigen::VectorXd& x, const View& view, c
   std::vector<std::pair<double, std::size_t>> order;  // far ones first
   for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
     const std::array<int, 3>& n = scene.mesh.triangles[t];
-    const Eigen::Vector3d sum = x.segment<3>(3 * n[0]) + x.segment<3>(3 * n[1]) + x.segment<3>(3 * n[2]);
+    const Eigen::Vector3d sum =
+        x.segment<3>(3 * n[0]) + x.segment<3>(3 * n[1]) + x.segment<3>(3 * n[2]);
     order.emplace_back(view.towards.dot(sum), t);
   }
   std::sort(order.begin(), order.end());
@@ -306,8 +307,7 @@ void DrawArrows(const Scene& scene, const MissingForce& missing, double time,
   std::vector<Eigen::Vector2d> uv;
   for (int i = 0; i < kAlong * kAlong; ++i) {
     const Eigen::Vector2d share((i % kAlong + 0.5) / kAlong, (i / kAlong + 0.5) / kAlong);
-    uv.push_back(missing.layout.low +
-                 share.cwiseProduct(missing.layout.high - missing.layout.low));
+    uv.push_back(missing.layout.low + share.cwiseProduct(missing.layout.high - missing.layout.low));
   }
   const std::vector<SurfacePoint> points = LocateOnCloth(scene.mesh, uv);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -326,8 +326,7 @@ void DrawArrows(const Scene& scene, const MissingForce& missing, double time,
 
 }  // namespace
 
-cv::Mat DrawForceArrows(const Scene& scene, const MissingForce& missing,
-                        const Location& location) {
+cv::Mat DrawForceArrows(const Scene& scene, const MissingForce& missing, const Location& location) {
   constexpr int kPanel = 460, kTop = 40, kBottom = 70;
   cv::Mat picture(kTop + kPanel + kBottom, 2 * kPanel, CV_8UC3, cv::Scalar::all(255));
   const int frame = PeakFrame(missing, location);

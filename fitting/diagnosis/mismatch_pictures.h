@@ -11,12 +11,12 @@
 namespace clothfit {
 
 // How strong it is over the cloth at a row of times spread over the recording, with the patch
-// outlined where it acts, and below over all times: the mean over the cloth, and the strongest place.
-// 8-bit BGR.
+// outlined where it acts, and below over all times: the mean over the cloth, and the strongest
+// place. 8-bit BGR.
 cv::Mat DrawForceMap(const Scene& scene, const MissingForce& missing, const Location& location);
 
-// The cloth at the time of the force's peak as it hangs in space, seen from two sides, with the force
-// of each patch of cloth as an arrow. 8-bit BGR.
+// The cloth at the time of the force's peak as it hangs in space, seen from two sides, with the
+// force of each patch of cloth as an arrow. 8-bit BGR.
 cv::Mat DrawForceArrows(const Scene& scene, const MissingForce& missing, const Location& location);
 
 }  // namespace clothfit

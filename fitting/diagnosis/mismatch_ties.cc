@@ -8,9 +8,8 @@
 namespace clothfit {
 namespace {
 
-// By how much a system's best force lowers the sum of squares, at this prior strength.
-double Gain(const LinearSystem& system, const Eigen::MatrixXd& factor, const Evidence& evidence) {
-  const PosteriorForce posterior(system, factor, evidence.strength, evidence.noise);
+// By how much a system's best force lowers the sum of squares.
+double Gain(const LinearSystem& system, const PosteriorForce& posterior) {
   const Eigen::VectorXd force = posterior.Mean(system.data.leftCols(1));
   return 2.0 * force.dot(system.data.col(0)) -
          force.dot(system.information.selfadjointView<Eigen::Lower>() * force);
@@ -22,16 +21,16 @@ class Families {
       : scene_(scene), missing_(missing), patch_(patch), poses_(KnotPoses(scene, missing)) {}
 
   std::vector<Tie> Run() {
-    AddSystem("", "any force", missing_.system, missing_.correlation_factor);
+    ties_.push_back(
+        {"", "any force", missing_.log_evidence, Gain(missing_.system, missing_.posterior)});
     AddWorld();
     AddMaterial();
     AddContact();
     AddClock();
     const double whole = ties_.front().explained;
     for (Tie& tie : ties_) tie.explained = whole > 0.0 ? tie.explained / whole : 0.0;
-    std::stable_sort(ties_.begin(), ties_.end(), [](const Tie& a, const Tie& b) {
-      return a.log_evidence > b.log_evidence;
-    });
+    std::stable_sort(ties_.begin(), ties_.end(),
+                     [](const Tie& a, const Tie& b) { return a.log_evidence > b.log_evidence; });
     return ties_;
   }
 
@@ -39,14 +38,17 @@ class Families {
   void AddSystem(const std::string& to, const std::string& family, const LinearSystem& system,
                  const Eigen::MatrixXd& factor) {
     const Evidence evidence = MaximiseEvidence(system, factor);
-    ties_.push_back({to, family, evidence.log_evidence, Gain(system, factor, evidence)});
+    const PosteriorForce posterior(system, factor, evidence.strength, evidence.noise);
+    ties_.push_back({to, family, evidence.log_evidence, Gain(system, posterior)});
   }
 
   // Forces that are sums of these columns, each with an amount (N/m^2) of its own.
   void AddSpan(const std::string& to, const std::string& family, const Eigen::MatrixXd& columns) {
     const Eigen::MatrixXd moved =
         missing_.system.information.selfadjointView<Eigen::Lower>() * columns;
-    LinearSystem system = missing_.system;
+    LinearSystem system;
+    system.sum = missing_.system.sum;
+    system.rows = missing_.system.rows;
     system.information = columns.transpose() * moved;
     system.data = columns.transpose() * missing_.system.data.leftCols(1);
     AddSystem(to, family, system, Eigen::MatrixXd::Identity(columns.cols(), columns.cols()));
@@ -56,18 +58,22 @@ class Families {
   void AddMasked(const std::string& to, const std::string& family,
                  const std::function<bool(int knot, int node)>& is_in) {
     const ForceLayout& layout = missing_.layout;
-    Eigen::VectorXd mask = Eigen::VectorXd::Zero(layout.size());
+    std::vector<int> in;
     for (int k = 0; k < layout.num_knots; ++k) {
       for (int node = 0; node < layout.num_nodes(); ++node) {
-        if (is_in(k, node)) mask.segment<3>(layout.Index(k, node, 0)).setOnes();
+        for (int c = 0; c < 3 && is_in(k, node); ++c) in.push_back(layout.Index(k, node, c));
       }
     }
     constexpr double kMost = 0.75;  // of the whole: more of it is hardly a part
-    if (mask.sum() == 0.0 || mask.mean() > kMost) return;
-    LinearSystem system = missing_.system;
-    system.information = mask.asDiagonal() * system.information * mask.asDiagonal();
-    system.data = mask.asDiagonal() * missing_.system.data.leftCols(1);
-    AddSystem(to, family, system, missing_.correlation_factor);
+    if (in.empty() || static_cast<double>(in.size()) > kMost * layout.size()) return;
+    const Eigen::MatrixXd rows = missing_.correlation_factor(in, Eigen::all);
+    const Eigen::MatrixXd correlation = rows * rows.transpose();
+    LinearSystem system;
+    system.information = missing_.system.information(in, in);
+    system.data = missing_.system.data(in, std::vector<int>{0});
+    system.sum = missing_.system.sum;
+    system.rows = missing_.system.rows;
+    AddSystem(to, family, system, correlation.llt().matrixL());
   }
 
   // Columns of `count` world vectors, weighted at each (knot, node).
@@ -102,7 +108,8 @@ class Families {
       }
     }
     const Eigen::Vector3d size = (high - low).cwiseMax(1e-6);
-    AddSpan("world", "a field in the world, trilinear", WorldVectors(8, [&](int k, int node, int c) {
+    AddSpan("world", "a field in the world, trilinear",
+            WorldVectors(8, [&](int k, int node, int c) {
               const Eigen::Vector3d s = (poses_[k].places[node] - low).cwiseQuotient(size);
               double weight = 1.0;
               for (int axis = 0; axis < 3; ++axis)
@@ -118,9 +125,9 @@ class Families {
     AddSpan("material", "a vector at each place of the cloth",
             WorldVectors(layout.num_nodes(),
                          [](int, int node, int which) { return node == which ? 1.0 : 0.0; }));
-    const Eigen::Vector2d cell = (layout.high - layout.low)
-                                     .cwiseQuotient(Eigen::Vector2d(layout.nodes[0] - 1,
-                                                                    layout.nodes[1] - 1));
+    const Eigen::Vector2d cell =
+        (layout.high - layout.low)
+            .cwiseQuotient(Eigen::Vector2d(layout.nodes[0] - 1, layout.nodes[1] - 1));
     AddMasked("material", "any force on a part of the cloth", [&](int, int node) {
       const Eigen::Vector2d uv = layout.NodePlace(node);
       return (uv - patch_.low_uv + 0.5 * cell).minCoeff() >= 0.0 &&

@@ -51,25 +51,28 @@ std::string MismatchWords(const Scene& scene, const ForceLayout& layout, int las
         mismatch.peak, 100.0 * mismatch.p_value);
   }
   const int margin = layout.frames_per_knot;
-  const bool is_always = mismatch.first_frame <= margin && mismatch.last_frame >= last_frame - margin;
-  const std::string when =
-      is_always ? "All the time"
-                : fmt::format("Between {:.2f} s and {:.2f} s", scene.FrameTime(mismatch.first_frame),
-                              scene.FrameTime(mismatch.last_frame));
-  return fmt::format("{} {} is pushed along {} with up to {:.2g} N/m^2 (+- {:.1g}) more than the "
-                     "model has.",
-                     when,
-                     RegionWords(layout.low, layout.high, mismatch.low_uv, mismatch.high_uv),
-                     DirectionWords(mismatch.direction), mismatch.peak, mismatch.peak_sigma);
+  const bool is_always =
+      mismatch.first_frame <= margin && mismatch.last_frame >= last_frame - margin;
+  const std::string when = is_always ? "All the time"
+                                     : fmt::format("Between {:.2f} s and {:.2f} s",
+                                                   scene.FrameTime(mismatch.first_frame),
+                                                   scene.FrameTime(mismatch.last_frame));
+  return fmt::format(
+      "{} {} is pushed along {} with up to {:.2g} N/m^2 (+- {:.1g}) more than the "
+      "model has.",
+      when, RegionWords(layout.low, layout.high, mismatch.low_uv, mismatch.high_uv),
+      DirectionWords(mismatch.direction), mismatch.peak, mismatch.peak_sigma);
 }
 
 std::string ClassWords(const MismatchClass& c) {
-  std::string words = c.is_internal ? "The missing force is the cloth's own: it adds up to no net force "
-                                      "and no net moment"
-                                    : "The missing force comes from outside the cloth";
+  std::string words = c.is_internal
+                          ? "The missing force is the cloth's own: it adds up to no net force "
+                            "and no net moment"
+                          : "The missing force comes from outside the cloth";
   if (c.is_dissipative) words += ", takes energy out of the motion";
   if (c.is_driving) words += ", drives the motion";
-  if (c.tied_to == "world") words += ", and is the same wherever the cloth is or hangs on the place in the world";
+  if (c.tied_to == "world")
+    words += ", and is the same wherever the cloth is or hangs on the place in the world";
   if (c.tied_to == "material") words += ", and sits at a place of the cloth all the time";
   if (c.tied_to == "contact") words += ", and acts where the cloth is near the ground";
   if (c.tied_to == "clock") words += ", and acts for a time only";

@@ -45,15 +45,12 @@ Evidence MaximiseEvidence(const LinearSystem& system, const Eigen::MatrixXd& cor
     Evidence at;
     at.strength = std::pow(10.0, log10_strength);
     const Eigen::LLT<Eigen::MatrixXd> factor = Regularised(whitened, at.strength);
-    const double gain =
-        at.strength * at.strength * factor.matrixL().solve(data).squaredNorm();
-    const double log_determinant =
-        2.0 * factor.matrixLLT().diagonal().array().log().sum();
-    at.log_evidence =
-        LogLikelihood(system.sum - gain, rows, log_determinant, &at.noise) - without;
+    const double gain = at.strength * at.strength * factor.matrixL().solve(data).squaredNorm();
+    const double log_determinant = 2.0 * factor.matrixLLT().diagonal().array().log().sum();
+    at.log_evidence = LogLikelihood(system.sum - gain, rows, log_determinant, &at.noise) - without;
     return at;
   };
-  constexpr double kLowest = -3.0, kHighest = 2.0;  // log10 of N/m^2 over the noise
+  constexpr double kLowest = -2.5, kHighest = 1.5;  // log10 of N/m^2 over the noise
   double best = kLowest;
   Evidence result = evaluate(best);
   const auto look = [&](double place) {
@@ -141,7 +138,9 @@ class Estimator {
  public:
   Estimator(const Scene& scene, const FitConfig& config, const FreeParameters& free,
             const ResidualForceOptions& options, MissingForce* result)
-      : options_(options), result_(*result), equations_(scene, config, free, result->layout, options) {
+      : options_(options),
+        result_(*result),
+        equations_(scene, config, free, result->layout, options) {
     if (options.nulls.cols() > 0 && options.nulls.rows() != equations_.num_rows()) {
       throw InputError("null residuals",
                        fmt::format("{} rows; expected {}, as many as there are observations",
@@ -156,8 +155,8 @@ class Estimator {
     for (int i = 0; i < options_.iterations; ++i) {
       const bool is_last = i + 1 == options_.iterations;
       std::vector<NormalSums> by_source;
-      const std::optional<NormalSums> sums = equations_.Linearise(
-          at, is_last && options_.by_source ? &by_source : nullptr);
+      const std::optional<NormalSums> sums =
+          equations_.Linearise(at, is_last && options_.by_source ? &by_source : nullptr);
       if (!sums) return false;
       Solve(*sums, at);
       if (is_last) LeaveOut(*sums, by_source, at);
@@ -244,8 +243,8 @@ std::optional<MissingForce> EstimateMissingForce(const Scene& scene, const FitCo
   result.layout = MakeForceLayout(scene.mesh, options.nodes, scene.recording.frame_rate, last,
                                   options.knot_spacing);
   const double side = (result.layout.high - result.layout.low).maxCoeff();
-  result.correlation_factor = result.layout.CorrelationFactor(options.correlation_length * side,
-                                                              options.correlation_time);
+  result.correlation_factor =
+      result.layout.CorrelationFactor(options.correlation_length * side, options.correlation_time);
   Estimator estimator(scene, config, free, options, &result);
   const ForceUnknowns start = {theta, Eigen::VectorXd::Zero(options.fault_sigmas.size()),
                                Eigen::VectorXd::Zero(result.layout.size())};

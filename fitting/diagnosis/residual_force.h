@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The force that a fitted model lacks: weak-constraint least squares (Tremolet 2006) for a force per
-// area over the cloth and over time, through the differentiated simulation, while what was fitted
-// may move along. docs/diagnosis.md has the equations.
+// The force that a fitted model lacks: weak-constraint least squares (Tremolet 2006) for a force
+// per area over the cloth and over time, through the differentiated simulation, while what was
+// fitted may move along. docs/diagnosis.md has the equations.
 #pragma once
 
 #include <functional>
@@ -27,14 +27,14 @@ struct ResidualForceOptions {
   // Range over which the prior takes forces for alike: a share of the cloth's longer side, and s.
   double correlation_length = 0.4;
   double correlation_time = 0.12;
-  int iterations = 2;         // of Gauss-Newton
-  bool by_source = false;     // keep the equations of each source apart (see WhoseMismatch)
-  std::vector<int> frames;    // whose rows are used; empty: all that are fitted
+  int iterations = 2;       // of Gauss-Newton
+  bool by_source = false;   // keep the equations of each source apart (see WhoseMismatch)
+  std::vector<int> frames;  // whose rows are used; empty: all that are fitted
   // Residuals of simulated recordings in which nothing is missing, one a column, rows as
   // ObservationResiduals has them, frame after frame of `frames`, of the very scene below.
   Eigen::MatrixXd nulls;
-  // Faults of the observation that go unremarked (camera poses, clocks, ...): d residuals of a frame
-  // / d fault, rows x faults, and one sigma of each; eliminated along with the free entries.
+  // Faults of the observation that go unremarked (camera poses, clocks, ...): d residuals of a
+  // frame / d fault, rows x faults, and one sigma of each; eliminated along with the free entries.
   std::function<RowMajorMatrix(int frame, const State& state)> faults;
   Eigen::VectorXd fault_sigmas;
 };
@@ -44,13 +44,13 @@ struct ResidualForceOptions {
 struct LinearSystem {
   Eigen::MatrixXd information;  // lower triangle
   Eigen::MatrixXd data;
-  double sum = 0.0;    // of the squares of the observed data's right-hand sides
-  double rows = 0.0;   // observed coordinates, as ObservationResiduals::NumObserved counts them
+  double sum = 0.0;   // of the squares of the observed data's right-hand sides
+  double rows = 0.0;  // observed coordinates, as ObservationResiduals::NumObserved counts them
 };
 
 // What a source of observations says: a camera, or the markers.
 struct SourceSystem {
-  int camera = -1;  // -1: markers
+  int camera = -1;     // -1: markers
   LinearSystem force;  // with this source LEFT OUT; free entries and faults eliminated
 };
 
@@ -78,7 +78,7 @@ class PosteriorForce {
  private:
   Eigen::MatrixXd ScaledRows(const Eigen::MatrixXd& functions) const;
 
-  Eigen::MatrixXd factor_;  // L
+  Eigen::MatrixXd factor_;                // L
   Eigen::LLT<Eigen::MatrixXd> whitened_;  // of I + s^2 L' information L
   double strength_ = 0.0, noise_ = 1.0;
 };
@@ -89,8 +89,8 @@ struct MissingForce {
   Eigen::VectorXd faults;  // amounts
   Eigen::VectorXd force;   // N/m^2, as the layout has it
   Eigen::VectorXd sigma;   // posterior standard deviation of each
-  // One sigma of the prior (N/m^2) where the marginal likelihood is largest, and what the residuals'
-  // sigmas are to be multiplied by, at least 1.
+  // One sigma of the prior (N/m^2) where the marginal likelihood is largest, and what the
+  // residuals' sigmas are to be multiplied by, at least 1.
   double prior_sigma = 0.0, noise_factor = 1.0;
   // log marginal likelihood with the force less that without it: how much the data ask for it.
   double log_evidence = 0.0;
@@ -100,16 +100,17 @@ struct MissingForce {
   int last_frame = 0;
   std::vector<Eigen::VectorXd> x, v;  // by frame 0..last_frame: m and m/s, with the force
 
-  LinearSystem system;     // of the last linearisation
+  LinearSystem system;  // of the last linearisation
   Eigen::MatrixXd correlation_factor;
   PosteriorForce posterior;
-  Eigen::MatrixXd null_forces;  // controls x nulls: the map of each
+  Eigen::MatrixXd null_forces;        // controls x nulls: the map of each
   std::vector<SourceSystem> without;  // by_source only
 };
 
-// Around a fit of `scene` with these free entries at theta. The scene may be coarser than the fit's.
-// Nothing where the simulation or an observation fails at theta. Throws InputError where the nulls
-// have not as many rows as the observations. The numbers are the same for any number of threads.
+// Around a fit of `scene` with these free entries at theta. The scene may be coarser than the
+// fit's. Nothing where the simulation or an observation fails at theta. Throws InputError where the
+// nulls have not as many rows as the observations. The numbers are the same for any number of
+// threads.
 std::optional<MissingForce> EstimateMissingForce(const Scene& scene, const FitConfig& config,
                                                  const FreeParameters& free,
                                                  const Eigen::VectorXd& theta,

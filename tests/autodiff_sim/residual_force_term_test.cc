@@ -60,8 +60,7 @@ TEST(ResidualForce, NodesShareTheCloth) {
   const ClothMesh mesh = MakeGrid({kSide, kSide}, {25, 25});
   const Eigen::VectorXd x =
       LayFlat(mesh, {0.0, 0.0, 0.0}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
-  const Eigen::Vector3d total =
-      Total(mesh, x, Grid({8.0, 0.0, 0.0}, Eigen::Vector3d::Zero()));
+  const Eigen::Vector3d total = Total(mesh, x, Grid({8.0, 0.0, 0.0}, Eigen::Vector3d::Zero()));
   // Sampled at the triangles' middles: products of hats are off by 1 / (9 * 12^2).
   EXPECT_NEAR(total.z(), kSide * kSide, 2e-3 * kSide * kSide);
 }

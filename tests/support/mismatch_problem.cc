@@ -6,116 +6,63 @@
 #include <random>
 #include <stdexcept>
 
-#include "autodiff_sim/force_batch_impl.h"
-#include "autodiff_sim/terms.h"
-#include "fitting/recovery_study.h"
-#include "fitting/window_simulator.h"
-#include "tracking/silhouette_raster.h"
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/forced_motion.h"
 
 namespace clothfit {
 namespace {
 
-constexpr double kSide = 0.4;         // m
+constexpr double kSide = 0.4;          // m
 constexpr double kMarkerSigma = 1e-3;  // m
 constexpr double kTrackSigma = 0.5;    // px
 
-// The planted force, as a term of this problem's own: it shares no code with what is to find it.
-struct Planted {
-  static constexpr int kFirst = 0, kLast = 1, kForce = 2;
-  static PlantedForce force;  // of the recording that is being made
-};
-PlantedForce Planted::force;
+// Nodes so dense that the planted rectangle has edges.
+constexpr int kPlantedNodes = 17;
 
-struct PlantedTerm : TermDefaults {
-  static constexpr const char* kName = "planted";
-  static constexpr const char* kDoc = "a push along the normal on a rectangle for a time";
-  static constexpr const char* kReference = "";
-  static constexpr int kNodes = 3;
-  static constexpr bool kInternal = false;
-  static constexpr std::array<Parameter, 1> kParameters = {{
-      {"push", "N/m^2", "", 0.0, 0.0, -100.0, 100.0, Scale::kLinear, 1.0},
-  }};
-  struct Element {
-    std::array<int, 3> nodes;
-    double share;  // of the triangle that lies in the rectangle: by points within it
-  };
-  static std::vector<Element> Elements(const TermContext& context) {
-    std::vector<Element> elements;
-    const PlantedForce& f = Planted::force;
-    for (const std::array<int, 3>& t : context.mesh.triangles) {
-      constexpr int kAlong = 12;
-      int inside = 0, all = 0;
-      for (int i = 0; i < kAlong; ++i) {
-        for (int j = 0; i + j < kAlong; ++j, ++all) {
-          const double a = (i + 1.0 / 3.0) / kAlong, b = (j + 1.0 / 3.0) / kAlong;
-          const Eigen::Vector2d uv = (1.0 - a - b) * context.mesh.uv[t[0]] +
-                                     a * context.mesh.uv[t[1]] + b * context.mesh.uv[t[2]];
-          inside += (uv - f.low_uv).minCoeff() >= 0.0 && (f.high_uv - uv).minCoeff() >= 0.0;
-        }
-      }
-      if (inside > 0) elements.push_back({t, static_cast<double>(inside) / all});
+// The planted force by frames, over a grid of its own.
+Eigen::VectorXd Planted(const PlantedForce& planted, const ForceLayout& layout) {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(layout.size());
+  for (int frame = planted.first_frame; frame <= planted.last_frame; ++frame) {
+    for (int node = 0; node < layout.num_nodes(); ++node) {
+      const Eigen::Vector2d uv = layout.NodePlace(node);
+      constexpr double kEdge = 1e-9;  // m
+      if ((uv - planted.low_uv).minCoeff() >= -kEdge && (planted.high_uv - uv).minCoeff() >= -kEdge)
+        force[layout.Index(frame, node, 0)] = planted.along_normal;
     }
-    return elements;
   }
-  template <class T>
-  static void AddForce(const Element& e, const ElementInput<PlantedTerm, T>& in,
-                       ElementOutput<PlantedTerm, T>* out) {
-    const double frame = 60.0 * in.time;
-    if (frame <= Planted::force.first_frame - 0.5 || frame > Planted::force.last_frame + 0.5)
-      return;
-    const Vector3<T> side1 = in.x[1] - in.x[0], side2 = in.x[2] - in.x[0];
-    const Vector3<T> force = side1.cross(side2) * (in.parameter[0] * (e.share / 6.0));
-    for (Vector3<T>& corner : out->force) corner += force;
-  }
-};
-
-template <class... Terms>
-auto WithPlanted(TypeList<Terms...>) {
-  return TypeList<Terms..., PlantedTerm>{};
+  return force;
 }
 
 // Every particle's position by frame, with what the model lacks.
 std::vector<Eigen::VectorXd> TrueMotion(const Scene& scene, const MismatchProblemOptions& options,
-                                        const FitConfig& config) {
-  Planted::force = options.planted;
-  SimulationOptions steps = StepOptions(config);
-  Simulation simulation = Simulation::WithTerms(WithPlanted(Terms{}), scene.mesh, scene.world,
-                                                scene.HandlePoints(), steps);
-  const std::vector<NamedParameter>& table = simulation.model().parameters();
-  Eigen::VectorXd values = simulation.parameters();
-  for (const auto& [name, setting] : config.parameters)
-    values[FindParameter(table, name)] = setting.value;
-  for (const auto& [name, value] : options.missing) values[FindParameter(table, name)] = value;
-  values[FindParameter(table, "planted.push")] = options.planted.along_normal;
-  simulation.SetParameters(values);
-  const Drive drive = [&](double time, bool) {
-    StepInputs inputs;
-    for (const SceneHandle& handle : scene.handles)
-      inputs.handles.push_back({handle.on_cloth, handle.path.At(time)});
-    return inputs;
-  };
-  State state = simulation.MakeState(scene.initial);
-  std::vector<Eigen::VectorXd> x = {state.x};
-  for (int frame = 1; frame < options.frames; ++frame) {
-    for (int k = 0; k < scene.steps_per_frame; ++k) {
-      if (simulation.Advance(scene.step, drive, &state).status != StepStatus::kConverged)
-        throw std::runtime_error("the planted motion diverges");
-    }
-    state.time = scene.FrameTime(frame);
-    x.push_back(state.x);
-  }
+                                        FitConfig config) {
+  for (const auto& [name, value] : options.missing) config.parameters.at(name).value = value;
+  const FreeParameters free(config, scene, MakeParameterTable());
+  const double rate = scene.recording.frame_rate;
+  const ForceLayout layout = MakeForceLayout(scene.mesh, {kPlantedNodes, kPlantedNodes}, rate,
+                                             options.frames - 1, 1.0 / rate);
+  ForcedMotion motion(scene, config, free, layout);
+  std::vector<Eigen::VectorXd> x;
+  const bool arrives =
+      motion.Run(free.start(), Planted(options.planted, layout), options.frames - 1, false,
+                 [&x](int, const State& state, const Sensitivity*) { x.push_back(state.x); });
+  if (!arrives) throw std::runtime_error("the planted motion diverges");
   return x;
 }
 
 SyntheticOptions Scenery(const MismatchProblemOptions& options) {
-  SyntheticOptions synthetic = DemoRecording();
+  SyntheticOptions synthetic;
+  synthetic.parameters = {
+      {"stretch.stiffness", 400.0}, {"stretch.damping", 0.4},     {"shear.stiffness", 8.0},
+      {"shear.damping", 0.2},       {"bending.stiffness", 5e-5},  {"bending.damping", 2e-5},
+      {"air_drag.normal", 0.3},     {"air_drag.saturation", 1.0}, {"air_drag.tangential", 0.05}};
   synthetic.size = {kSide, kSide};
   synthetic.resolution = {options.particles, options.particles};
   synthetic.frame_count = options.frames;
   synthetic.held_out_share = 0.0;
   synthetic.marker_sigma = kMarkerSigma;
   synthetic.track_sigma = kTrackSigma;
-  synthetic.num_cameras = options.tracks_only || options.silhouettes_only ? 3 : 0;
+  synthetic.num_cameras = options.tracks_only ? 3 : 0;
   synthetic.seed = options.seed;
   return synthetic;
 }
@@ -154,30 +101,15 @@ MismatchProblem MakeMismatchProblem(const MismatchProblemOptions& options) {
   MismatchProblem problem;
   problem.config = DefaultConfig(recording);
   problem.config.loss = LossKind::kNone;
-  problem.config.use_silhouettes = options.silhouettes_only;
   for (auto& [name, setting] : problem.config.parameters) {
     setting.free = name == "bending.stiffness" || name == "air_drag.normal";
     const auto known = synthetic.parameters.find(name);
     if (known != synthetic.parameters.end()) setting.value = setting.prior = known->second;
   }
-  Scene scene = MakeScene(recording, problem.config);
+  const Scene scene = MakeScene(recording, problem.config);
   problem.true_x = TrueMotion(scene, options, problem.config);
   Observe(options, scene, problem.true_x, &recording);
-  if (options.silhouettes_only) {
-    recording.markers.clear();
-    recording.tracks.clear();
-    auto silhouettes = std::make_shared<Silhouettes>();
-    for (int frame = 0; frame < options.frames; ++frame) {
-      for (int c = 0; c < static_cast<int>(recording.cameras.size()); ++c) {
-        BitMask mask;
-        SilhouetteRaster(recording.cameras[c], scene.mesh.triangles)
-            .Draw(problem.true_x[frame], &mask);
-        silhouettes->observations.push_back(MakeSilhouette(frame, c, mask.ToMat()));
-      }
-    }
-    scene.silhouettes = silhouettes;
-  }
-  problem.scene = MakeScene(recording, problem.config, &scene);
+  problem.scene = MakeScene(recording, problem.config);
   problem.free =
       std::make_unique<FreeParameters>(problem.config, problem.scene, MakeParameterTable());
   problem.theta = problem.free->start();

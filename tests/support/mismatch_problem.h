@@ -25,15 +25,15 @@ struct PlantedForce {
 struct MismatchProblemOptions {
   std::map<std::string, double> missing;  // parameters of the truth that the model has off
   PlantedForce planted;
-  bool tracks_only = false;  // of three cameras; else markers
-  bool silhouettes_only = false;
+  bool tracks_only = false;                     // of three cameras; else markers
   Eigen::Vector2d shifted_camera = {0.0, 0.0};  // px, by which camera 1's tracks are off
-  int particles = 7;  // along each side of 0.4 m
-  int frames = 60;    // at 60 Hz
+  int particles = 7;                            // along each side of 0.4 m
+  int frames = 48;                              // at 60 Hz
   std::uint64_t seed = 1;
 };
 
-// With the truth of all that is not missing for a baseline; two of the fabric's parameters are free.
+// With the truth of all that is not missing for a baseline; two of the fabric's parameters are
+// free.
 struct MismatchProblem {
   FitConfig config;
   Scene scene;
