@@ -21,6 +21,7 @@
 #include "autodiff_sim/terms/obstacle.h"
 #include "autodiff_sim/terms/orthotropy.h"
 #include "autodiff_sim/terms/relaxation.h"
+#include "autodiff_sim/terms/residual_force.h"
 #include "autodiff_sim/terms/shear_friction.h"
 #include "autodiff_sim/terms/spring.h"
 #include "autodiff_sim/terms/stiff_patch.h"
@@ -36,6 +37,7 @@ using Terms =
              StretchRelaxation, ShearRelaxation, BendingRelaxation, Crease, StretchStiffening,
              StretchOrthotropy, ShearOrthotropy, BendingOrthotropy, Hem, HeavyPatch,
              StiffPatchStretch, StiffPatchBending, StiffSeamStretch, StiffSeamBending, Adhesion,
-             StickyPatch, ObstaclePlane, ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor>;
+             StickyPatch, ObstaclePlane, ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor,
+             ResidualForce>;
 
 }  // namespace clothfit

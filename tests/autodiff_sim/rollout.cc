@@ -25,6 +25,7 @@ void Add(const Eigen::VectorXd& change, StepInputs* inputs) {
     ray.direction += next();
     ray.moment += next();
   }
+  for (Eigen::Vector3d& force : inputs->residual_force.force) force += next();
 }
 
 StepInputs InputsAt(const Rollout& rollout, const Eigen::VectorXd& q, double time,

@@ -41,6 +41,10 @@ StepInputs Targets(const TermScene& scene, double distance, std::mt19937* random
     const Eigen::Vector3d on_ray = place + distance * away + 0.7 * direction;
     inputs.rays.push_back({on_cloth, direction, on_ray.cross(direction)});
   }
+  inputs.residual_force = {{0.0, 0.0}, {4.0 * kEdge, 3.0 * kEdge}, {3, 2}, {}};
+  std::mt19937 random_force(20262);
+  for (int node = 0; node < 6; ++node)
+    inputs.residual_force.force.push_back(RandomVector(2.0, &random_force));
   return inputs;
 }
 
