@@ -33,20 +33,24 @@ ClothModel::ClothModel(ClothMesh mesh, const World& world,
     memory_size_ += batch->memory_size();
   }
   parameters_ = MakeParameterTable(infos);
-  pattern_ = MakePattern(mesh_.num_particles(), cliques);
-  std::vector<HandleTarget> targets;
-  for (const SurfacePoint& point : handles) targets.push_back({point, Eigen::Vector3d::Zero()});
-  const std::vector<std::vector<int>> extra = HandleConstraints(targets).ExtraCliques(pattern_);
-  if (!extra.empty()) {
-    cliques.insert(cliques.end(), extra.begin(), extra.end());
-    pattern_ = MakePattern(mesh_.num_particles(), cliques);
-  }
+  mesh_pattern_ = MakePattern(mesh_.num_particles(), cliques);
+  for (const SurfacePoint& point : handles) handles_.push_back({point, Eigen::Vector3d::Zero()});
+  MakePatternWith({});
+}
+
+void ClothModel::MakePatternWith(const std::vector<std::vector<int>>& contacts) {
+  const BlockPattern with_contacts = ExtendPattern(mesh_pattern_, contacts);
+  const HandleConstraints handles(handles_);
+  pattern_ = ExtendPattern(with_contacts, handles.ExtraCliques(with_contacts));
   for (const std::unique_ptr<ForceBatch>& batch : batches_) batch->Bind(&pattern_);
 }
 
 void ClothModel::BeginStep(const StepInputs& inputs) {
   const TermContext context = {mesh_, topology_, world_, &inputs};
-  for (const std::unique_ptr<ForceBatch>& batch : batches_) batch->BeginStep(context);
+  for (const std::unique_ptr<ForceBatch>& batch : batches_) {
+    batch->BeginStep(context);
+    if (contacts_ != nullptr) batch->FollowContacts(context);  // none so far
+  }
 }
 
 // Calls function(batch, point, first parameter, first memory, is off) for every term.

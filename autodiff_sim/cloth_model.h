@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/block_sparse_matrix.h"
+#include "autodiff_sim/contact/self_contacts.h"
 #include "autodiff_sim/force_batch.h"
 #include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/parameter_table.h"
@@ -62,6 +63,25 @@ class ClothModel {
 
   void BeginStep(const StepInputs& inputs);
 
+  // Contacts. There are none until they are asked for; that throws InputError where no term answers
+  // them.
+  void EnableSelfContact();
+  // The search for them; null where they are not enabled.
+  SelfContacts* contacts() { return contacts_.get(); }
+  // Whether they are enabled and their force is not off.
+  bool HasContact(const Eigen::VectorXd& parameters) const;
+  double ContactThickness(const Eigen::VectorXd& parameters) const;  // m
+  // Lets the contact term's elements be the features in contact at x (3N, m), for what is
+  // evaluated next. Returns how many there are.
+  int FollowContacts(const Eigen::VectorXd& x, const Eigen::VectorXd& parameters);
+  // Whether the pattern has blocks for all contacts; if so, tells the term where they are.
+  bool BindContacts();
+  // Makes the pattern anew, in its place, with these contacts and those that are near: of matrices
+  // and factors that were made for it, nothing may be used any more.
+  void RebuildPattern();
+  // Without any contact.
+  void ResetPattern();
+
   // The forces (N) at a point, 3N; `new_memory` gets the memory there.
   void Forces(const ForcePoint& point, Eigen::VectorXd* force, Eigen::VectorXd* new_memory) const;
   // jacobian = M - gamma (df/dv + gamma df/dx + 1/gamma df/da).
@@ -75,13 +95,19 @@ class ClothModel {
   template <class Function>
   void ForEachBatch(const ForcePoint& point, const Function& function) const;
   void AddMass(double areal_density, BlockSparseMatrix* a) const;
+  void MakePatternWith(const std::vector<std::vector<int>>& contacts);
 
   ClothMesh mesh_;
   ClothTopology topology_;
   World world_;
   std::vector<std::unique_ptr<ForceBatch>> batches_;
   std::vector<NamedParameter> parameters_;
+  BlockPattern mesh_pattern_;          // of triangles and terms, contacts excepted
+  std::vector<HandleTarget> handles_;  // all that may ever be held, at no place in particular
   BlockPattern pattern_;
+  std::unique_ptr<SelfContacts> contacts_;
+  const std::vector<ContactPair>* found_contacts_ = nullptr;
+  int first_contact_parameter_ = -1;
   int memory_size_ = 0;
 };
 

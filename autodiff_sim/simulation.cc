@@ -5,8 +5,11 @@
 #include "autodiff_sim/simulation.h"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "autodiff_sim/contact/intersections.h"
+#include "autodiff_sim/error.h"
 #include "autodiff_sim/step_solver.h"
 #include "autodiff_sim/terms.h"
 
@@ -20,6 +23,10 @@ StepReport& StepReport::operator+=(const StepReport& other) {
   jacobians += other.jacobians;
   factorizations += other.factorizations;
   halvings += other.halvings;
+  contact_pairs = other.contact_pairs;
+  limited_iterates += other.limited_iterates;
+  pattern_rebuilds += other.pattern_rebuilds;
+  blocked_steps += other.blocked_steps;
   error = std::max(error, other.error);
   return *this;
 }
@@ -30,13 +37,17 @@ struct Simulation::Solver {
 
   StepSolver solver;
   HandleConstraints last_constraints;
+  Eigen::VectorXd
+      clear_x;  // a place (3N, m) at which the cloth is known not to pass through itself
 };
 
 Simulation::Simulation(std::unique_ptr<ClothModel> model, const SimulationOptions& options)
     : model_(std::move(model)),
       options_(options),
       parameters_(InitialValues(model_->parameters())),
-      solver_(std::make_unique<Solver>(model_.get(), options_)) {}
+      solver_(std::make_unique<Solver>(model_.get(), options_)) {
+  if (options_.self_contact) model_->EnableSelfContact();
+}
 
 Simulation::Simulation(ClothMesh mesh, const World& world, const std::vector<SurfacePoint>& handles,
                        const SimulationOptions& options)
@@ -47,6 +58,12 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 State Simulation::MakeState(const Eigen::VectorXd& x) const {
+  const int intersections = options_.self_contact ? CountIntersections(x) : 0;
+  if (intersections > 0) {
+    throw InputError("initial state",
+                     "the cloth passes through itself, at " + std::to_string(intersections) +
+                         " edges; expected one that does not, or self_contact off");
+  }
   State state;
   state.x = x;
   state.v = Eigen::VectorXd::Zero(x.size());
@@ -56,7 +73,34 @@ State Simulation::MakeState(const Eigen::VectorXd& x) const {
   return state;
 }
 
-void Simulation::Reset() { solver_->solver.Reset(); }
+int Simulation::CountIntersections(const Eigen::VectorXd& x) const {
+  CollisionSurface<> surface(model_->mesh());
+  return static_cast<int>(FindIntersections(x, &surface).size());
+}
+
+void Simulation::Reset() { solver_->solver.ResetAll(); }
+
+// Layers thicker than the mesh is fine would be pushed apart by their own neighbours.
+void Simulation::CheckThickness() const {
+  const double thickness = model_->ContactThickness(parameters_);
+  const double clearance = model_->contacts()->rest_clearance();
+  if (!(thickness > 0.0 && 2.0 * thickness <= clearance)) {
+    throw InputError("contact.thickness",
+                     std::to_string(thickness) + " m; expected at most " +
+                         std::to_string(0.5 * clearance) +
+                         " m, half of the smallest distance of parts of the flat mesh that have no "
+                         "particle in common; lower it, or lower cloth.resolution");
+  }
+}
+
+// A state may come from anywhere: what this simulation did not make is looked at.
+bool Simulation::StartsClear(const State& state) {
+  Eigen::VectorXd& clear_x = solver_->clear_x;
+  if (clear_x.size() == state.x.size() && clear_x == state.x) return true;
+  if (!state.x.allFinite() || model_->contacts()->CountIntersections(state.x) > 0) return false;
+  clear_x = state.x;
+  return true;
+}
 
 // One step of exactly h; the state is untouched unless it converges. A fresh one starts from the
 // velocities as they are, not from extrapolated ones.
@@ -77,6 +121,14 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
   problem.memory = state->memory;
   problem.parameters = &parameters_;
   problem.constraints = &constraints;
+  if (model_->HasContact(parameters_)) {
+    CheckThickness();
+    if (!StartsClear(*state)) {
+      report.status = StepStatus::kDiverged;
+      return report;
+    }
+    problem.start = &state->x;
+  }
   Eigen::VectorXd v = state->v;
   if (problem.formula.before != 0.0 && !fresh)
     v += (h / state->previous_step) * (state->v - state->previous_v);
@@ -94,6 +146,7 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
   state->previous_v = std::exchange(state->v, v);
   state->memory = new_memory;
   state->previous_step = h;
+  if (problem.start != nullptr) solver_->clear_x = state->x;
   state->time += h;
   return report;
 }

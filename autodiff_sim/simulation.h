@@ -27,6 +27,9 @@ struct SimulationOptions {
   int max_halvings = 8;
   // Of the linear solves of the derivatives, relative to each right-hand side.
   double sensitivity_tolerance = 1e-9;
+  // Whether the cloth collides with itself. Then it never passes through itself, neither at the end
+  // of a step nor on its way there; what the layers do to one another is the term `contact`.
+  bool self_contact = false;
   // Of the derivatives; 0: as many as the machine runs at once. The numbers are the same for any.
   int num_threads = 1;
 };
@@ -47,7 +50,11 @@ struct StepReport {
   int jacobians = 0;               // evaluated
   int factorizations = 0;
   int halvings = 0;
-  double error = 0.0;  // m, the largest estimated error of a position
+  int contact_pairs = 0;     // of features, at the end of the step
+  int limited_iterates = 0;  // that would have passed through something and were shortened
+  int pattern_rebuilds = 0;  // of the matrices, to make room for new contacts
+  int blocked_steps = 0;     // tried in vain, since the handles' own motion met something
+  double error = 0.0;        // m, the largest estimated error of a position
 
   StepReport& operator+=(const StepReport& other);
 };
@@ -87,8 +94,11 @@ class Simulation {
   const Eigen::VectorXd& parameters() const { return parameters_; }
   void SetParameters(const Eigen::VectorXd& values) { parameters_ = values; }
 
-  // The cloth at rest at these positions (3N, m).
+  // The cloth at rest at these positions (3N, m). With self_contact, throws InputError where it
+  // passes through itself there.
   State MakeState(const Eigen::VectorXd& x) const;
+  // How many edges meet a triangle with which they have no vertex in common, at x (3N, m). Exact.
+  int CountIntersections(const Eigen::VectorXd& x) const;
 
   // Moves the state on by h seconds, and its derivatives where `sensitivity` is given. There is no
   // way to get a derivative of a step that did not converge.
@@ -107,6 +117,9 @@ class Simulation {
   Simulation(std::unique_ptr<ClothModel> model, const SimulationOptions& options);
   StepReport TryStep(double h, bool fresh, const Drive& drive, State* state,
                      Sensitivity* sensitivity);
+
+  bool StartsClear(const State& state);
+  void CheckThickness() const;
 
   std::unique_ptr<ClothModel> model_;
   SimulationOptions options_;

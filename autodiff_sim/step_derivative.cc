@@ -80,7 +80,7 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
                                const Eigen::VectorXd& v, Sensitivity* sensitivity,
                                StepReport* report) {
   AssembleJacobian(problem, v, report);
-  if (FactorIsWorn(false) && !RefreshFactor(report)) return false;
+  if ((FactorIsWorn(false) || !factor_.has_factor()) && !RefreshFactor(report)) return false;
   const int count = static_cast<int>(sensitivity->lanes().size());
   std::vector<LanesStep> steps(static_cast<std::size_t>(count));
   int done = 0;

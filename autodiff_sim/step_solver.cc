@@ -42,6 +42,7 @@ void StepSolver::Reset() {
 const Eigen::VectorXd& StepSolver::Residual(const StepProblem& problem, const Eigen::VectorXd& v) {
   const double gamma = problem.formula.gamma;
   const StepMotion motion(problem, v);
+  if (problem.start != nullptr) model_->FollowContacts(motion.x, *problem.parameters);
   model_->Forces(motion.Point(problem), &force_, &new_memory_);
   full_residual_ = -gamma * force_;
   const double density = (*problem.parameters)[kArealDensity];
@@ -58,6 +59,7 @@ const Eigen::VectorXd& StepSolver::Residual(const StepProblem& problem, const Ei
 void StepSolver::AssembleJacobian(const StepProblem& problem, const Eigen::VectorXd& v,
                                   StepReport* report) {
   const StepMotion motion(problem, v);
+  if (problem.start != nullptr) PrepareContacts(problem, motion, report);
   model_->StepJacobian(motion.Point(problem), problem.formula.gamma, &jacobian_);
   problem.constraints->ReduceMatrix(&jacobian_);
   gmres_.SetMatrix(&jacobian_);
@@ -104,9 +106,10 @@ bool StepSolver::Direction(double relative_tolerance, Eigen::VectorXd* d, StepRe
 }
 
 double StepSolver::LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double level,
-                              Eigen::VectorXd* v, Eigen::VectorXd* z) {
+                              double largest_share, Eigen::VectorXd* v, Eigen::VectorXd* z) {
   const Eigen::VectorXd start = *v;
-  for (double share = 1.0; share >= kShortestStep; share *= 0.5) {
+  for (double share = largest_share; share >= kShortestStep * largest_share && share > 0.0;
+       share *= 0.5) {
     *v = start + share * d;
     if (!Residual(problem, *v).allFinite()) continue;
     EstimateError(z);
@@ -120,6 +123,7 @@ double StepSolver::LineSearch(const StepProblem& problem, const Eigen::VectorXd&
 bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepReport* report) {
   const double gamma = problem.formula.gamma;
   problem.constraints->SetDependentVelocities(problem.x_hat, gamma, v);
+  if (problem.start != nullptr && !StartClear(problem, v, report)) return false;
   if (!Residual(problem, *v).allFinite()) return false;
   AssembleJacobian(problem, *v, report);
   if (!factor_.has_factor() && !RefreshFactor(report)) return false;
@@ -134,6 +138,7 @@ bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepRepor
     if (!usable) {
       AssembleJacobian(problem, *v, report);
       usable = current = true;
+      if (!factor_.has_factor() && !RefreshFactor(report)) return false;
     }
     const bool careful = share < 1.0;
     if (current && FactorIsWorn(careful) && !RefreshFactor(report)) return false;
@@ -144,7 +149,8 @@ bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepRepor
     problem.constraints->ExpandDirection<1>(&d);
     EstimateError(&z);  // the level in the metric of the present factor
     const double level = z.norm();
-    share = LineSearch(problem, d, level, v, &z);
+    const double clear = ClearShare(problem, *v, d, report);
+    share = LineSearch(problem, d, level, clear, v, &z);
     if (share > 0.0) {
       error = gamma * z.lpNorm<Eigen::Infinity>();
       const double contraction = z.norm() / level;

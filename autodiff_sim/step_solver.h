@@ -20,6 +20,8 @@ struct StepProblem {
   double step = 0.0;
   StepFormula formula;
   Eigen::VectorXd x_hat, v_hat, memory;
+  // Where the step starts from (3N, m) if the cloth is to keep clear of itself, else null.
+  const Eigen::VectorXd* start = nullptr;
   const Eigen::VectorXd* parameters = nullptr;
   const HandleConstraints* constraints = nullptr;
 };
@@ -58,8 +60,19 @@ class StepSolver {
   const Eigen::VectorXd& reduced_residual() const { return reduced_residual_; }
   const Eigen::VectorXd& memory() const { return new_memory_; }
   void Reset();
+  // Forgets the contacts too, so that what follows depends on nothing before.
+  void ResetAll();
 
  private:
+  // Contact. The first iterate: as far from the start towards the guess v as nothing meets, with
+  // the handles in their places. Returns false where the handles' own motion meets something.
+  bool StartClear(const StepProblem& problem, Eigen::VectorXd* v, StepReport* report);
+  // The largest share of d that the cloth may move from v without meeting itself.
+  double ClearShare(const StepProblem& problem, const Eigen::VectorXd& v, const Eigen::VectorXd& d,
+                    StepReport* report);
+  // Lets the elements be the contacts at the motion's end, and makes room for them in the matrices.
+  void PrepareContacts(const StepProblem& problem, const StepMotion& motion, StepReport* report);
+  void MakeMatrices(Ordering ordering);
   // Residual at v, full and reduced, and the memory there.
   const Eigen::VectorXd& Residual(const StepProblem& problem, const Eigen::VectorXd& v);
   void AssembleJacobian(const StepProblem& problem, const Eigen::VectorXd& v, StepReport* report);
@@ -73,7 +86,7 @@ class StepSolver {
   bool Direction(double relative_tolerance, Eigen::VectorXd* d, StepReport* report);
   // Moves v along d as far as the level function falls. Returns the step's share of d, 0 for none.
   double LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double level,
-                    Eigen::VectorXd* v, Eigen::VectorXd* z);
+                    double largest_share, Eigen::VectorXd* v, Eigen::VectorXd* z);
   ForceDirections DirectionsAtFixedVelocity(const StepProblem& problem, const StepInputs& inputs,
                                             const Sensitivity& sensitivity,
                                             std::size_t block) const;

@@ -26,8 +26,9 @@
 // element's forces, and writes the memory at the end of the step. With its parameters at `off` it
 // adds nothing. Branches are decided on plain values (Value()), and the force is continuous across
 // them. Elements are fixed for a simulation, or, where kInputs > 0, made anew for each step from
-// its StepInputs. A term that needs an input names its first row in StepInputs::directions as
-// Element::first_input.
+// its StepInputs. Those of a term with `static constexpr bool kFollowsContacts = true` are made
+// anew from TermContext::contacts wherever the forces are evaluated. A term that needs an input
+// names its first row in StepInputs::directions as Element::first_input.
 //
 // Forces, not energies: drag and friction have none.
 #pragma once
@@ -61,12 +62,16 @@ struct World {
   std::optional<double> ground_height;          // m; the ground is the plane z = height
 };
 
-// What an element list is made from. `inputs` is null for elements that are fixed for a simulation.
+struct ContactPair;
+
+// What an element list is made from. `inputs` is null for elements that are fixed for a simulation,
+// `contacts` where none are known.
 struct TermContext {
   const ClothMesh& mesh;
   const ClothTopology& topology;
   const World& world;
   const StepInputs* inputs;
+  const std::vector<ContactPair>* contacts = nullptr;  // features of the cloth that are in contact
 };
 
 template <class Term, class T>

@@ -11,11 +11,12 @@
 #include "autodiff_sim/terms/bending.h"
 #include "autodiff_sim/terms/gravity.h"
 #include "autodiff_sim/terms/ground_contact.h"
+#include "autodiff_sim/terms/self_contact.h"
 #include "autodiff_sim/terms/spring.h"
 
 namespace clothfit {
 
 using Terms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass,
-                       GroundContact, PointAttraction, RayAttraction>;
+                       GroundContact, PointAttraction, RayAttraction, SelfContact>;
 
 }  // namespace clothfit

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "autodiff_sim/contact/self_contacts.h"
+
 namespace clothfit {
 namespace {
 
@@ -58,7 +60,7 @@ std::vector<TermScene> MakeTermScenes() {
                                              {"crumpled", 0.25, 0.0, 0.5, 1.0, 0.1},
                                              {"folded by 90 degrees", 0.02, 90.0, 0.3, 0.5, 0.5},
                                              {"folded by -90 degrees", 0.02, -90.0, 0.3, 0.5, 0.02},
-                                             {"folded by 170 degrees", 0.01, 170.0, 0.3, 3.0, 0.3},
+                                             {"folded by 175 degrees", 0.01, 175.0, 0.3, 3.0, 0.3},
                                              {"sliding on the ground", 0.02, 0.0, 8e-4, 1.0, 0.05},
                                              {"sticking to it", 0.02, 0.0, 8e-4, 1e-4, 0.01},
                                              {"beneath it", 0.02, 0.0, -3e-3, 0.02, 2e-3}}};
@@ -82,6 +84,7 @@ std::vector<TermScene> MakeTermScenes() {
       scene.a.segment<3>(3 * i) = RandomVector(shape.speed, &random);
     }
     scene.inputs = Targets(scene, shape.distance, &random);
+    scene.contacts = SelfContacts(scene.mesh).Find(scene.x, 0.012);
     scenes.push_back(scene);
   }
   return scenes;

@@ -12,6 +12,7 @@
 
 #include <ceres/jet.h>
 
+#include "autodiff_sim/contact/contact_pair.h"
 #include "autodiff_sim/term.h"
 #include "tests/support/scenes.h"
 
@@ -24,6 +25,7 @@ struct TermScene {
   ClothTopology topology;
   World world;
   StepInputs inputs;
+  std::vector<ContactPair> contacts;  // features within 12 mm
   Eigen::VectorXd x, v, a;
   double speed;  // m/s, typical of v; a is about as large (m/s^2)
 };
@@ -127,7 +129,7 @@ Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const Term
 
 template <class Term>
 std::vector<typename Term::Element> SceneElements(const TermScene& scene) {
-  return Term::Elements({scene.mesh, scene.topology, scene.world, &scene.inputs});
+  return Term::Elements({scene.mesh, scene.topology, scene.world, &scene.inputs, &scene.contacts});
 }
 
 // Parameters at random within their bounds: evenly for kLinear, evenly in the logarithm for kLog.
