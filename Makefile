@@ -12,7 +12,8 @@ BUILD := build/$(PRESET)
 export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-deep build bench format format-check tidy clean packages configure
+.PHONY: help demo test test-deep build bench format format-check tidy clean packages configure \
+        report-assets
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -22,6 +23,7 @@ demo: configure ## Build the command and fit a cloth to the pictures in data/lif
 	$(BUILD)/apps/clothfit fit data/lift -o build/demo-run --force
 	$(BUILD)/apps/clothfit evaluate build/demo-run --truth data/lift
 	$(BUILD)/apps/clothfit draw build/demo-run -o build/demo.png --force
+	$(BUILD)/apps/clothfit report build/demo-run -o build/demo.html --force
 
 test: build ## Build everything and run all tests and source checks
 	ctest --preset $(PRESET)
@@ -50,6 +52,13 @@ format-check: packages ## Fail where clang-format would change a file
 tidy: configure ## Run clang-tidy over our sources: some minutes
 	run-clang-tidy -quiet -j $(JOBS) -p $(BUILD) -extra-arg=-Wno-error \
 	  '$(CURDIR)/(autodiff_sim|tracking|fitting|apps|tests)/'
+
+# Only for work on the page itself: what it makes is kept in apps/report/dist.
+report-assets: ## Bundle the page of `clothfit report` anew (needs Node.js and npm)
+	mkdir -p build/report-assets
+	cp apps/report/package.json apps/report/package-lock.json apps/report/.npmrc build/report-assets/
+	cd build/report-assets && npm ci
+	node apps/report/build.mjs build/report-assets/node_modules
 
 clean: ## Remove everything that was built
 	rm -rf build

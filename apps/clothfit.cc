@@ -46,6 +46,8 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddPredictCommand(app, action);
   AddEvaluateCommand(app, action);
   AddDrawCommand(app, action);
+  AddReportCommand(app, action);
+  AddExportCommand(app, action);
   AddCheckCommand(app, action);
   AddCompareCommand(app, action);
   AddTermsCommand(app, action);

@@ -33,6 +33,8 @@ void AddSynthesizeCommand(CLI::App* app, Action* action);
 void AddEvaluateCommand(CLI::App* app, Action* action);
 void AddTrackCommand(CLI::App* app, Action* action);
 void AddStudyCommand(CLI::App* app, Action* action);
+void AddExportCommand(CLI::App* app, Action* action);
+void AddReportCommand(CLI::App* app, Action* action);
 void AddImportCommand(CLI::App* app, Action* action);
 
 }  // namespace clothfit

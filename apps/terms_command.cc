@@ -3,8 +3,10 @@
 //
 // clothfit terms: the force terms and their parameters, from the one place where they stand.
 #include <memory>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.h"
@@ -17,13 +19,54 @@ const char* ScaleName(const Parameter& parameter) {
   return parameter.scale == Scale::kLog ? "log" : "linear";
 }
 
+const char* MeaningName(Meaning meaning) {
+  switch (meaning) {
+    case Meaning::kVectorX:
+      return "vector x";
+    case Meaning::kVectorY:
+      return "vector y";
+    case Meaning::kVectorZ:
+      return "vector z";
+    case Meaning::kPlaceX:
+      return "place x";
+    case Meaning::kPlaceY:
+      return "place y";
+    case Meaning::kPlaceZ:
+      return "place z";
+    case Meaning::kClothU:
+      return "place on the cloth u";
+    case Meaning::kClothV:
+      return "place on the cloth v";
+    case Meaning::kClothDistance:
+      return "distance on the cloth";
+    case Meaning::kTime:
+      return "time";
+    case Meaning::kNumber:
+      break;
+  }
+  return "number";
+}
+
+std::vector<double> ProbeValues(const Parameter& p) {
+  return {p.probes.values.begin(), p.probes.values.begin() + p.probes.count};
+}
+
+// What is tried while the term is off; places and times in shares of what was recorded.
+std::string ProbeText(const Parameter& p) {
+  if (p.probes.count == 0) return "";
+  const bool is_share = p.meaning != Meaning::kNumber;
+  return fmt::format(" (tried{}: {:g})", is_share ? " at shares" : "",
+                     fmt::join(ProbeValues(p), ", "));
+}
+
 std::string ParameterRow(const std::string& name, const Parameter& p) {
-  return fmt::format("  {:<28}{:<12}{:>10g}{:>10g}  {:<18}{:<8}{}\n", name, p.unit, p.initial,
-                     p.off, fmt::format("{:g} .. {:g}", p.lower, p.upper), ScaleName(p), p.doc);
+  return fmt::format("  {:<28}{:<12}{:>10g}{:>10g}  {:<22}{:<8}{}{}\n", name, p.unit, p.initial,
+                     p.off, fmt::format("{:g} .. {:g}", p.lower, p.upper), ScaleName(p), p.doc,
+                     ProbeText(p));
 }
 
 void PrintTable() {
-  fmt::print("  {:<28}{:<12}{:>10}{:>10}  {:<18}{:<8}{}\n", "parameter", "unit", "initial", "off",
+  fmt::print("  {:<28}{:<12}{:>10}{:>10}  {:<22}{:<8}{}\n", "parameter", "unit", "initial", "off",
              "bounds", "scale", "meaning");
   const std::vector<NamedParameter> table = MakeParameterTable();
   fmt::print("\ncloth: what the cloth is\n");
@@ -39,9 +82,17 @@ void PrintTable() {
 }
 
 nlohmann::ordered_json ParameterAsJson(const std::string& name, const Parameter& p) {
-  return {{"name", name},         {"unit", p.unit},        {"doc", p.doc},
-          {"initial", p.initial}, {"off", p.off},          {"lower", p.lower},
-          {"upper", p.upper},     {"scale", ScaleName(p)}, {"prior_sigma", p.prior_factor}};
+  return {{"name", name},
+          {"unit", p.unit},
+          {"doc", p.doc},
+          {"initial", p.initial},
+          {"off", p.off},
+          {"lower", p.lower},
+          {"upper", p.upper},
+          {"scale", ScaleName(p)},
+          {"prior_sigma", p.prior_factor},
+          {"meaning", MeaningName(p.meaning)},
+          {"probes", ProbeValues(p)}};
 }
 
 void PrintJson() {

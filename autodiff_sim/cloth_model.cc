@@ -22,17 +22,13 @@ ClothModel::ClothModel(ClothMesh mesh, const World& world,
                        std::vector<std::unique_ptr<ForceBatch>> (*make_batches)(const TermContext&),
                        const std::vector<SurfacePoint>& handles)
     : mesh_(std::move(mesh)), topology_(BuildTopology(mesh_)), world_(world) {
-  batches_ = make_batches({mesh_, topology_, world_, nullptr});
-  std::vector<TermInfo> infos;
+  FindParts(make_batches({mesh_, topology_, world_, nullptr}));
   std::vector<std::vector<int>> cliques;
   for (const std::array<int, 3>& t : mesh_.triangles) cliques.emplace_back(t.begin(), t.end());
-  for (const std::unique_ptr<ForceBatch>& batch : batches_) {
-    infos.push_back(batch->info());
-    const std::vector<std::vector<int>> more = batch->Cliques();
+  for (const Part& part : parts_) {
+    const std::vector<std::vector<int>> more = part.batch->Cliques();
     cliques.insert(cliques.end(), more.begin(), more.end());
-    memory_size_ += batch->memory_size();
   }
-  parameters_ = MakeParameterTable(infos);
   mesh_pattern_ = MakePattern(mesh_.num_particles(), cliques);
   for (const SurfacePoint& point : handles) handles_.push_back({point, Eigen::Vector3d::Zero()});
   MakePatternWith({});
@@ -42,49 +38,114 @@ void ClothModel::MakePatternWith(const std::vector<std::vector<int>>& contacts) 
   const BlockPattern with_contacts = ExtendPattern(mesh_pattern_, contacts);
   const HandleConstraints handles(handles_);
   pattern_ = ExtendPattern(with_contacts, handles.ExtraCliques(with_contacts));
-  for (const std::unique_ptr<ForceBatch>& batch : batches_) batch->Bind(&pattern_);
+  for (const Part& part : parts_) part.batch->Bind(&pattern_);
+}
+
+void ClothModel::FindParts(std::vector<std::unique_ptr<ForceBatch>> batches) {
+  std::vector<TermInfo> infos;
+  for (const std::unique_ptr<ForceBatch>& batch : batches) infos.push_back(batch->info());
+  parameters_ = MakeParameterTable(infos);
+  int first_parameter = kNumClothParameters;
+  for (std::unique_ptr<ForceBatch>& batch : batches) {
+    Part part = {std::move(batch), first_parameter, memory_size_, {}};
+    const TermInfo& info = part.batch->info();
+    for (const std::string& name : info.reads)
+      part.reads.push_back(FindParameter(parameters_, name));
+    first_parameter += static_cast<int>(info.parameters.size());
+    memory_size_ += part.batch->memory_size();
+    parts_.push_back(std::move(part));
+  }
 }
 
 void ClothModel::BeginStep(const StepInputs& inputs) {
   const TermContext context = {mesh_, topology_, world_, &inputs};
-  for (const std::unique_ptr<ForceBatch>& batch : batches_) {
-    batch->BeginStep(context);
-    if (contacts_ != nullptr) batch->FollowContacts(context);  // none so far
+  for (const Part& part : parts_) {
+    part.batch->BeginStep(context);
+    if (contacts_ != nullptr) part.batch->FollowContacts(context);  // none so far
   }
 }
 
-// Calls function(batch, point, first parameter, first memory, is off) for every term.
-template <class Function>
-void ClothModel::ForEachBatch(const ForcePoint& all, const Function& function) const {
-  int first_parameter = kNumClothParameters, first_memory = 0;
-  for (const std::unique_ptr<ForceBatch>& batch : batches_) {
-    const std::vector<Parameter>& own = batch->info().parameters;
-    bool off = batch->memory_size() == 0;
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      off = off && all.parameters[first_parameter + static_cast<int>(i)] == own[i].off;
-    }
-    const double* parameters = all.parameters.data();
-    const BatchPoint point = {all.time,
-                              all.x.data(),
-                              all.v.data(),
-                              all.a.data(),
-                              parameters,
-                              parameters + first_parameter,
-                              all.memory.data() + first_memory};
-    function(*batch, point, first_parameter, first_memory, off && !own.empty());
-    first_parameter += static_cast<int>(own.size());
-    first_memory += batch->memory_size();
+BatchPoint ClothModel::PointOf(const Part& part, const ForcePoint& all) {
+  return {all.time,
+          all.step,
+          all.x.data(),
+          all.v.data(),
+          all.a.data(),
+          all.start.data(),
+          all.parameters.data(),
+          all.parameters.data() + part.first_parameter,
+          part.reads.data(),
+          all.memory.data() + part.first_memory};
+}
+
+BatchDirections ClothModel::DirectionsOf(const Part& part, const ForceDirections& all) {
+  return {all.x.data(),
+          all.v.data(),
+          all.a.data(),
+          all.start->data(),
+          all.parameters.data(),
+          all.parameters.data() + kLanes * part.first_parameter,
+          all.memory->data() + kLanes * part.first_memory,
+          all.inputs.size() > 0 ? all.inputs.data() : nullptr};
+}
+
+// Whether the term adds nothing: its parameters are off, but for those that only shape its force.
+bool ClothModel::IsOff(const Part& part, const Eigen::VectorXd& parameters) {
+  const std::vector<Parameter>& own = part.batch->info().parameters;
+  bool off = false;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (!SwitchesOff(own[i])) continue;
+    if (parameters[part.first_parameter + static_cast<int>(i)] != own[i].off) return false;
+    off = true;
   }
+  return off;
+}
+
+// Whether directions (all parameters x directions) may switch the term on.
+template <class Directions>
+bool ClothModel::IsSwitchedBy(const Part& part, const Directions& directions) {
+  const std::vector<Parameter>& own = part.batch->info().parameters;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const int row = part.first_parameter + static_cast<int>(i);
+    if (SwitchesOff(own[i]) && !directions.row(row).isZero(0.0)) return true;
+  }
+  return false;
+}
+
+std::vector<bool> ClothModel::Awake(const Eigen::VectorXd& parameters,
+                                    const Eigen::MatrixXd& directions) const {
+  std::vector<bool> awake;
+  for (const Part& part : parts_)
+    awake.push_back(!IsOff(part, parameters) || IsSwitchedBy(part, directions));
+  return awake;
 }
 
 void ClothModel::Forces(const ForcePoint& all, Eigen::VectorXd* force,
                         Eigen::VectorXd* new_memory) const {
   force->setZero(all.x.size());
   new_memory->resize(all.memory.size());
-  ForEachBatch(
-      all, [&](const ForceBatch& batch, const BatchPoint& point, int, int first_memory, bool off) {
-        if (!off) batch.AddForces(point, force->data(), new_memory->data() + first_memory);
-      });
+  for (const Part& part : parts_) {
+    if (IsOff(part, all.parameters)) continue;
+    part.batch->AddForces(PointOf(part, all), force->data(),
+                          new_memory->data() + part.first_memory);
+  }
+}
+
+void ClothModel::UpdateMemoryOfOff(const ForcePoint& all, const std::vector<bool>& awake,
+                                   Eigen::VectorXd* new_memory) const {
+  Eigen::VectorXd nothing;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
+    const int size = part.batch->memory_size();
+    if (size == 0 || !IsOff(part, all.parameters)) continue;
+    if (awake[i]) {
+      nothing.setZero(all.x.size());
+      part.batch->AddForces(PointOf(part, all), nothing.data(),
+                            new_memory->data() + part.first_memory);
+    } else {
+      new_memory->segment(part.first_memory, size) = all.memory.segment(part.first_memory, size);
+    }
+  }
 }
 
 void ClothModel::AddMass(double areal_density, BlockSparseMatrix* a) const {
@@ -98,28 +159,35 @@ void ClothModel::StepJacobian(const ForcePoint& all, double gamma,
                               BlockSparseMatrix* jacobian) const {
   jacobian->SetZero();
   AddMass(all.parameters[kArealDensity], jacobian);
-  ForEachBatch(all, [&](const ForceBatch& batch, const BatchPoint& point, int, int, bool off) {
-    if (!off) batch.AddStepJacobian(point, gamma, jacobian);
-  });
+  for (const Part& part : parts_) {
+    if (!IsOff(part, all.parameters))
+      part.batch->AddStepJacobian(PointOf(part, all), gamma, jacobian);
+  }
 }
 
 void ClothModel::AddForceDerivatives(const ForcePoint& all, const ForceDirections& directions,
-                                     Lanes<kLanes>* force, Lanes<kLanes>* new_memory) const {
-  new_memory->resize(all.memory.size(), kLanes);
-  const auto row = [](const Lanes<kLanes>& lanes, int i) { return lanes.data() + kLanes * i; };
-  ForEachBatch(all, [&](const ForceBatch& batch, const BatchPoint& point, int first_parameter,
-                        int first_memory, bool off) {
-    const int count = static_cast<int>(batch.info().parameters.size());
-    if (off && directions.parameters.middleRows(first_parameter, count).isZero(0.0)) return;
-    const BatchDirections own = {directions.x.data(),
-                                 directions.v.data(),
-                                 directions.a.data(),
-                                 row(directions.parameters, 0),
-                                 row(directions.parameters, first_parameter),
-                                 row(directions.memory, first_memory),
-                                 directions.inputs.size() > 0 ? directions.inputs.data() : nullptr};
-    batch.AddDerivatives(point, own, force->data(), new_memory->data() + kLanes * first_memory);
-  });
+                                     const std::vector<bool>& awake, Lanes<kLanes>* force) const {
+  Lanes<kLanes> unused(memory_size_, kLanes);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
+    if (!awake[i]) continue;
+    if (IsOff(part, all.parameters) && !IsSwitchedBy(part, directions.parameters)) continue;
+    part.batch->AddDerivatives(PointOf(part, all), DirectionsOf(part, directions), force->data(),
+                               unused.data() + kLanes * part.first_memory);
+  }
+}
+
+void ClothModel::UpdateMemoryDerivatives(const ForcePoint& all, const ForceDirections& directions,
+                                         const std::vector<bool>& awake,
+                                         Lanes<kLanes>* memory) const {
+  Lanes<kLanes> unused;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
+    if (!awake[i] || part.batch->memory_size() == 0) continue;
+    unused.setZero(all.x.size(), kLanes);
+    part.batch->AddDerivatives(PointOf(part, all), DirectionsOf(part, directions), unused.data(),
+                               memory->data() + kLanes * part.first_memory);
+  }
 }
 
 }  // namespace clothfit

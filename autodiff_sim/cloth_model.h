@@ -34,16 +34,20 @@ StepFormula MakeStepFormula(Integrator integrator, double step, double previous_
 // Everything that the forces depend on but the inputs.
 struct ForcePoint {
   double time;                        // s, at the end of the step
+  double step;                        // s, its length
   const Eigen::VectorXd& x;           // 3N, m
   const Eigen::VectorXd& v;           // 3N, m/s
   const Eigen::VectorXd& a;           // 3N, m/s^2
+  const Eigen::VectorXd& start;       // 3N, m, the positions when the step began
   const Eigen::VectorXd& parameters;  // all of them, see parameter_table.h
   const Eigen::VectorXd& memory;      // at the start of the step
 };
 
 // kLanes directions in which all of that may move, a row for each number.
 struct ForceDirections {
-  Lanes<kLanes> x, v, a, parameters, memory;
+  Lanes<kLanes> x, v, a, parameters;
+  const Lanes<kLanes>* start = nullptr;
+  const Lanes<kLanes>* memory = nullptr;  // at the start of the step
   Lanes<kLanes> inputs;  // rows of StepInputs::directions; empty where nothing moves them
 };
 
@@ -60,6 +64,7 @@ class ClothModel {
   const BlockPattern& pattern() const { return pattern_; }
   const std::vector<NamedParameter>& parameters() const { return parameters_; }
   int memory_size() const { return memory_size_; }
+  std::size_t num_terms() const { return parts_.size(); }
 
   void BeginStep(const StepInputs& inputs);
 
@@ -82,25 +87,48 @@ class ClothModel {
   // Without any contact.
   void ResetPattern();
 
-  // The forces (N) at a point, 3N; `new_memory` gets the memory there.
+  // The terms that act, or that some direction (all parameters x directions) may switch on. The
+  // others are at their off values, add exactly nothing and cost nothing.
+  std::vector<bool> Awake(const Eigen::VectorXd& parameters,
+                          const Eigen::MatrixXd& directions) const;
+
+  // The forces (N) at a point, 3N; `new_memory` gets the memory there of the terms that act.
   void Forces(const ForcePoint& point, Eigen::VectorXd* force, Eigen::VectorXd* new_memory) const;
+  // The same of the terms that are off: those that are awake go on remembering, the others keep
+  // what they have.
+  void UpdateMemoryOfOff(const ForcePoint& point, const std::vector<bool>& awake,
+                         Eigen::VectorXd* new_memory) const;
   // jacobian = M - gamma (df/dv + gamma df/dx + 1/gamma df/da).
   void StepJacobian(const ForcePoint& point, double gamma, BlockSparseMatrix* jacobian) const;
-  // Adds the forces' derivatives along kLanes directions, 3N x kLanes; `new_memory` gets those of
-  // the memory at the end of the step.
+  // Adds the forces' derivatives along kLanes directions, 3N x kLanes. `awake` as found above for
+  // all directions together.
   void AddForceDerivatives(const ForcePoint& point, const ForceDirections& directions,
-                           Lanes<kLanes>* force, Lanes<kLanes>* new_memory) const;
+                           const std::vector<bool>& awake, Lanes<kLanes>* force) const;
+  // Moves the derivatives of the memory to the end of the step; `memory` may be that of the
+  // directions, and terms that are not awake leave it as it is.
+  void UpdateMemoryDerivatives(const ForcePoint& point, const ForceDirections& directions,
+                               const std::vector<bool>& awake, Lanes<kLanes>* memory) const;
 
  private:
-  template <class Function>
-  void ForEachBatch(const ForcePoint& point, const Function& function) const;
+  // A term's elements, and where its numbers stand among all.
+  struct Part {
+    std::unique_ptr<ForceBatch> batch;
+    int first_parameter, first_memory;
+    std::vector<int> reads;
+  };
+  static BatchPoint PointOf(const Part& part, const ForcePoint& all);
+  static BatchDirections DirectionsOf(const Part& part, const ForceDirections& all);
+  static bool IsOff(const Part& part, const Eigen::VectorXd& parameters);
+  template <class Directions>
+  static bool IsSwitchedBy(const Part& part, const Directions& directions);
+  void FindParts(std::vector<std::unique_ptr<ForceBatch>> batches);
   void AddMass(double areal_density, BlockSparseMatrix* a) const;
   void MakePatternWith(const std::vector<std::vector<int>>& contacts);
 
   ClothMesh mesh_;
   ClothTopology topology_;
   World world_;
-  std::vector<std::unique_ptr<ForceBatch>> batches_;
+  std::vector<Part> parts_;
   std::vector<NamedParameter> parameters_;
   BlockPattern mesh_pattern_;          // of triangles and terms, contacts excepted
   std::vector<HandleTarget> handles_;  // all that may ever be held, at no place in particular

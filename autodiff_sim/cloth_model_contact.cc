@@ -30,7 +30,7 @@ double ClothModel::ContactThickness(const Eigen::VectorXd& parameters) const {
 int ClothModel::FollowContacts(const Eigen::VectorXd& x, const Eigen::VectorXd& parameters) {
   const std::vector<ContactPair>& found = contacts_->Find(x, ContactThickness(parameters));
   const TermContext context = {mesh_, topology_, world_, nullptr, &found};
-  for (const std::unique_ptr<ForceBatch>& batch : batches_) batch->FollowContacts(context);
+  for (const Part& part : parts_) part.batch->FollowContacts(context);
   found_contacts_ = &found;
   return static_cast<int>(found.size());
 }
@@ -43,8 +43,8 @@ bool ClothModel::BindContacts() {
       }
     }
   }
-  for (const std::unique_ptr<ForceBatch>& batch : batches_) {
-    if (batch->info().name == SelfContact::kName) batch->Bind(&pattern_);
+  for (const Part& part : parts_) {
+    if (part.batch->info().name == SelfContact::kName) part.batch->Bind(&pattern_);
   }
   return true;
 }

@@ -23,26 +23,31 @@ struct TermInfo {
   int memory = 0;  // numbers that an element remembers
   bool internal = false;
   std::vector<Parameter> parameters;
+  std::vector<std::string> reads;  // full names of other terms' parameters
 };
 
 // Where a batch is evaluated: all pointers are to whole arrays of the simulation.
 struct BatchPoint {
-  double time;              // s
-  const double* x;          // 3N, m
-  const double* v;          // 3N, m/s
-  const double* a;          // 3N, m/s^2
-  const double* cloth;      // the cloth's own parameters, see parameter_table.h
-  const double* parameter;  // the term's own
-  const double* memory;     // the term's own, at the start of the step
+  double time;                   // s
+  double step;                   // s
+  const double* x;               // 3N, m
+  const double* v;               // 3N, m/s
+  const double* a;               // 3N, m/s^2
+  const double* start;           // 3N, m, the positions when the step began
+  const double* all_parameters;  // see parameter_table.h; the cloth's own come first
+  const double* parameter;       // the term's own
+  const int* read;               // where those of TermInfo::reads are among all; -1 for none
+  const double* memory;          // the term's own, at the start of the step
 };
 
 // Directions in which a batch's forces are differentiated, kLanes at once: rows of kLanes numbers,
 // a row for each number of the point. All pointers as in BatchPoint.
 struct BatchDirections {
-  const double* x;          // 3N rows
-  const double* v;          // 3N rows
-  const double* a;          // 3N rows
-  const double* cloth;      // kNumClothParameters rows
+  const double* x;      // 3N rows
+  const double* v;      // 3N rows
+  const double* a;      // 3N rows
+  const double* start;  // 3N rows
+  const double* all_parameters;
   const double* parameter;  // the term's own
   const double* memory;     // the term's own
   const double* input;      // rows of StepInputs::directions; null where nothing moves them
@@ -96,7 +101,8 @@ TermInfo MakeTermInfo() {
           Term::kNodes,
           Term::kMemory,
           Term::kInternal,
-          {Term::kParameters.begin(), Term::kParameters.end()}};
+          {Term::kParameters.begin(), Term::kParameters.end()},
+          {kReadsOf<Term>.begin(), kReadsOf<Term>.end()}};
 }
 
 template <class... Terms>

@@ -101,9 +101,13 @@ class TermBatch final : public ForceBatch {
     ElementInput<Term, T> in = MakeInput<T>(point);
     for (std::size_t i = 0; i < Term::kParameters.size(); ++i)
       SetLanes(directions.parameter, i, &in.parameter[i]);
-    SetLanes(directions.cloth, kArealDensity, &in.areal_density);
+    SetLanes(directions.all_parameters, kArealDensity, &in.areal_density);
     for (std::size_t k = 0; k < 2; ++k)
-      SetLanes(directions.cloth, kShrinkWarp + k, &in.shrinkage[k]);
+      SetLanes(directions.all_parameters, kShrinkWarp + k, &in.shrinkage[k]);
+    for (std::size_t i = 0; i < in.read.size(); ++i) {
+      if (point.read[i] < 0) continue;
+      SetLanes(directions.all_parameters, static_cast<std::size_t>(point.read[i]), &in.read[i]);
+    }
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       LoadNodes(point, elements_[e], &in);
       LoadInputs(elements_[e], &in);
@@ -128,15 +132,19 @@ class TermBatch final : public ForceBatch {
  private:
   using Element = typename Term::Element;
   static constexpr int kNodes = Term::kNodes;
+  static constexpr bool kRemembers = Term::kMemory > 0;
 
   template <class T>
   ElementInput<Term, T> MakeInput(const BatchPoint& point) const {
     ElementInput<Term, T> in;
     in.time = point.time;
+    in.step = point.step;
     for (std::size_t i = 0; i < Term::kParameters.size(); ++i)
       in.parameter[i] = T(point.parameter[i]);
-    in.areal_density = T(point.cloth[kArealDensity]);
-    for (std::size_t k = 0; k < 2; ++k) in.shrinkage[k] = T(point.cloth[kShrinkWarp + k]);
+    in.areal_density = T(point.all_parameters[kArealDensity]);
+    for (std::size_t k = 0; k < 2; ++k) in.shrinkage[k] = T(point.all_parameters[kShrinkWarp + k]);
+    for (std::size_t i = 0; i < in.read.size(); ++i)
+      in.read[i] = T(point.read[i] < 0 ? 0.0 : point.all_parameters[point.read[i]]);
     return in;
   }
 
@@ -157,6 +165,7 @@ class TermBatch final : public ForceBatch {
         SetValue(point.x[3 * e.nodes[n] + k], &in->x[n][k]);
         SetValue(point.v[3 * e.nodes[n] + k], &in->v[n][k]);
         if constexpr (Term::kUsesAcceleration) SetValue(point.a[3 * e.nodes[n] + k], &in->a[n][k]);
+        if constexpr (kRemembers) SetValue(point.start[3 * e.nodes[n] + k], &in->start[n][k]);
       }
     }
   }
@@ -169,6 +178,7 @@ class TermBatch final : public ForceBatch {
         SetLanes(directions.x, row, &in->x[n][k]);
         SetLanes(directions.v, row, &in->v[n][k]);
         if constexpr (Term::kUsesAcceleration) SetLanes(directions.a, row, &in->a[n][k]);
+        if constexpr (kRemembers) SetLanes(directions.start, row, &in->start[n][k]);
       }
     }
     if constexpr (Term::kInputs > 0) {

@@ -115,6 +115,8 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
   model_->BeginStep(inputs);
   StepProblem problem;
   problem.end_time = state->time + h;
+  problem.step = h;
+  problem.start = state->x;
   problem.formula = MakeStepFormula(options_.integrator, h, state->previous_step);
   problem.x_hat = problem.formula.now * state->x + problem.formula.before * state->previous_x;
   problem.v_hat = problem.formula.now * state->v + problem.formula.before * state->previous_v;
@@ -138,13 +140,12 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
     return report;
   }
   handle_forces_ = (solver.full_residual() - solver.reduced_residual()) / problem.formula.gamma;
-  const Eigen::VectorXd new_memory = solver.memory();
   if (sensitivity != nullptr && !solver.Differentiate(problem, inputs, v, sensitivity, &report)) {
     report.status = StepStatus::kSensitivityFailed;
   }
   state->previous_x = std::exchange(state->x, problem.x_hat + problem.formula.gamma * v);
   state->previous_v = std::exchange(state->v, v);
-  state->memory = new_memory;
+  state->memory = solver.memory();
   state->previous_step = h;
   if (problem.start != nullptr) solver_->clear_x = state->x;
   state->time += h;

@@ -32,6 +32,9 @@ struct SimulationOptions {
   bool self_contact = false;
   // Of the derivatives; 0: as many as the machine runs at once. The numbers are the same for any.
   int num_threads = 1;
+  // Terms that are off and remember do so in steps with derivatives by their parameters; this makes
+  // them in every step, so that such derivatives may begin later and know what was before.
+  bool remember_when_off = false;
 };
 
 enum class StepStatus {

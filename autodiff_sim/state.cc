@@ -34,6 +34,12 @@ Eigen::MatrixXd Gather(const std::vector<StateLanes>& lanes, int directions,
 
 }  // namespace
 
+double Sensitivity::ActiveShare() const {
+  const auto active = std::count_if(lanes_.begin(), lanes_.end(),
+                                    [](const StateLanes& lanes) { return !lanes.is_zero; });
+  return lanes_.empty() ? 0.0 : static_cast<double>(active) / static_cast<double>(lanes_.size());
+}
+
 Eigen::MatrixXd Sensitivity::x() const { return Gather(lanes_, num_directions(), &StateLanes::x); }
 Eigen::MatrixXd Sensitivity::v() const { return Gather(lanes_, num_directions(), &StateLanes::v); }
 

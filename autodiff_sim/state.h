@@ -43,6 +43,8 @@ class Sensitivity {
   void SetParameters(const Eigen::MatrixXd& parameter_directions) {
     parameters_ = parameter_directions;
   }
+  // How much of them has moved anything so far: what a step's derivatives cost goes with it.
+  double ActiveShare() const;
   std::vector<StateLanes>& lanes() { return lanes_; }
   const std::vector<StateLanes>& lanes() const { return lanes_; }
 

@@ -48,7 +48,8 @@ ForceDirections StepSolver::DirectionsAtFixedVelocity(const StepProblem& problem
   ForceDirections directions;
   take(sensitivity.parameters(), &directions.parameters);
   take(inputs.directions, &directions.inputs);
-  directions.memory = lanes.memory;
+  directions.memory = &lanes.memory;
+  directions.start = &lanes.x;
   directions.x = formula.now * lanes.x + formula.before * lanes.previous_x;
   problem.constraints->DependentVelocityDerivative(inputs, first, directions.x, formula.gamma,
                                                    &directions.v);
@@ -60,12 +61,13 @@ ForceDirections StepSolver::DirectionsAtFixedVelocity(const StepProblem& problem
 
 // -dr along these directions: gamma df - M gamma da - dM (v - v_hat).
 Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem, const Eigen::VectorXd& v,
-                                        const ForceDirections& directions) const {
+                                        const ForceDirections& directions,
+                                        const std::vector<bool>& awake) const {
   const StepFormula& formula = problem.formula;
   const double density = (*problem.parameters)[kArealDensity];
-  Lanes<kLanes> rhs = Lanes<kLanes>::Zero(v.size(), kLanes), memory;
+  Lanes<kLanes> rhs = Lanes<kLanes>::Zero(v.size(), kLanes);
   const StepMotion motion(problem, v);
-  model_->AddForceDerivatives(motion.Point(problem), directions, &rhs, &memory);
+  model_->AddForceDerivatives(motion.Point(problem), directions, awake, &rhs);
   const Eigen::Matrix<double, 1, kLanes> density_lanes = directions.parameters.row(kArealDensity);
   for (Eigen::Index row = 0; row < rhs.rows(); ++row) {
     const double area = model_->topology().areas[static_cast<std::size_t>(row / 3)];
@@ -81,19 +83,21 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
                                StepReport* report) {
   AssembleJacobian(problem, v, report);
   if ((FactorIsWorn(false) || !factor_.has_factor()) && !RefreshFactor(report)) return false;
+  const std::vector<bool> awake = model_->Awake(*problem.parameters, sensitivity->parameters());
+  model_->UpdateMemoryOfOff(StepMotion(problem, v).Point(problem), awake, &new_memory_);
   const int count = static_cast<int>(sensitivity->lanes().size());
   std::vector<LanesStep> steps(static_cast<std::size_t>(count));
   int done = 0;
   // The first that needs it finds out whether the factor is good enough; then the others at once.
   for (bool is_tried = false; done < count && !is_tried; ++done) {
     LanesStep& step = steps[static_cast<std::size_t>(done)];
-    step = BeginLanes(problem, inputs, v, *sensitivity, static_cast<std::size_t>(done));
+    step = BeginLanes(problem, inputs, v, awake, *sensitivity, static_cast<std::size_t>(done));
     is_tried = !step.is_idle && !step.is_still;
     if (is_tried && !step.is_solved && !SolveStubbornLanes(&step, report)) return false;
   }
   ParallelFor(count - done, NumThreads(options_.num_threads), [&](int i, int) {
     const auto b = static_cast<std::size_t>(done + i);
-    steps[b] = BeginLanes(problem, inputs, v, *sensitivity, b);
+    steps[b] = BeginLanes(problem, inputs, v, awake, *sensitivity, b);
   });
   int slowest = 0;
   for (LanesStep& step : steps) {
@@ -105,13 +109,14 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
   report->sensitivity_iterations += slowest;
   ParallelFor(count, NumThreads(options_.num_threads), [&](int i, int) {
     const auto b = static_cast<std::size_t>(i);
-    if (!steps[b].is_idle) FinishLanes(problem, v, &steps[b], &sensitivity->lanes()[b]);
+    if (!steps[b].is_idle) FinishLanes(problem, v, awake, &steps[b], &sensitivity->lanes()[b]);
   });
   return true;
 }
 
 StepSolver::LanesStep StepSolver::BeginLanes(const StepProblem& problem, const StepInputs& inputs,
                                              const Eigen::VectorXd& v,
+                                             const std::vector<bool>& awake,
                                              const Sensitivity& sensitivity,
                                              std::size_t block) const {
   LanesStep step;
@@ -119,7 +124,7 @@ StepSolver::LanesStep StepSolver::BeginLanes(const StepProblem& problem, const S
   if (step.is_idle) return step;
   const StateLanes& lanes = sensitivity.lanes()[block];
   step.directions = DirectionsAtFixedVelocity(problem, inputs, sensitivity, block);
-  step.rhs = RightHandSide(problem, v, step.directions);
+  step.rhs = RightHandSide(problem, v, step.directions, awake);
   step.is_still = lanes.is_zero && step.rhs.isZero(0.0) && step.directions.v.isZero(0.0);
   if (step.is_still) return step;
   // Extrapolated from the steps before: a first guess, whatever it is worth.
@@ -150,7 +155,8 @@ bool StepSolver::SolveStubbornLanes(LanesStep* step, StepReport* report) {
   return step->is_solved;
 }
 
-void StepSolver::FinishLanes(const StepProblem& problem, const Eigen::VectorXd& v, LanesStep* step,
+void StepSolver::FinishLanes(const StepProblem& problem, const Eigen::VectorXd& v,
+                             const std::vector<bool>& awake, LanesStep* step,
                              StateLanes* lanes) const {
   ForceDirections& directions = step->directions;
   if (!step->is_still) {
@@ -159,12 +165,9 @@ void StepSolver::FinishLanes(const StepProblem& problem, const Eigen::VectorXd& 
     directions.v += step->dv;
     directions.a += step->dv * (1.0 / problem.formula.gamma);
   }
-  if (model_->memory_size() > 0) {  // along what is known only now
-    Lanes<kLanes> unused = Lanes<kLanes>::Zero(v.size(), kLanes), memory;
-    model_->AddForceDerivatives(StepMotion(problem, v).Point(problem), directions, &unused,
-                                &memory);
-    lanes->memory = std::move(memory);
-  }
+  // Along what is known only now.
+  model_->UpdateMemoryDerivatives(StepMotion(problem, v).Point(problem), directions, awake,
+                                  &lanes->memory);
   lanes->previous_x = std::exchange(lanes->x, std::move(directions.x));
   lanes->previous_v = std::exchange(lanes->v, std::move(directions.v));
   lanes->is_zero = step->is_still;

@@ -164,6 +164,8 @@ bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepRepor
     }
   }
   report->error = gamma * z.lpNorm<Eigen::Infinity>();
+  const std::vector<bool> awake(model_->num_terms(), options_.remember_when_off);
+  model_->UpdateMemoryOfOff(StepMotion(problem, *v).Point(problem), awake, &new_memory_);
   return std::isfinite(report->error);
 }
 

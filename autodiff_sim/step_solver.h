@@ -17,8 +17,9 @@ namespace clothfit {
 // One step's known quantities: everything that the residual depends on but the velocity.
 struct StepProblem {
   double end_time = 0.0;
-  double step = 0.0;
+  double step = 0.0;  // s
   StepFormula formula;
+  Eigen::VectorXd start;  // m, the positions when the step began
   Eigen::VectorXd x_hat, v_hat, memory;
   // Where the step starts from (3N, m) if the cloth is to keep clear of itself, else null.
   const Eigen::VectorXd* start = nullptr;
@@ -33,7 +34,8 @@ struct StepMotion {
         v(velocity),
         a((velocity - problem.v_hat) / problem.formula.gamma) {}
   ForcePoint Point(const StepProblem& problem) const {
-    return {problem.end_time, x, v, a, *problem.parameters, problem.memory};
+    return {problem.end_time,    problem.step,  x, v, a, problem.start,
+            *problem.parameters, problem.memory};
   }
   Eigen::VectorXd x;
   const Eigen::VectorXd& v;
@@ -91,7 +93,8 @@ class StepSolver {
                                             const Sensitivity& sensitivity,
                                             std::size_t block) const;
   Lanes<kLanes> RightHandSide(const StepProblem& problem, const Eigen::VectorXd& v,
-                              const ForceDirections& directions) const;
+                              const ForceDirections& directions,
+                              const std::vector<bool>& awake) const;
   // What becomes of one block of directions in a step.
   struct LanesStep {
     ForceDirections directions;
@@ -104,12 +107,12 @@ class StepSolver {
   // Sets up the block's system and tries to solve it with the factor as it is. Blocks do not depend
   // on one another.
   LanesStep BeginLanes(const StepProblem& problem, const StepInputs& inputs,
-                       const Eigen::VectorXd& v, const Sensitivity& sensitivity,
-                       std::size_t block) const;
+                       const Eigen::VectorXd& v, const std::vector<bool>& awake,
+                       const Sensitivity& sensitivity, std::size_t block) const;
   // Solves it with a fresh factor or directly, where the try was in vain.
   bool SolveStubbornLanes(LanesStep* step, StepReport* report);
-  void FinishLanes(const StepProblem& problem, const Eigen::VectorXd& v, LanesStep* step,
-                   StateLanes* lanes) const;
+  void FinishLanes(const StepProblem& problem, const Eigen::VectorXd& v,
+                   const std::vector<bool>& awake, LanesStep* step, StateLanes* lanes) const;
   GmresReport SolveLanes(LanesStep* step) const;
   ClothModel* model_;
   SimulationOptions options_;

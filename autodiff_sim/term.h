@@ -3,18 +3,14 @@
 //
 // The contract of a force term. Physics is written once, in one struct, templated on its scalar:
 //
-//   struct Example {
+//   struct Example : TermDefaults {
 //     static constexpr const char* kName = "example";            // its parameters are example.*
 //     static constexpr const char* kDoc = "what it is, in one line";
 //     static constexpr const char* kReference = "Author year, eq. n";
 //     static constexpr int kNodes = 2;                            // particles an element acts on
-//     static constexpr int kInputs = 0;    // numbers from StepInputs an element
-//     static constexpr int kMemory = 0;    // numbers an element remembers
-//     static constexpr bool kUsesAcceleration = false;            // reads a
-//     static constexpr bool kUsesDensity = false;                 // reads areal_density
-//     static constexpr bool kUsesShrinkage = false;               // reads shrinkage
 //     static constexpr bool kInternal = true;                     // no net force, no net moment
 //     static constexpr std::array<Parameter, 1> kParameters = {{...}};
+//     // ... and what of TermDefaults is otherwise
 //     struct Element { std::array<int, kNodes> nodes; ... };
 //     static std::vector<Element> Elements(const TermContext&);
 //     template <class T>
@@ -24,17 +20,24 @@
 //
 // AddForce gets an output whose forces are zero (N) and whose memory is last step's, adds the
 // element's forces, and writes the memory at the end of the step. With its parameters at `off` it
-// adds nothing. Branches are decided on plain values (Value()), and the force is continuous across
-// them. Elements are fixed for a simulation, or, where kInputs > 0, made anew for each step from
-// its StepInputs. Those of a term with `static constexpr bool kFollowsContacts = true` are made
-// anew from TermContext::contacts wherever the forces are evaluated. A term that needs an input
-// names its first row in StepInputs::directions as Element::first_input.
+// adds nothing; those that only shape the force (Parameter::probes) need not be. Branches are
+// decided on plain values (Value()), and the force is continuous across them. Elements are fixed
+// for a simulation, or, where kInputs > 0, made anew for each step from its StepInputs. Those of a
+// term with `static constexpr bool kFollowsContacts = true` are made anew from
+// TermContext::contacts wherever the forces are evaluated. A term that needs an input names its
+// first row in StepInputs::directions as Element::first_input.
+//
+// A term that remembers knows where its particles were when the step began, and so needs no
+// memory of that; its memory is zero at first, and the cloth's first shape leaves it without force.
+// A term that is a part of another's force (wind is of the air's drag) names the other's parameters
+// in kReads.
 //
 // Forces, not energies: drag and friction have none.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -64,6 +67,23 @@ struct World {
 
 struct ContactPair;
 
+// What most terms are not.
+struct TermDefaults {
+  static constexpr int kInputs = 0;                 // numbers from StepInputs an element
+  static constexpr int kMemory = 0;                 // numbers an element remembers
+  static constexpr bool kUsesAcceleration = false;  // reads a
+  static constexpr bool kUsesDensity = false;       // reads areal_density
+  static constexpr bool kUsesShrinkage = false;     // reads shrinkage
+  static constexpr bool kPrefersAxes = false;       // parameters that are bound to the world's axes
+  static constexpr std::array<const char*, 0> kReads = {};  // full names of others' parameters
+};
+
+// kReads, and none for a term without it.
+template <class Term, class = void>
+constexpr std::array<const char*, 0> kReadsOf = {};
+template <class Term>
+constexpr auto kReadsOf<Term, std::void_t<decltype(Term::kReads)>> = Term::kReads;
+
 // What an element list is made from. `inputs` is null for elements that are fixed for a simulation,
 // `contacts` where none are known.
 struct TermContext {
@@ -77,11 +97,16 @@ struct TermContext {
 template <class Term, class T>
 struct ElementInput {
   double time;                             // s, at the end of the step
+  double step;                             // s, its length
   std::array<Vector3<T>, Term::kNodes> x;  // m
   std::array<Vector3<T>, Term::kNodes> v;  // m/s
   // m/s^2, of the integrator's own formula; there only if kUsesAcceleration.
   std::array<Vector3<T>, Term::kUsesAcceleration ? Term::kNodes : 0> a;
+  // m, at the start of the step; there only if kMemory > 0.
+  std::array<Vector3<T>, (Term::kMemory > 0) ? Term::kNodes : 0> start;
   std::array<T, Term::kParameters.size()> parameter;
+  // As in kReads; zero where the simulation lacks the other term.
+  std::array<T, kReadsOf<Term>.size()> read;
   T areal_density;                     // kg/m^2
   std::array<T, 2> shrinkage;          // of the rest lengths along warp and weft, a share
   std::array<T, Term::kInputs> input;  // as the term's Element defines them

@@ -6,17 +6,37 @@
 
 #include "autodiff_sim/term.h"
 #include "autodiff_sim/terms/added_mass.h"
+#include "autodiff_sim/terms/adhesion.h"
 #include "autodiff_sim/terms/air_drag.h"
 #include "autodiff_sim/terms/attraction.h"
+#include "autodiff_sim/terms/attractor.h"
 #include "autodiff_sim/terms/bending.h"
+#include "autodiff_sim/terms/bending_friction.h"
+#include "autodiff_sim/terms/crease.h"
+#include "autodiff_sim/terms/extra_mass.h"
 #include "autodiff_sim/terms/gravity.h"
+#include "autodiff_sim/terms/gravity_tilt.h"
 #include "autodiff_sim/terms/ground_contact.h"
+#include "autodiff_sim/terms/gust.h"
+#include "autodiff_sim/terms/obstacle.h"
+#include "autodiff_sim/terms/orthotropy.h"
+#include "autodiff_sim/terms/relaxation.h"
 #include "autodiff_sim/terms/self_contact.h"
+#include "autodiff_sim/terms/shear_friction.h"
 #include "autodiff_sim/terms/spring.h"
+#include "autodiff_sim/terms/stiff_patch.h"
+#include "autodiff_sim/terms/stiff_seam.h"
+#include "autodiff_sim/terms/stretch_stiffening.h"
+#include "autodiff_sim/terms/wind.h"
 
 namespace clothfit {
 
 using Terms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass,
-                       GroundContact, PointAttraction, RayAttraction, SelfContact>;
+                       GroundContact, PointAttraction, RayAttraction, SelfContact, UniformWind,
+                       Gust, BendingFriction, ShearFriction, StretchRelaxation, ShearRelaxation,
+                       BendingRelaxation, Crease, StretchStiffening, StretchOrthotropy,
+                       ShearOrthotropy, BendingOrthotropy, Hem, HeavyPatch, StiffPatchStretch,
+                       StiffPatchBending, StiffSeamStretch, StiffSeamBending, Adhesion, StickyPatch,
+                       ObstaclePlane, ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor>;
 
 }  // namespace clothfit

@@ -38,13 +38,16 @@ struct FitCheckpoint {
 };
 
 struct FitProgress {
-  std::string stage;      // "window 3 of 12 (frames 241-360)", "all frames"
-  int iteration = 0;      // of this stage
-  double cost = 0.0;      // half the sum of squared residuals, this stage
-  double rms = 0.0;       // root mean square of this stage's residuals, in their sigmas
-  std::string detail;     // of a search without derivatives: what to say instead of the two above
+  std::string stage;  // "window 3 of 12 (frames 241-360)", "all frames"
+  int iteration = 0;  // of this stage
+  double cost = 0.0;  // half the sum of squared residuals, this stage
+  double rms = 0.0;   // root mean square of this stage's residuals, in their sigmas
+  // Of a search without derivatives, whose iterations are simulations and whose cost the hard
+  // error: what to say of them.
+  std::string detail;
   double fraction = 0.0;  // of the whole fit, an estimate
-  // So far, and how many of them with derivatives.
+  // So far, and how many of them with derivatives, each as the share of the unknowns that had moved
+  // anything by then.
   double simulated_frames = 0.0, differentiated_frames = 0.0;
 };
 
@@ -83,7 +86,7 @@ struct FitResult {
   int iterations = 0;
   int simulations = 0;                 // of any length, counted in whole recordings, rounded up
   double simulated_frames = 0.0;       // in all, with and without derivatives
-  double differentiated_frames = 0.0;  // those with
+  double differentiated_frames = 0.0;  // those with, as in FitProgress
   double seconds = 0.0;
   double cost_before = 0.0, cost_after = 0.0;  // all fitted frames, open loop, with priors
   Evaluation before, after;

@@ -3,6 +3,9 @@
 #include "fitting/fit_run.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -11,6 +14,8 @@
 #include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/search.h"
+#include "fitting/surface_evaluation.h"
+#include "tracking/silhouette_raster.h"
 
 namespace clothfit {
 namespace {
@@ -24,11 +29,52 @@ std::vector<Eigen::VectorXd> SimulatePositions(const Scene& scene, const FitConf
   return positions;
 }
 
+double DistanceFromCloth(const Scene& scene, const Eigen::Vector3d& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::array<int, 3>& t : scene.mesh.triangles) {
+    least = std::min(least, SquaredDistanceToTriangle(point, scene.initial.segment<3>(3 * t[0]),
+                                                      scene.initial.segment<3>(3 * t[1]),
+                                                      scene.initial.segment<3>(3 * t[2])));
+  }
+  return std::sqrt(least);
+}
+
+// A camera that cannot see the cloth as it lies at the start, although its mask shows it, gives the
+// fit nothing to go by.
+void CheckSilhouettesOfStart(const Scene& scene) {
+  constexpr double kInside = 0.01;  // m
+  for (const SilhouetteObservation& seen : scene.silhouettes->observations) {
+    if (seen.frame > 0) break;  // they are in the order of frames
+    if (!seen.field) continue;
+    const Camera& camera = scene.recording.cameras[seen.camera];
+    const std::string place =
+        (scene.recording.path / "cameras.yaml").string() + ": camera '" + camera.name + "'";
+    const double distance = DistanceFromCloth(scene, CameraCentre(camera));
+    if (distance < kInside) {
+      throw InputError(place, fmt::format("stands {:.1f} mm from the cloth as it lies at frame 0; "
+                                          "expected a camera that looks at it from outside",
+                                          1e3 * distance));
+    }
+    BitMask mask;
+    SilhouetteRaster(camera, scene.mesh.triangles).Draw(scene.initial, &mask);
+    if (mask.Count() > 0) continue;
+    throw InputError(place,
+                     "does not see the cloth as it lies at frame 0, but its mask does; is it "
+                     "this camera's, and is the cloth's initial placement right?");
+  }
+}
+
 FitCallbacks WithRun(const FitCallbacks& callbacks, const RunFolder& run) {
   FitCallbacks all = callbacks;
   all.checkpoint = [&run, &callbacks](const FitCheckpoint& checkpoint) {
     run.WriteCheckpoint(checkpoint);
     if (callbacks.checkpoint) callbacks.checkpoint(checkpoint);
+  };
+  all.progress = [&run, &callbacks,
+                  begin = std::chrono::steady_clock::now()](const FitProgress& progress) {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    run.AppendProgress(progress, passed.count());
+    if (callbacks.progress) callbacks.progress(progress);
   };
   all.log = [&run, &callbacks](const std::string& line) {
     run.AppendLog(line);
@@ -59,6 +105,7 @@ void CheckSimulable(const Scene& scene) {
 
 void CheckFittable(const Scene& scene) {
   CheckSimulable(scene);
+  if (scene.silhouettes) CheckSilhouettesOfStart(scene);
   const bool any_marker =
       std::any_of(scene.markers.begin(), scene.markers.end(),
                   [&](const MarkerObservation& m) { return scene.is_fitted[m.frame]; });

@@ -82,8 +82,8 @@ void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
 
 ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const WindowStart& start,
                                         int first, int last, int max_iterations,
-                                        const Eigen::MatrixXd& prior,
-                                        const Eigen::VectorXd& offset) {
+                                        const Eigen::MatrixXd& prior, const Eigen::VectorXd& offset,
+                                        const std::vector<int>& held) {
   ceres::Problem problem;
   double* theta = progress_.theta.data();
   ceres::CostFunction* cost =
@@ -92,6 +92,8 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   problem.AddResidualBlock(cost, nullptr, theta);
   problem.AddResidualBlock(new LinearCost(prior, offset), nullptr, theta);
   SetBounds(free_.lower(), free_.upper(), theta, &problem);
+  if (!held.empty()) problem.SetManifold(theta, new ceres::SubsetManifold(free_.size(), held));
+  simulator->Hold(held);
   ceres::Solver::Options options =
       LevenbergMarquardtOptions(max_iterations, config_.function_tolerance);
   options.update_state_every_iteration = true;
@@ -101,6 +103,7 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   ceres::Solver::Summary summary;
   best_ = progress_.theta;
   ceres::Solve(options, &problem, &summary);
+  simulator->Hold({});
   progress_.theta = best_;  // Ceres takes back what it had reached when an evaluation fails
   iterations_ += std::max(0, static_cast<int>(summary.iterations.size()) - 1);
   Log(fmt::format("{}: cost {:.6g} -> {:.6g}, {} iterations, {}", stage_, summary.initial_cost,
@@ -218,11 +221,22 @@ void Fitter::FindHandlePaths() {
     constexpr int kIterations = 5;
     const WindowStart start = simulator_.FirstStart(progress_.theta);
     Minimise(&simulator_, start, 0, last, kIterations, free_.prior_jacobian(),
-             -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
+             -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())), ControlsLongBefore(last));
   }
   if (Cost(progress_.theta, &simulator_) < at_start) return;
   Log("handles: what was found explains all frames worse than the start does");
   progress_.theta = free_.start();
+}
+
+std::vector<int> Fitter::ControlsLongBefore(int frame) const {
+  constexpr double kLag = 8.0;  // control points: what came before has been fitted often enough
+  const double now = scene_.FrameTime(frame) / config_.spline_spacing;
+  std::vector<int> entries;
+  for (int i = 0; i < free_.size(); ++i) {
+    const FreeEntry& entry = free_.entries()[i];
+    if (entry.kind == FreeEntry::Kind::kHandle && entry.control < now - kLag) entries.push_back(i);
+  }
+  return entries;
 }
 
 bool Fitter::ContinueHandlePaths(FrameByFrame* search, int first, int last) {

@@ -31,14 +31,17 @@ class Fitter {
   }
 
  private:
-  // Levenberg-Marquardt on one window and what is known besides. Returns Ceres' summary.
+  // Levenberg-Marquardt on one window and what is known besides; entries that are held stay as they
+  // are. Returns Ceres' summary.
   ceres::Solver::Summary Minimise(WindowSimulator* simulator, const WindowStart& start, int first,
                                   int last, int max_iterations, const Eigen::MatrixXd& prior,
-                                  const Eigen::VectorXd& offset);
+                                  const Eigen::VectorXd& offset, const std::vector<int>& held = {});
   // Finds the paths of unknown handles: all that is unknown is fitted to the first frames, then to
   // more and more of them, each stretch of the paths found frame by frame before. So a path never
   // has to be found from far away, nor with a fabric that the frames before contradict.
   void FindHandlePaths();
+  // Control points of hidden handles' paths that matter only long before a frame.
+  std::vector<int> ControlsLongBefore(int frame) const;
   // Frame by frame from the first frame on to the last; beyond it as the prior expects. False where
   // the simulation does not get there.
   bool ContinueHandlePaths(FrameByFrame* search, int first, int last);

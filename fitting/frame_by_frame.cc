@@ -84,7 +84,9 @@ bool FrameByFrame::Simulate(const Eigen::VectorXd& unknowns, State* state,
     return Inputs(time, unknowns, with_directions);
   };
   result_.simulated_frames += 1.0;
-  if (sensitivity != nullptr) result_.differentiated_frames += 1.0;
+  if (sensitivity != nullptr)
+    result_.differentiated_frames +=
+        std::min(1.0, static_cast<double>(unknowns.size()) / std::max(1, free_.size()));
   for (int k = 0; k < scene_.steps_per_frame; ++k) {
     const StepReport report = simulation_.Advance(scene_.step, drive, state, sensitivity);
     if (report.status != StepStatus::kConverged || !state->x.allFinite()) return false;

@@ -38,7 +38,7 @@ struct FrameByFrameResult {
   Eigen::VectorXd theta;                      // with fabric: the mean over the frames
   std::vector<Eigen::VectorXd> positions;     // 3N, m, of the first frame and each after it
   double simulated_frames = 0.0;              // those with derivatives among them
-  double differentiated_frames = 0.0;
+  double differentiated_frames = 0.0;         // those, each as its share of the free vector
 };
 
 class FrameByFrame {

@@ -4,8 +4,10 @@
 // Making, replacing and opening run folders, and their short files.
 #include "fitting/run_folder.h"
 
+#include <algorithm>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/error.h"
@@ -22,11 +24,12 @@ constexpr const char* kLog = "log.txt";
 constexpr const char* kLogBegins = "clothfit ";
 constexpr const char* kCheckpoint = "checkpoint.json";
 constexpr const char* kSummary = "summary.json";
+constexpr const char* kProgress = "progress.csv";
 
 // All that a run ever writes. The log goes last: without it the folder is no run any more.
 constexpr const char* kOwnFiles[] = {
-    "config.yaml", "parameters.yaml", kSummary,    "trajectory.npy",
-    "mesh.obj",    "residuals.csv",   kCheckpoint, kLog};
+    "config.yaml",   "parameters.yaml", kSummary,  "trajectory.npy", "mesh.obj",
+    "residuals.csv", kCheckpoint,       kProgress, "report.html",    kLog};
 
 bool IsRun(const fs::path& folder) {
   std::ifstream log(folder / kLog);
@@ -108,6 +111,16 @@ void RunFolder::WriteConfig(const FitConfig& config) const {
 }
 
 void RunFolder::AppendLog(const std::string& line) const { AppendLine(path_ / kLog, line); }
+
+void RunFolder::AppendProgress(const FitProgress& progress, double seconds) const {
+  const fs::path file = path_ / kProgress;
+  if (!fs::exists(file)) AppendLine(file, "stage,iteration,cost,simulated_frames,seconds");
+  std::string stage = progress.stage;
+  std::replace(stage.begin(), stage.end(), ',', ';');
+  AppendLine(file, fmt::format("{},{},{},{},{:.3f}", stage, progress.iteration,
+                               FormatNumber(progress.cost), FormatNumber(progress.simulated_frames),
+                               seconds));
+}
 
 void RunFolder::RemoveCheckpoint() const {
   std::error_code ignored;  // one that stays behind does no harm

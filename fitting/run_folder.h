@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A run is a folder: config.yaml, parameters.yaml, summary.json, trajectory.npy, mesh.obj,
-// residuals.csv, log.txt and, while a fit is under way, checkpoint.json.
+// residuals.csv, log.txt, progress.csv and, while a fit is under way, checkpoint.json.
 #pragma once
 
 #include <filesystem>
@@ -37,6 +37,8 @@ class RunFolder {
   // residuals.csv of one open-loop simulation from frame 0 on.
   void WriteTrajectory(const Scene& scene, const std::vector<Eigen::VectorXd>& positions) const;
   void AppendLog(const std::string& line) const;
+  // progress.csv: a row an iteration. `seconds`: since the fit began.
+  void AppendProgress(const FitProgress& progress, double seconds) const;
   void RemoveCheckpoint() const;
 
   bool HasCheckpoint() const;

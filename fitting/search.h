@@ -31,7 +31,7 @@ struct SearchOptions {
   Budget budget;  // evaluations: simulations of the whole recording, those with derivatives at cost
   unsigned seed = 1;
   int num_threads = 1;  // of pattern search
-  // What a simulation with derivatives costs, in simulations without.
+  // What a simulation with derivatives along all of the free vector costs, in simulations without.
   double derivative_cost = 2.0;
   const std::atomic<bool>* stop = nullptr;
   // What has been spent and the best error so far, after every evaluation; one call at a time.
@@ -67,8 +67,8 @@ SearchResult Search(const Scene& scene, const FitConfig& config, const SearchOpt
 FitResult FitByStrategy(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
                         const FitCheckpoint* resume = nullptr);
 
-// Time of a simulation with derivatives by all of the free vector over that of one without, on this
-// machine: medians of `repeats` in turn.
+// Time of a simulation with derivatives along all of the free vector, were they all at work from
+// its start on, over that of one without, on this machine: medians of `repeats` in turn.
 double MeasureDerivativeCost(const Scene& scene, const FitConfig& config, int repeats = 3);
 
 }  // namespace clothfit

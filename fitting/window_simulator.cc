@@ -74,6 +74,7 @@ StepInputs WindowSimulator::Inputs(double time, bool with_directions) const {
         inputs.directions.middleRows<3>(3 * static_cast<Eigen::Index>(k)) =
             free_.HandleDirections(handles_, held[k], time);
       }
+      for (const int entry : held_) inputs.directions.col(entry).setZero();
     }
   }
   return inputs;
@@ -109,7 +110,7 @@ WindowSimulator::Outcome WindowSimulator::Run(const WindowStart& start,
     }
     state.time = scene_.FrameTime(frame);
     simulated_frames_ += 1.0;
-    if (derivatives) differentiated_frames_ += 1.0;
+    if (derivatives) differentiated_frames_ += sensitivity.ActiveShare();
     observer(frame, state, derivatives ? &sensitivity : nullptr);
   }
   if (end != nullptr) *end = {last_frame, std::move(state), std::move(sensitivity), theta};

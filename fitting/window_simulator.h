@@ -43,9 +43,13 @@ class WindowSimulator {
   Outcome Run(const WindowStart& start, const Eigen::VectorXd& theta, int last_frame,
               bool derivatives, const Observer& observer, WindowStart* end = nullptr);
 
+  // Entries of the free vector, handles' only, along which nothing is differentiated from here on.
+  void Hold(const std::vector<int>& entries) { held_ = entries; }
+
   const Simulation& simulation() const { return simulation_; }
   double simulated_frames() const { return simulated_frames_; }
-  // Those of them that had derivatives.
+  // Those of them that had derivatives, each as the share of the directions that had moved
+  // anything.
   double differentiated_frames() const { return differentiated_frames_; }
   const StepReport& last_report() const { return report_; }
 
@@ -58,6 +62,7 @@ class WindowSimulator {
   const std::atomic<bool>* stop_;
   Simulation simulation_;
   std::vector<SceneHandle> handles_;
+  std::vector<int> held_;
   double simulated_frames_ = 0.0, differentiated_frames_ = 0.0;
   StepReport report_;
 };

@@ -13,6 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kOrigin = "origin.txt";
+
 fs::path MaskFile(const fs::path& folder, const Camera& camera, int frame) {
   return folder / "masks" / camera.name / fmt::format("{:06d}.png", frame);
 }
@@ -69,7 +71,14 @@ TrackingResult TrackIntoFolder(const Recording& recording, const TrackingOptions
   WriteRecording(WithObservations(recording, result), folder, Overwrite::kAllow);
   WriteTextFile(folder / "pictures.csv", PicturesAsCsv(recording, result));
   WriteTextFile(folder / "filters.csv", FiltersAsCsv(result));
+  WriteTextFile(folder / kOrigin, fs::absolute(recording.path).lexically_normal().string() + "\n");
   return result;
+}
+
+std::optional<fs::path> OriginOfTracking(const fs::path& folder) {
+  if (!fs::exists(folder / kOrigin)) return std::nullopt;
+  const std::string text = ReadTextFile(folder / kOrigin);
+  return text.substr(0, text.find('\n'));
 }
 
 }  // namespace clothfit

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "tracking/track_recording.h"
 
@@ -12,12 +13,16 @@ namespace clothfit {
 
 // Tracks and writes into the folder what a fit needs, as a recording without pictures:
 // recording.yaml, cameras.yaml, handles and the like as they are, masks/ as they are found or
-// copied, tracks.csv and markers.csv; beside it pictures.csv and filters.csv. Stopped early, the
-// folder holds what was found so far, and recording.yaml is written all the same.
+// copied, tracks.csv and markers.csv; beside it pictures.csv, filters.csv and origin.txt. Stopped
+// early, the folder holds what was found so far, and recording.yaml is written all the same.
 // Throws InputError as TrackRecording does, and where the folder already holds a recording (unless
 // allowed; then its masks, tracks and markers are replaced) or cannot be written.
 TrackingResult TrackIntoFolder(const Recording& recording, const TrackingOptions& options,
                                const std::filesystem::path& folder, Overwrite overwrite,
                                const TrackingCallbacks& callbacks = {});
+
+// The recording whose pictures were tracked into this folder, as origin.txt names it; empty where
+// nothing was.
+std::optional<std::filesystem::path> OriginOfTracking(const std::filesystem::path& folder);
 
 }  // namespace clothfit

@@ -13,6 +13,26 @@
 
 namespace clothfit {
 
+// The force on each corner of a triangle at x whose mean velocity relative to the air is `velocity`
+// (m/s); k: k_n, k_f and k_t.
+template <class T>
+Vector3<T> AirDragForce(const std::array<Vector3<T>, 3>& x, const Vector3<T>& velocity,
+                        const std::array<T, 3>& k) {
+  using std::abs;
+  using std::sqrt;
+  const Vector3<T> side1 = x[1] - x[0], side2 = x[2] - x[0];
+  const Vector3<T> normal = side1.cross(side2);
+  const T twice_area = sqrt(normal.dot(normal));
+  const T speed = velocity.dot(normal) / twice_area;  // along the unit normal
+  const T quadratic = k[0] * abs(speed) / (T(1.0) + k[1] * speed * speed);
+  // f = -A (k_t v + (quadratic - k_t) speed n), a third to each corner.
+  const T along_normal = (quadratic - k[2]) * speed / twice_area;
+  const T share = twice_area * (-1.0 / 6.0);
+  Vector3<T> force;
+  for (int i = 0; i < 3; ++i) force[i] = share * (k[2] * velocity[i] + along_normal * normal[i]);
+  return force;
+}
+
 struct AirDrag {
   static constexpr const char* kName = "air_drag";
   static constexpr const char* kDoc = "resistance of still air, normal and tangential";
@@ -47,21 +67,9 @@ struct AirDrag {
   template <class T>
   static void AddForce(const Element&, const ElementInput<AirDrag, T>& in,
                        ElementOutput<AirDrag, T>* out) {
-    using std::abs;
-    using std::sqrt;
-    const Vector3<T> side1 = in.x[1] - in.x[0], side2 = in.x[2] - in.x[0];
-    const Vector3<T> normal = side1.cross(side2);
-    const T twice_area = sqrt(normal.dot(normal));
     const Vector3<T> velocity = (in.v[0] + in.v[1] + in.v[2]) * T(1.0 / 3.0);
-    const T speed = velocity.dot(normal) / twice_area;  // along the unit normal
-    const T quadratic = in.parameter[0] * abs(speed) / (T(1.0) + in.parameter[1] * speed * speed);
-    // f = -A (k_t v + (quadratic - k_t) speed n), a third to each corner.
-    const T along_normal = (quadratic - in.parameter[2]) * speed / twice_area;
-    const T share = twice_area * (-1.0 / 6.0);
-    for (int k = 0; k < 3; ++k) {
-      const T f = share * (in.parameter[2] * velocity[k] + along_normal * normal[k]);
-      for (int i = 0; i < 3; ++i) out->force[i][k] += f;
-    }
+    const Vector3<T> force = AirDragForce<T>(in.x, velocity, in.parameter);
+    for (Vector3<T>& corner : out->force) corner += force;
   }
 };
 

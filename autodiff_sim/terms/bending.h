@@ -12,6 +12,7 @@
 
 #include <cmath>
 
+#include "autodiff_sim/fold_angle.h"
 #include "autodiff_sim/term.h"
 
 namespace clothfit {
@@ -43,33 +44,15 @@ struct Bending {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<Bending, T>& in,
                        ElementOutput<Bending, T>* out) {
-    using std::atan2;
     using std::sin;
-    using std::sqrt;
-    const Vector3<T> edge = in.x[3] - in.x[2];
-    const Vector3<T> a = in.x[0] - in.x[2], b = in.x[0] - in.x[3];
-    const Vector3<T> c = in.x[1] - in.x[3], d = in.x[1] - in.x[2];
-    const Vector3<T> normal1 = a.cross(b), normal2 = c.cross(d);
-    const T length = sqrt(edge.dot(edge));
-    const T n1 = normal1.dot(normal1), n2 = normal2.dot(normal2);
-    const T theta = atan2(normal1.cross(normal2).dot(edge) / length, normal1.dot(normal2));
-    // The gradient of theta, Bridson et al. 2003, eq. for u_1 ... u_4.
-    const T w1 = length / n1, w2 = length / n2;
-    const T inverse = T(1.0) / (length * length);
-    const T s1 = b.dot(edge) * inverse, s2 = c.dot(edge) * inverse;
-    const T t1 = -a.dot(edge) * inverse, t2 = -d.dot(edge) * inverse;
-    std::array<Vector3<T>, 4> u;
+    const Fold<T> fold = MakeFold<T>(in.x);
+    const std::array<Vector3<T>, 4> u = FlatteningMode<T>(in.x, fold);
     T rate = T(0.0);
     for (int k = 0; k < 3; ++k) {
-      const T g1 = w1 * normal1[k], g2 = w2 * normal2[k];
-      u[0][k] = g1;
-      u[1][k] = g2;
-      u[2][k] = s1 * g1 + s2 * g2;
-      u[3][k] = t1 * g1 + t2 * g2;
       for (int i = 0; i < 4; ++i) rate += u[i][k] * in.v[i][k];
     }
-    const T moment =
-        in.parameter[0] * element.shape * sin(theta * 0.5) - in.parameter[1] * element.edge * rate;
+    const T moment = in.parameter[0] * element.shape * sin(fold.angle * 0.5) -
+                     in.parameter[1] * element.edge * rate;
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < 3; ++k) out->force[i][k] += moment * u[i][k];
     }

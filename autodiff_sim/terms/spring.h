@@ -13,6 +13,15 @@
 
 namespace clothfit {
 
+// m. The (u, v) that a cloth is given may be a little off its size at rest: see docs/model.md.
+template <class T>
+T RestLength(const Spring& spring, const std::array<T, 2>& shrinkage) {
+  using std::sqrt;
+  const T warp = 1.0 - shrinkage[0], weft = 1.0 - shrinkage[1];
+  return spring.rest_length *
+         sqrt(spring.warp_share * warp * warp + (1.0 - spring.warp_share) * weft * weft);
+}
+
 template <class T>
 void AddSpringForce(const Spring& spring, const T& stiffness, const T& damping,
                     const std::array<T, 2>& shrinkage, const Vector3<T>& dx, const Vector3<T>& dv,
@@ -20,10 +29,7 @@ void AddSpringForce(const Spring& spring, const T& stiffness, const T& damping,
   using std::sqrt;
   const T length2 = dx.dot(dx);
   const T length = sqrt(length2);
-  // The (u, v) that a cloth is given may be a little off its size at rest: see docs/model.md.
-  const T warp = 1.0 - shrinkage[0], weft = 1.0 - shrinkage[1];
-  const T rest_length = spring.rest_length * sqrt(spring.warp_share * warp * warp +
-                                                  (1.0 - spring.warp_share) * weft * weft);
+  const T rest_length = RestLength<T>(spring, shrinkage);
   const T elastic = stiffness * ((length - rest_length) / length);
   const T viscous = damping * (dx.dot(dv) / length2);
   const T tension = (elastic + viscous) * spring.weight;

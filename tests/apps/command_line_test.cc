@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 
-const char* const kCommands[] = {"fit", "simulate", "predict", "check", "terms", "gradcheck"};
+const char* const kCommands[] = {"fit",   "simulate",  "predict", "check",
+                                 "terms", "gradcheck", "report",  "export"};
 
 SmallRecordingOptions Tiny() {
   SmallRecordingOptions options;
@@ -69,6 +70,8 @@ TEST(Terms, ListsEveryParameter) {
   const nlohmann::json parsed = nlohmann::json::parse(json.out);
   EXPECT_EQ(parsed.at("terms").size(), AllTerms().size());
   EXPECT_EQ(parsed.at("terms")[0].at("parameters")[0].at("name"), "gravity.scale");
+  EXPECT_THAT(table.out, HasSubstr("relaxation time (tried: 0.1, 1, 10, 100)"));
+  EXPECT_THAT(table.out, HasSubstr("when it begins (tried at shares: 0, 0.25, 0.5, 0.75)"));
   for (const NamedParameter& named : MakeParameterTable()) {
     EXPECT_THAT(table.out, HasSubstr("  " + named.name + " "));
     EXPECT_THAT(json.out, HasSubstr("\"" + named.name + "\""));

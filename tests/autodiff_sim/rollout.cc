@@ -61,6 +61,34 @@ void Rollout::AddParameters(const std::vector<std::string>& names) {
   for (const std::string& name : names) AddParameter(name);
 }
 
+SimulationOptions Precise(Integrator integrator) {
+  SimulationOptions options;
+  options.integrator = integrator;
+  options.tolerance = 1e-12;
+  return options;
+}
+
+void Set(const std::string& name, double value, Rollout* rollout) {
+  const int index = FindParameter(rollout->make().model().parameters(), name);
+  ASSERT_GE(index, 0) << name;
+  rollout->parameters[index] = value;
+}
+
+Rollout MakeRollout(const TestScene& scene, const SimulationOptions& options) {
+  Rollout rollout;
+  rollout.make = [scene, options]() {
+    Simulation simulation(scene.mesh, scene.world, scene.handles, options);
+    UseSuppleCloth(&simulation);
+    return simulation;
+  };
+  rollout.parameters = rollout.make().parameters();
+  rollout.x = scene.x;
+  rollout.v = Eigen::VectorXd::Zero(scene.x.size());
+  const Drive drive = scene.MakeDrive();
+  rollout.inputs = [drive](double time) { return drive(time, false); };
+  return rollout;
+}
+
 RolloutResult RunRollout(const Rollout& rollout, const Eigen::VectorXd& q, bool with_jacobian) {
   Simulation simulation = rollout.make();
   const Eigen::Index size = rollout.x.size(), count = q.size();

@@ -260,7 +260,8 @@ TEST(Simulation, DerivativesTakeNoMoreMemoryAsTimeGoesOn) {
     return numbers;
   };
   const Eigen::Index before = size();
-  EXPECT_EQ(before, 2 * 4 * 48 * kLanes);  // 11 directions are two blocks of lanes
+  // 11 directions are two blocks of lanes.
+  EXPECT_EQ(before, 2 * (4 * 48 + simulation.model().memory_size()) * kLanes);
   for (int i = 0; i < 20; ++i) simulation.Advance(kStep, scene.MakeDrive(), &state, &sensitivity);
   EXPECT_EQ(size(), before);
   EXPECT_EQ(sensitivity.x().cols(), 11);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "autodiff_sim/contact/self_contacts.h"
+#include "autodiff_sim/parameter_table.h"
 
 namespace clothfit {
 namespace {
@@ -77,11 +78,17 @@ std::vector<TermScene> MakeTermScenes() {
                       Eigen::Vector3d::UnitY());
     scene.v.resize(scene.x.size());
     scene.a.resize(scene.x.size());
+    scene.start.resize(scene.x.size());
     Fold(shape.fold * M_PI / 180.0, scene.mesh, &scene.x);
     for (int i = 0; i < scene.mesh.num_particles(); ++i) {
       scene.x.segment<3>(3 * i) += RandomVector(shape.noise * kEdge, &random);
       scene.v.segment<3>(3 * i) = RandomVector(shape.speed, &random);
       scene.a.segment<3>(3 * i) = RandomVector(shape.speed, &random);
+    }
+    std::mt19937 random_start(20261);
+    for (int i = 0; i < scene.mesh.num_particles(); ++i) {
+      scene.start.segment<3>(3 * i) =
+          scene.x.segment<3>(3 * i) + RandomVector(0.05 * kEdge, &random_start);
     }
     scene.inputs = Targets(scene, shape.distance, &random);
     scene.contacts = SelfContacts(scene.mesh).Find(scene.x, 0.012);
@@ -98,6 +105,7 @@ TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
     moved.x.segment<3>(3 * i) = rotation * scene.x.segment<3>(3 * i) + shift;
     moved.v.segment<3>(3 * i) = rotation * scene.v.segment<3>(3 * i);
     moved.a.segment<3>(3 * i) = rotation * scene.a.segment<3>(3 * i);
+    moved.start.segment<3>(3 * i) = rotation * scene.start.segment<3>(3 * i) + shift;
   }
   for (PointTarget& target : moved.inputs.points)
     target.position = rotation * target.position + shift;
@@ -106,6 +114,42 @@ TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
     ray.moment = rotation * ray.moment + shift.cross(ray.direction);
   }
   return moved;
+}
+
+double InitialValue(const std::string& name) {
+  static const std::vector<NamedParameter> table = MakeParameterTable();
+  return table[static_cast<std::size_t>(FindParameter(table, name))].parameter.initial;
+}
+
+double RandomParameter(const Parameter& parameter, const TermScene& scene, std::mt19937* random) {
+  const auto between = [random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(*random);
+  };
+  const auto near_the_cloth = [&](int axis) {
+    return scene.x[axis] + between(-2.0 * kEdge, 6.0 * kEdge);
+  };
+  const bool is_log = parameter.scale == Scale::kLog;
+  switch (parameter.meaning) {
+    case Meaning::kPlaceX:
+      return near_the_cloth(0);
+    case Meaning::kPlaceY:
+      return near_the_cloth(1);
+    case Meaning::kPlaceZ:
+      return scene.x[2] + between(-2.0 * kEdge, 2.0 * kEdge);
+    case Meaning::kClothU:
+      return between(0.0, 4.0 * kEdge);
+    case Meaning::kClothV:
+      return between(0.0, 3.0 * kEdge);
+    case Meaning::kClothDistance:
+      return is_log ? between(kEdge, 3.0 * kEdge) : between(-kEdge, kEdge);
+    case Meaning::kTime:
+      return is_log ? between(0.5, 2.0) * kSampleTime : between(0.0, kSampleTime);
+    default:
+      break;
+  }
+  const double share = between(0.05, 0.95);
+  return is_log ? parameter.lower * std::pow(parameter.upper / parameter.lower, share)
+                : parameter.lower + share * (parameter.upper - parameter.lower);
 }
 
 }  // namespace clothfit

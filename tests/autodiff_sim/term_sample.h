@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Samples of any force term: its elements on a small cloth in many shapes, and what acts on them,
-// as one vector of numbers: x, v (3 a node each), parameters, areal density, inputs, memory, a.
+// as one vector of numbers: x, v (3 a node each), parameters, areal density, inputs, memory, a,
+// positions at the step's start, parameters of other terms.
 #pragma once
 
 #include <array>
@@ -26,7 +27,7 @@ struct TermScene {
   World world;
   StepInputs inputs;
   std::vector<ContactPair> contacts;  // features within 12 mm
-  Eigen::VectorXd x, v, a;
+  Eigen::VectorXd x, v, a, start;
   double speed;  // m/s, typical of v; a is about as large (m/s^2)
 };
 
@@ -39,6 +40,7 @@ TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
                 const Eigen::Vector3d& shift);
 
 constexpr std::array<double, 2> kSampleShrinkage = {0.01, -0.02};  // along warp and weft
+constexpr double kSampleTime = 0.25;                               // s
 
 template <class Term>
 struct TermLayout {
@@ -50,7 +52,9 @@ struct TermLayout {
   static constexpr int kInput = kShrinkage + 2;
   static constexpr int kMemory = kInput + Term::kInputs;
   static constexpr int kA = kMemory + Term::kMemory;
-  static constexpr int kSize = kA + (Term::kUsesAcceleration ? 3 * Term::kNodes : 0);
+  static constexpr int kStart = kA + (Term::kUsesAcceleration ? 3 * Term::kNodes : 0);
+  static constexpr int kRead = kStart + (Term::kMemory > 0 ? 3 * Term::kNodes : 0);
+  static constexpr int kSize = kRead + static_cast<int>(kReadsOf<Term>.size());
   static constexpr int kForces = 3 * Term::kNodes;
   static constexpr int kOutputs = kForces + Term::kMemory;
 };
@@ -69,12 +73,14 @@ VectorX<T> EvaluateTerm(const typename Term::Element& element, const VectorX<T>&
   using Layout = TermLayout<Term>;
   ElementInput<Term, T> in;
   ElementOutput<Term, T> out;
-  in.time = 0.25;
+  in.time = kSampleTime;
+  in.step = 0.01;
   for (int n = 0; n < Term::kNodes; ++n) {
     for (int k = 0; k < 3; ++k) {
       in.x[n][k] = numbers[Layout::kX + 3 * n + k];
       in.v[n][k] = numbers[Layout::kV + 3 * n + k];
       if constexpr (Term::kUsesAcceleration) in.a[n][k] = numbers[Layout::kA + 3 * n + k];
+      if constexpr (Term::kMemory > 0) in.start[n][k] = numbers[Layout::kStart + 3 * n + k];
       out.force[n][k] = T(0.0);
     }
   }
@@ -83,6 +89,7 @@ VectorX<T> EvaluateTerm(const typename Term::Element& element, const VectorX<T>&
   in.areal_density = numbers[Layout::kDensity];
   for (int i = 0; i < 2; ++i) in.shrinkage[i] = numbers[Layout::kShrinkage + i];
   for (int i = 0; i < Term::kInputs; ++i) in.input[i] = numbers[Layout::kInput + i];
+  for (int i = 0; i < Layout::kSize - Layout::kRead; ++i) in.read[i] = numbers[Layout::kRead + i];
   for (int i = 0; i < Term::kMemory; ++i) out.memory[i] = numbers[Layout::kMemory + i];
   Term::template AddForce<T>(element, in, &out);
   VectorX<T> result(Layout::kOutputs);
@@ -105,6 +112,9 @@ Eigen::VectorXd DifferentiateTerm(const typename Term::Element& element,
   return derivative;
 }
 
+// The initial value of any term's parameter, by its full name.
+double InitialValue(const std::string& name);
+
 // All numbers of an element in a scene, with these parameters and areal density.
 template <class Term>
 Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const TermScene& scene,
@@ -116,6 +126,8 @@ Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const Term
     numbers.segment<3>(Layout::kV + 3 * n) = scene.v.segment<3>(3 * element.nodes[n]);
     if constexpr (Term::kUsesAcceleration)
       numbers.segment<3>(Layout::kA + 3 * n) = scene.a.segment<3>(3 * element.nodes[n]);
+    if constexpr (Term::kMemory > 0)
+      numbers.segment<3>(Layout::kStart + 3 * n) = scene.start.segment<3>(3 * element.nodes[n]);
   }
   numbers.segment(Layout::kParameter, parameters.size()) = parameters;
   numbers[Layout::kDensity] = 0.15;
@@ -124,6 +136,8 @@ Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const Term
     for (int i = 0; i < Term::kInputs; ++i) numbers[Layout::kInput + i] = element.input[i];
   }
   for (int i = 0; i < Term::kMemory; ++i) numbers[Layout::kMemory + i] = 0.01 * (i + 1);
+  for (std::size_t i = 0; i < kReadsOf<Term>.size(); ++i)
+    numbers[Layout::kRead + static_cast<int>(i)] = InitialValue(kReadsOf<Term>[i]);
   return numbers;
 }
 
@@ -132,23 +146,25 @@ std::vector<typename Term::Element> SceneElements(const TermScene& scene) {
   return Term::Elements({scene.mesh, scene.topology, scene.world, &scene.inputs, &scene.contacts});
 }
 
-// Parameters at random within their bounds: evenly for kLinear, evenly in the logarithm for kLog.
+// A parameter at random: within its bounds, evenly for kLinear, evenly in the logarithm for kLog;
+// where it is a place or a time, near the cloth or the sample's time instead.
+double RandomParameter(const Parameter& parameter, const TermScene& scene, std::mt19937* random);
+
 template <class Term>
-Eigen::VectorXd RandomParameters(std::mt19937* random) {
+Eigen::VectorXd RandomParameters(const TermScene& scene, std::mt19937* random) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(Term::kParameters.size()));
-  for (int i = 0; i < values.size(); ++i) {
-    const Parameter& p = Term::kParameters[i];
-    const double share = std::uniform_real_distribution<double>(0.05, 0.95)(*random);
-    values[i] = p.scale == Scale::kLog ? p.lower * std::pow(p.upper / p.lower, share)
-                                       : p.lower + share * (p.upper - p.lower);
-  }
+  for (int i = 0; i < values.size(); ++i)
+    values[i] = RandomParameter(Term::kParameters[i], scene, random);
   return values;
 }
 
+// Off, but for the parameters that only shape the force, which are at random.
 template <class Term>
-Eigen::VectorXd OffParameters() {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(Term::kParameters.size()));
-  for (int i = 0; i < values.size(); ++i) values[i] = Term::kParameters[i].off;
+Eigen::VectorXd OffParameters(const TermScene& scene, std::mt19937* random) {
+  Eigen::VectorXd values = RandomParameters<Term>(scene, random);
+  for (int i = 0; i < values.size(); ++i) {
+    if (SwitchesOff(Term::kParameters[i])) values[i] = Term::kParameters[i].off;
+  }
   return values;
 }
 

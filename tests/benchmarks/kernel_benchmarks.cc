@@ -24,7 +24,14 @@ struct Parts {
     factor.Factorize(jacobian);
   }
   ForcePoint Point() const {  // at rest, v = a = 0
-    return {0.0, at_rest.x, at_rest.v, at_rest.v, simulation.parameters(), at_rest.memory};
+    return {0.0,
+            1.0 / 120.0,
+            at_rest.x,
+            at_rest.v,
+            at_rest.v,
+            at_rest.x,
+            simulation.parameters(),
+            at_rest.memory};
   }
   void Assemble() { simulation.model().StepJacobian(Point(), 1.0 / 180.0, &jacobian); }
 

@@ -113,8 +113,8 @@ void RunForward(const TestScene& scene, benchmark::State* state) {
       const State& s = run.state;
       const Eigen::VectorXd still = Eigen::VectorXd::Zero(s.x.size());
       run.simulation.model().StepJacobian(
-          {s.time, s.x, s.v, still, run.simulation.parameters(), s.memory}, kStep * 2.0 / 3.0,
-          &jacobian);
+          {s.time, kStep, s.x, s.v, still, s.x, run.simulation.parameters(), s.memory},
+          kStep * 2.0 / 3.0, &jacobian);
       factorization += reference.Factorize(jacobian);
     }
     seconds += run.seconds;

@@ -46,6 +46,10 @@ FitConfig AwkwardConfig() {
   config.attract = true;
   config.window = 0.0;
   config.polish = false;
+  config.loops = Strategy::kTwoLoop;
+  config.optimiser = "pattern";
+  config.max_simulations = 1e3 / 7.0;
+  config.polish_hard = false;
   config.max_iterations = 7;
   config.function_tolerance = 1e-300;
   config.parameters["air_drag.normal"] = {1.0 / 3.0, false, 1e-17, 1e17 / 7.0, 2.0 / 3.0, 1.1};

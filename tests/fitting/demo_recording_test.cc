@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/parameter_table.h"
 #include "fitting/recovery_study.h"
 
 namespace clothfit {
@@ -35,9 +36,12 @@ TEST(DemoRecording, IsWhatItsOptionsMake) {
   }
   // A term that came later than the recording is off in it.
   const std::map<std::string, double> recorded = ReadTruthParameters(DemoFolder());
+  const std::vector<NamedParameter> table = MakeParameterTable();
   for (const auto& [name, value] : made.truth_parameters) {
+    const int index = FindParameter(table, name);
+    ASSERT_GE(index, 0) << name;
     const auto found = recorded.find(name);
-    EXPECT_EQ(found == recorded.end() ? 0.0 : found->second, value) << name;
+    EXPECT_EQ(found == recorded.end() ? table[index].parameter.off : found->second, value) << name;
   }
   const std::vector<TruthPoint> truth = ReadTruthPoints(DemoFolder());
   ASSERT_EQ(truth.size(), made.truth_points.size());

@@ -4,11 +4,15 @@
 // Fits that know silhouettes only.
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/fit.h"
+#include "fitting/fit_run.h"
 #include "fitting/hard_silhouette.h"
 #include "fitting/window_cost.h"
 #include "tests/support/silhouette_scene.h"
@@ -106,6 +110,27 @@ TEST_F(SilhouetteFitTest, SoftAndHardErrorAgreeOnTheirMinima) {
     ++checked;
   }
   EXPECT_EQ(checked, 2);
+}
+
+// A camera that cannot see what its mask shows leaves the fit without any direction to go.
+TEST_F(SilhouetteFitTest, RefusesACameraThatCannotSeeTheStart) {
+  EXPECT_NO_THROW(CheckFittable(scene_));
+  const auto problem_with = [&](const Eigen::Vector3d& centre) {
+    Scene moved = scene_;
+    Camera& camera = moved.recording.cameras[1];
+    camera.name = "left";
+    camera.camera_from_world_translation = -camera.camera_from_world_rotation * centre;
+    try {
+      CheckFittable(moved);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  const Eigen::Vector3d on_cloth = scene_.initial.segment<3>(3 * 24);
+  EXPECT_THAT(problem_with({50.0, 0.0, 0.0}), testing::HasSubstr("does not see the cloth"));
+  EXPECT_THAT(problem_with(on_cloth), testing::HasSubstr("mm from the cloth"));
+  EXPECT_THAT(problem_with(on_cloth), testing::HasSubstr("camera 'left'"));
 }
 
 }  // namespace

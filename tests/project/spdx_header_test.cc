@@ -25,6 +25,9 @@ bool IsScript(const SourceFile& file) {
 std::string CommentMark(const SourceFile& file) {
   if (IsCpp(file)) return "//";
   const std::filesystem::path path(file.path);
+  const bool is_made = file.path.find("/dist/") != std::string::npos;  // by `make report-assets`
+  const bool is_script = path.extension() == ".js" || path.extension() == ".mjs";
+  if (is_script && !is_made) return "//";
   const bool is_cmake = path.filename() == "CMakeLists.txt" || path.extension() == ".cmake";
   return is_cmake || IsScript(file) ? "#" : "";
 }

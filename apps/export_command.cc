@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit export: a run's motion in the files of other programs.
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "autodiff_sim/error.h"
+#include "fitting/export/export.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportOptions {
+  std::string run, format, output;
+  OverlayOptions overlay;
+  bool force = false;
+};
+
+const ExportFormat& FindFormat(const std::string& name) {
+  std::vector<std::string> names;
+  for (const ExportFormat& format : ExportFormats()) {
+    if (format.name == name) return format;
+    names.push_back(format.name);
+  }
+  throw InputError("--format", "'" + name + "': " + Suggestion(name, names));
+}
+
+// A sequence may go into an empty folder.
+bool IsTaken(const ExportFormat& format, const fs::path& output) {
+  if (!fs::exists(output)) return false;
+  return !(format.is_sequence && fs::is_directory(output) && fs::is_empty(output));
+}
+
+int RunExportCommand(const ExportOptions& options) {
+  const ExportFormat& format = FindFormat(options.format);
+  const RunFolder run = RunFolder::Open(options.run);
+  if (IsTaken(format, options.output) && !options.force) {
+    throw InputError(options.output, "exists already; --force replaces it");
+  }
+  const int frames = ExportRun(run, format.name, options.overlay, options.output);
+  fmt::print("{} frames: {}\n", frames, options.output);
+  return kExitSuccess;
+}
+
+std::string FormatsInWords() {
+  std::string text = "Formats:\n";
+  for (const ExportFormat& format : ExportFormats()) {
+    text += fmt::format("  {:<6} {}: {}\n", format.name, format.extension, format.doc);
+  }
+  return text;
+}
+
+}  // namespace
+
+void AddExportCommand(CLI::App* app, Action* action) {
+  CLI::App* const command =
+      app->add_subcommand("export", "a run's motion in the files of other programs");
+  const auto options = std::make_shared<ExportOptions>();
+  command->add_option("RUN", options->run, "folder of the run")->required();
+  command->add_option("--format", options->format, "see below")->type_name("NAME")->required();
+  command->add_option("-o,--output", options->output, "file to write, or folder for a file a frame")
+      ->type_name("OUT")
+      ->required();
+  command->add_option("--camera", options->overlay.camera, "of a video; the first if left out")
+      ->type_name("NAME");
+  command
+      ->add_option("--pictures", options->overlay.pictures,
+                   "recording with the pictures of a video; where the run found them if left out")
+      ->type_name("RECORDING");
+  command->add_flag("--force", options->force, "replace what is there");
+  command->footer(FormatsInWords() +
+                  "\nExample:\n"
+                  "  clothfit export runs/demo --format gltf -o demo.glb");
+  command->callback(
+      [options, action] { *action = [options] { return RunExportCommand(*options); }; });
+}
+
+}  // namespace clothfit

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The 3D view: one or two panes with one eye, in step with the page's clock.
+import {
+  AmbientLight, Box3, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+import { colour, onTheme } from '../theme.js';
+
+// Everything that one motion of the cloth comes with.
+export class Pane {
+  constructor(motion, cloth) {
+    this.motion = motion;
+    this.cloth = cloth;
+    this.layers = new Map();
+    this.scene = new Scene();
+    this.scene.add(cloth.object, new AmbientLight(0xffffff, 1.9));
+  }
+
+  addLayer(name, layer, visible) {
+    layer.object.visible = visible;
+    this.layers.set(name, layer);
+    this.scene.add(layer.object);
+  }
+
+  setFrame(frame) {
+    this.cloth.setFrame(frame);
+    for (const layer of this.layers.values()) {
+      if (layer.object.visible) layer.setFrame(frame);
+    }
+  }
+
+  applyTheme() {
+    this.cloth.applyTheme();
+    for (const layer of this.layers.values()) {
+      for (const part of layer.parts) part.applyTheme();
+    }
+  }
+}
+
+export function boxOf(positions) {
+  const box = new Box3();
+  const point = new Vector3();
+  for (let i = 0; i < positions.length; i += 3) {
+    box.expandByPoint(point.fromArray(positions, i));
+  }
+  return box;
+}
+
+// Whether WebGL is drawn by the processor, where smooth edges cost more than they are worth.
+function isSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const info = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
+export class Viewer {
+  // `up`: unit vector against gravity; `box`: what the eye has to see.
+  constructor(container, panes, up, box) {
+    this.container = container;
+    this.panes = panes;
+    this.shown = panes.slice(-1);
+    this.mostPixels = isSoftware() ? 1 : 2;  // per CSS pixel
+    this.renderer = new WebGLRenderer({
+      antialias: this.mostPixels > 1, powerPreference: 'low-power',
+    });
+    this.renderer.setScissorTest(true);
+    this.canvas = this.renderer.domElement;
+    container.prepend(this.canvas);
+    this.eye = new PerspectiveCamera(32, 1, 0.01, 100);
+    this.eye.up.copy(up);
+    this.light = new DirectionalLight(0xffffff, 1.6);
+    this.controls = new OrbitControls(this.eye, this.canvas);
+    this.controls.addEventListener('change', () => this.invalidate());
+    this.home = { up, box };
+    this.lookHome();
+    new ResizeObserver(() => this.resize()).observe(container);
+    onTheme(() => this.applyTheme());
+    this.frames = 0;  // drawn so far
+  }
+
+  // From the front right and a little above, as far as all of the motion needs.
+  lookHome() {
+    const { up, box } = this.home;
+    const centre = box.getCenter(new Vector3());
+    const radius = 0.5 * box.getSize(new Vector3()).length();
+    const side = Math.abs(up.z) > 0.9 ? new Vector3(0.55, -1, 0) : new Vector3(0.55, 0, 1);
+    side.addScaledVector(up, -side.dot(up)).normalize();
+    const from = side.addScaledVector(up, 0.42).normalize();
+    this.distance = radius / Math.sin((0.5 * this.eye.fov * Math.PI) / 180);
+    this.controls.target.copy(centre);
+    this.eye.position.copy(centre).addScaledVector(from, this.distance * this.closeness());
+    this.eye.near = 0.01 * this.distance;
+    this.eye.far = 20 * this.distance;
+    this.controls.update();
+    this.invalidate();
+  }
+
+  // Far enough away to see these places too.
+  stepBack(places) {
+    const { target } = this.controls;
+    const reach = Math.max(...places.map((place) => target.distanceTo(new Vector3(...place))));
+    const offset = this.eye.position.clone().sub(target);
+    const wanted = (1.15 * reach) / Math.sin((0.5 * this.eye.fov * Math.PI) / 180);
+    offset.setLength(Math.max(offset.length(), wanted));
+    this.eye.position.copy(target).add(offset);
+    this.controls.update();
+  }
+
+  // Of the sphere around the motion most is empty; narrow panes need more room.
+  closeness() {
+    const aspect = this.aspect();
+    return 0.98 * Math.max(1, 1.15 / aspect);
+  }
+
+  aspect() {
+    const { clientWidth, clientHeight } = this.container;
+    return clientWidth && clientHeight ? clientWidth / this.shown.length / clientHeight : 1.3;
+  }
+
+  show(names) {
+    const before = this.closeness();
+    this.shown = this.panes.filter((pane) => names.includes(pane.motion.name));
+    for (const pane of this.shown) pane.setFrame(this.frame ?? 0);
+    const { target } = this.controls;
+    this.eye.position.sub(target).multiplyScalar(this.closeness() / before).add(target);
+    this.controls.update();
+    this.resize();
+  }
+
+  setFrame(frame) {
+    this.frame = frame;
+    for (const pane of this.shown) pane.setFrame(frame);
+    this.invalidate();
+  }
+
+  refresh() {
+    this.setFrame(this.frame ?? 0);
+  }
+
+  applyTheme() {
+    for (const pane of this.panes) pane.applyTheme();
+    this.invalidate();
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.container;
+    if (!width || !height) return;
+    this.renderer.setPixelRatio(Math.min(this.mostPixels, window.devicePixelRatio));
+    this.renderer.setSize(width, height, false);
+    for (const pane of this.panes) {
+      for (const layer of pane.layers.values()) {
+        for (const part of layer.parts) part.setPixelRatio?.(this.renderer.getPixelRatio());
+      }
+    }
+    this.invalidate();
+  }
+
+  invalidate() {
+    if (this.isWaiting) return;
+    this.isWaiting = true;
+    requestAnimationFrame(() => {
+      this.isWaiting = false;
+      this.draw();
+    });
+  }
+
+  // The rectangle of a pane, in CSS pixels of the canvas.
+  rectangle(index) {
+    const width = this.container.clientWidth / this.shown.length;
+    return { left: index * width, width, height: this.container.clientHeight };
+  }
+
+  draw() {
+    this.renderer.setClearColor(colour('--panel'));
+    this.shown.forEach((pane, index) => {
+      const { left, width, height } = this.rectangle(index);
+      this.eye.aspect = width / height;
+      this.eye.updateProjectionMatrix();
+      this.renderer.setViewport(left, 0, width, height);
+      this.renderer.setScissor(left, 0, width, height);
+      this.light.position.copy(this.eye.position).sub(this.controls.target)
+        .addScaledVector(this.eye.up, 0.8 * this.distance);
+      pane.scene.add(this.light);
+      this.renderer.render(pane.scene, this.eye);
+    });
+    ++this.frames;
+  }
+}

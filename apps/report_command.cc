@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit report: a run as one page to open in a browser.
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/report/assets.h"
+#include "autodiff_sim/error.h"
+#include "fitting/whole_file.h"
+
+namespace clothfit {
+namespace {
+
+struct ReportCommandOptions {
+  std::string run, output;  // output empty: RUN/report.html
+  ReportOptions report;
+  bool force = false;
+};
+
+int RunReportCommand(const ReportCommandOptions& options) {
+  const RunFolder run = RunFolder::Open(options.run);
+  const std::filesystem::path file =
+      options.output.empty() ? run.path() / "report.html" : std::filesystem::path(options.output);
+  if (std::filesystem::exists(file) && !options.force) {
+    throw InputError(file.string(), "exists already; --force replaces it");
+  }
+  const ReportPage page = MakeReport(run, PageAssets(), options.report);
+  WriteWholeFile(file, page.html);
+  fmt::print("{}\n", page.verdict.headline);
+  for (const std::string& sentence : page.verdict.sentences) fmt::print("  {}\n", sentence);
+  for (const std::string& note : page.notes) fmt::print("  {}\n", note);
+  fmt::print("report: {} ({:.1f} MB)\n", file.string(),
+             1e-6 * static_cast<double>(page.html.size()));
+  return kExitSuccess;
+}
+
+}  // namespace
+
+void AddReportCommand(CLI::App* app, Action* action) {
+  CLI::App* const command = app->add_subcommand("report", "a run as one page to open in a browser");
+  const auto options = std::make_shared<ReportCommandOptions>();
+  command->add_option("RUN", options->run, "folder of the run")->required();
+  command->add_option("-o,--output", options->output, "page to write; RUN/report.html if left out")
+      ->type_name("FILE.html");
+  command
+      ->add_option("--pictures", options->report.pictures,
+                   "recording with the pictures; where the run found them if left out")
+      ->type_name("RECORDING");
+  command
+      ->add_option("--picture-width", options->report.picture.width,
+                   "width of the pictures at most, px")
+      ->type_name("PX")
+      ->check(CLI::Range(16, 4096))
+      ->capture_default_str();
+  command
+      ->add_option("--max-size", options->report.max_megabytes,
+                   "size of the page at most, MB; pictures are left out until it holds")
+      ->type_name("MB")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--force", options->force, "replace the page that is there");
+  command->footer(
+      "The page holds everything it shows and asks no network: it can be sent as it is.\n\n"
+      "Example:\n"
+      "  clothfit report runs/demo -o demo.html");
+  command->callback(
+      [options, action] { *action = [options] { return RunReportCommand(*options); }; });
+}
+
+}  // namespace clothfit

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Threads of two kinds: stiffness along the warp that is not the one along the weft. Each stiffness
+// k is split by the ratio r of warp to weft so that its geometric mean stays,
+//   k_warp = k sqrt(r),  k_weft = k / sqrt(r),
+// and in between k r^(c^2 - 1/2), c the cosine of the direction's angle to the warp; shear's is the
+// ratio of one bias to the other. The terms are what that adds to the springs and folds of
+// spring.h and bending.h, without their damping.
+#pragma once
+
+#include <cmath>
+
+#include "autodiff_sim/fold_angle.h"
+#include "autodiff_sim/terms/spring.h"
+
+namespace clothfit {
+
+template <class Elastic>
+struct Directed {
+  std::array<int, std::tuple_size_v<decltype(Elastic::nodes)>> nodes;
+  Elastic elastic;
+  double exponent;  // of the ratio, -1/2 to 1/2
+};
+
+// What the ratio adds to a stiffness.
+template <class T>
+T ExtraStiffness(const T& stiffness, const T& ratio, double exponent) {
+  using std::pow;
+  return stiffness * (pow(ratio, exponent) - 1.0);
+}
+
+constexpr Parameter kWarpOverWeft = {
+    "ratio",     "1", "stiffness along the warp over that along the weft", 1.0, 1.0, 0.02, 50.0,
+    Scale::kLog, 2.0};
+
+struct StretchOrthotropy : TermDefaults {
+  static constexpr const char* kName = "stretch_orthotropy";
+  static constexpr const char* kDoc = "stretching unlike along warp and weft";
+  static constexpr const char* kReference = "orthotropic plate, Lekhnitskii 1968";
+  static constexpr int kNodes = 2;
+  static constexpr bool kInternal = true;
+  static constexpr bool kUsesShrinkage = true;
+  static constexpr std::array<Parameter, 1> kParameters = {{kWarpOverWeft}};
+  static constexpr std::array<const char*, 1> kReads = {"stretch.stiffness"};
+  using Element = Directed<Spring>;
+  static std::vector<Element> Elements(const TermContext& context);
+
+  template <class T>
+  static void AddForce(const Element& element, const ElementInput<StretchOrthotropy, T>& in,
+                       ElementOutput<StretchOrthotropy, T>* out) {
+    const T stiffness = ExtraStiffness<T>(in.read[0], in.parameter[0], element.exponent);
+    AddSpringForce<T>(element.elastic, stiffness, T(0.0), in.shrinkage, in.x[1] - in.x[0],
+                      in.v[1] - in.v[0], &out->force[0], &out->force[1]);
+  }
+};
+
+struct ShearOrthotropy : TermDefaults {
+  static constexpr const char* kName = "shear_orthotropy";
+  static constexpr const char* kDoc = "shearing unlike along the two bias directions";
+  static constexpr const char* kReference = "orthotropic plate, Lekhnitskii 1968";
+  static constexpr int kNodes = 2;
+  static constexpr bool kInternal = true;
+  static constexpr bool kUsesShrinkage = true;
+  static constexpr std::array<Parameter, 1> kParameters = {
+      {{"ratio", "1", "stiffness along the bias u = v over that along u = -v", 1.0, 1.0, 0.02, 50.0,
+        Scale::kLog, 2.0}}};
+  static constexpr std::array<const char*, 1> kReads = {"shear.stiffness"};
+  using Element = Directed<Spring>;
+  static std::vector<Element> Elements(const TermContext& context);
+
+  template <class T>
+  static void AddForce(const Element& element, const ElementInput<ShearOrthotropy, T>& in,
+                       ElementOutput<ShearOrthotropy, T>* out) {
+    const T stiffness = ExtraStiffness<T>(in.read[0], in.parameter[0], element.exponent);
+    AddSpringForce<T>(element.elastic, stiffness, T(0.0), in.shrinkage, in.x[1] - in.x[0],
+                      in.v[1] - in.v[0], &out->force[0], &out->force[1]);
+  }
+};
+
+struct BendingOrthotropy : TermDefaults {
+  static constexpr const char* kName = "bending_orthotropy";
+  static constexpr const char* kDoc = "bending unlike along warp and weft";
+  static constexpr const char* kReference = "orthotropic plate, Lekhnitskii 1968";
+  static constexpr int kNodes = 4;
+  static constexpr bool kInternal = true;
+  static constexpr std::array<Parameter, 1> kParameters = {{kWarpOverWeft}};
+  static constexpr std::array<const char*, 1> kReads = {"bending.stiffness"};
+  using Element = Directed<Hinge>;
+  static std::vector<Element> Elements(const TermContext& context);
+
+  template <class T>
+  static void AddForce(const Element& element, const ElementInput<BendingOrthotropy, T>& in,
+                       ElementOutput<BendingOrthotropy, T>* out) {
+    using std::sin;
+    const T stiffness = ExtraStiffness<T>(in.read[0], in.parameter[0], element.exponent);
+    const Fold<T> fold = MakeFold<T>(in.x);
+    const T moment = stiffness * element.elastic.shape * sin(fold.angle * 0.5);
+    AddFlatteningMoment<T>(moment, FlatteningMode<T>(in.x, fold), &out->force);
+  }
+};
+
+}  // namespace clothfit

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/export/export.h"
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "fitting/export/gltf.h"
+#include "fitting/export/mesh_files.h"
+#include "fitting/export/point_cache.h"
+#include "fitting/npy_file.h"
+#include "fitting/whole_file.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string AsOneFile(const RunMotion& motion, const std::string& format) {
+  if (format == "gltf") return MotionAsGlb(motion);
+  if (format == "pc2") return MotionAsPc2(motion);
+  if (format == "mdd") return MotionAsMdd(motion);
+  if (format == "csv") return MotionAsCsv(motion);
+  return PointsAsNpy(motion.frames);
+}
+
+void WriteSequence(const RunMotion& motion, const std::string& format, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
+  for (std::size_t f = 0; f < motion.frames.size(); ++f) {
+    WriteWholeFile(folder / fmt::format("{:06d}.{}", f, format),
+                   format == "obj" ? FrameAsObj(motion, f) : FrameAsPly(motion, f));
+  }
+}
+
+}  // namespace
+
+const std::vector<ExportFormat>& ExportFormats() {
+  static const std::vector<ExportFormat> kFormats = {
+      {"gltf", ".glb", false, "binary glTF 2.0, a morph target a frame; y is up"},
+      {"pc2", ".pc2", false, "point cache for the run's mesh.obj"},
+      {"mdd", ".mdd", false, "point cache of LightWave for the run's mesh.obj"},
+      {"obj", ".obj", true, "Wavefront OBJ, a file a frame"},
+      {"ply", ".ply", true, "binary PLY with normals and (u, v), a file a frame"},
+      {"csv", ".csv", false, "table: frame, time, particle, u, v, x, y, z"},
+      {"npy", ".npy", false, "NumPy array, frames x particles x 3"},
+      {"video", ".mp4", false, "pictures of a camera with the simulated outline"}};
+  return kFormats;
+}
+
+int ExportRun(const RunFolder& run, const std::string& format, const OverlayOptions& overlay,
+              const fs::path& output) {
+  const RunMotion motion = ReadRunMotion(run);
+  if (format == "video") {
+    WriteOverlayVideo(run, motion, overlay, output);
+  } else if (format == "obj" || format == "ply") {
+    WriteSequence(motion, format, output);
+  } else {
+    WriteWholeFile(output, AsOneFile(motion, format));
+  }
+  return static_cast<int>(motion.frames.size());
+}
+
+}  // namespace clothfit

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A run as one page that any browser opens from disk, without a network.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "fitting/report/report_cameras.h"
+#include "fitting/run_folder.h"
+
+namespace clothfit {
+
+struct ReportOptions {
+  std::filesystem::path pictures;  // a recording; empty: where the run's recording has them
+  PictureSize picture;             // the largest; smaller where the page would be too large
+  double max_megabytes = 24.0;     // of the whole page
+};
+
+// The page's own parts, made by `make report-assets`.
+struct ReportAssets {
+  std::string_view script, style;
+};
+
+struct ReportPage {
+  std::string html;
+  Verdict verdict;
+  std::vector<std::string> notes;  // what the page says about itself, one sentence each
+};
+
+// Throws InputError where the run is incomplete or damaged, or its recording cannot be read.
+ReportPage MakeReport(const RunFolder& run, const ReportAssets& assets,
+                      const ReportOptions& options = {});
+
+}  // namespace clothfit

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What other commands leave for a report in the run's folder report/: sections, fields, obstacles.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fitting/report/report_sections.h"
+
+namespace clothfit {
+
+// Something solid beside the cloth.
+struct ReportObstacle {
+  std::string name;
+  std::vector<Eigen::VectorXd> positions;  // 3N, m, world: one a frame, or one for all
+  std::vector<std::int32_t> triangles;     // three vertices each
+};
+
+struct ReportExtras {
+  std::vector<ReportJson> sections;
+  std::vector<ScalarField> fields;
+  std::vector<ReportObstacle> obstacles;
+};
+
+// Reads report/*.json in the order of their names: {"sections": [...], "fields": [{"name",
+// "title", "unit", "diverging", "values": {"after": "FILE.npy"}}], "obstacles": [{"name",
+// "positions": "FILE.npy", "triangles": [[0, 1, 2], ...]}]}. Throws InputError.
+ReportExtras ReadReportExtras(const std::filesystem::path& run, const ReportScene& report);
+
+}  // namespace clothfit

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/report/report_html.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "fitting/report/packing.h"
+
+namespace clothfit {
+namespace {
+
+using Json = ReportBlobs::Json;
+
+// No page of ours may ask for anything from anywhere.
+constexpr const char* kPolicy =
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
+    "img-src data: blob:";
+
+// Before and after in words, with a bar for what is left of the error.
+std::string ErrorCell(const Json& error) {
+  const std::string unit = error.at("unit");
+  const auto in_words = [&](const char* key) {
+    return error.at(key).is_null() ? std::string("?")
+                                   : QuantityInWords(error.at(key).get<double>(), unit);
+  };
+  std::string gauge;
+  if (error.at("before").is_number() && error.at("after").is_number()) {
+    const double before = error.at("before"), after = error.at("after");
+    const double largest = std::max({before, after, 1e-300});
+    gauge = fmt::format(
+        "<span class=\"gauge\" aria-hidden=\"true\"><span class=\"was\" style=\"width: {:.1f}%\">"
+        "</span><span class=\"is\" style=\"width: {:.1f}%\"></span></span>",
+        100.0 * before / largest, 100.0 * after / largest);
+  }
+  return fmt::format("<span class=\"was\">{}</span> → <strong>{}</strong>{}",
+                     EscapeHtml(in_words("before")), EscapeHtml(in_words("after")), gauge);
+}
+
+// A row a kind of observation, fitted and held out.
+std::string ErrorTable(const Json& errors) {
+  std::string rows;
+  for (const char* kind : {"markers", "tracks", "silhouettes"}) {
+    std::string cells[2] = {"–", "–"};
+    bool is_known = false;
+    for (const Json& error : errors) {
+      if (error.at("kind") != kind) continue;
+      cells[error.at("held_out") == true ? 1 : 0] = ErrorCell(error);
+      is_known = true;
+    }
+    if (!is_known) continue;
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", kind,
+                        cells[0], cells[1]);
+  }
+  return rows;
+}
+
+std::string Hero(const Json& json, const Verdict& verdict) {
+  std::string sentences;
+  for (const std::string& sentence : verdict.sentences) {
+    sentences += "<li>" + EscapeHtml(sentence) + "</li>\n";
+  }
+  return fmt::format(
+      "<header class=\"bar\"><span class=\"brand\">clothfit</span>"
+      "<span class=\"recording\">{}</span><span id=\"bar-tools\"></span></header>\n"
+      "<main>\n<section class=\"verdict\" id=\"verdict\" data-grade=\"{}\">\n"
+      "<div class=\"verdict-words\"><h1>{}</h1>\n<ul>\n{}</ul></div>\n"
+      "<div class=\"verdict-numbers\"><table class=\"errors\"><caption>Error at the start → after "
+      "the "
+      "fit</caption>\n<tr><td></td><th scope=\"col\">fitted</th><th scope=\"col\">held "
+      "out</th></tr>\n"
+      "{}</table></div>\n</section>\n"
+      "<section id=\"stage\" aria-label=\"The cloth beside the recording\">"
+      "<noscript><p>The moving pictures and the charts of this page need scripts.</p></noscript>"
+      "</section>\n<div id=\"sections\"></div>\n</main>\n",
+      EscapeHtml(json.at("title").get<std::string>()), ToString(verdict.grade),
+      EscapeHtml(verdict.headline), sentences, ErrorTable(json.at("errors")));
+}
+
+// JSON in a script element must not hold "</script" or "<!--".
+std::string JsonForScript(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+}  // namespace
+
+std::string EscapeHtml(std::string_view text) {
+  std::string html;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      case '"':
+        html += "&quot;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  return html;
+}
+
+std::string ReportAsHtml(const Json& json, const Verdict& verdict, const ReportBlobs& blobs,
+                         const ReportAssets& assets) {
+  std::string html = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"generator\" content=\"clothfit {}\">\n<title>{} · clothfit</title>\n<style>",
+      kPolicy, EscapeHtml(json.at("version").get<std::string>()),
+      EscapeHtml(json.at("title").get<std::string>()));
+  html += assets.style;
+  html += "</style>\n</head>\n<body>\n" + Hero(json, verdict);
+  html +=
+      "<script type=\"application/json\" id=\"report-data\">" + JsonForScript(json) + "</script>\n";
+  for (std::size_t i = 0; i < blobs.blobs().size(); ++i) {
+    html += fmt::format("<script type=\"text/plain\" id=\"blob-{}\">", i);
+    html += Base64(blobs.blobs()[i]);
+    html += "</script>\n";
+  }
+  html += "<script>";
+  html += assets.script;
+  html += "</script>\n</body>\n</html>\n";
+  return html;
+}
+
+}  // namespace clothfit

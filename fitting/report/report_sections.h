@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sections of a report below its first screen, as data: docs/report.md has the schema of each
+// kind of block. A new section needs a function here, or a JSON file in the run's folder report/,
+// and nothing in the page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fitting/report/frame_misfit.h"
+#include "fitting/report/report_blobs.h"
+#include "fitting/report/scalar_field.h"
+
+namespace clothfit {
+
+using ReportJson = ReportBlobs::Json;
+
+ReportJson TextBlock(const std::vector<std::string>& paragraphs);
+ReportJson SectionOf(const std::string& id, const std::string& title, ReportJson blocks);
+
+// Every camera's pictures with the outlines over them. Empty blocks where there is no camera.
+ReportJson CameraSection(const ReportScene& report);
+// `misfits`: one list a motion, in the motions' order.
+ReportJson ErrorSection(const ReportScene& report,
+                        const std::vector<std::vector<FrameMisfit>>& misfits);
+// Root mean square over time of the first field, by particle, of each motion. Empty blocks where
+// the mesh is no grid.
+ReportJson ClothMapSection(const ReportScene& report, const std::vector<ScalarField>& fields);
+ReportJson ParameterSection(const ReportScene& report);
+ReportJson ConvergenceSection(const ReportScene& report);
+ReportJson TimeSection(const ReportScene& report);
+ReportJson ConfigurationSection(const ReportScene& report);
+
+}  // namespace clothfit

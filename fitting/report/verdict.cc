@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/report/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+using Grade = Verdict::Grade;
+
+constexpr double kGoodNoise = 1.5, kPartialNoise = 5.0;      // times the stated sigmas
+constexpr double kGoodHeldOut = 1.5, kPartialHeldOut = 2.5;  // times the fitted error
+
+const ErrorChange* Find(const VerdictFacts& facts, const std::string& kind, bool held_out) {
+  for (const ErrorChange& error : facts.errors) {
+    if (error.kind == kind && error.held_out == held_out && error.after) return &error;
+  }
+  return nullptr;
+}
+
+// The kind that says most: places in space before places in pictures before outlines.
+std::string MainKind(const VerdictFacts& facts) {
+  for (const char* kind : {"markers", "tracks", "silhouettes"}) {
+    if (Find(facts, kind, false) != nullptr) return kind;
+  }
+  return "";
+}
+
+// Held-out over fitted error of the main kind; empty where nothing is held out.
+std::optional<double> HeldOutRatio(const VerdictFacts& facts) {
+  const ErrorChange* const fitted = Find(facts, MainKind(facts), false);
+  const ErrorChange* const held_out = Find(facts, MainKind(facts), true);
+  if (fitted == nullptr || held_out == nullptr || *fitted->after <= 0.0) return std::nullopt;
+  return *held_out->after / *fitted->after;
+}
+
+bool IsBetter(const VerdictFacts& facts) {
+  const ErrorChange* const error = Find(facts, MainKind(facts), false);
+  return error != nullptr && (!error->before || *error->after < *error->before);
+}
+
+bool ReachesTheEnd(const VerdictFacts& facts) {
+  return facts.simulated_frames >= facts.recorded_frames;
+}
+
+Grade GradeOf(const VerdictFacts& facts) {
+  if (facts.status == "failed" || !ReachesTheEnd(facts) || !facts.noise_factor) return Grade::kPoor;
+  const double noise = *facts.noise_factor, held_out = HeldOutRatio(facts).value_or(1.0);
+  const bool good = noise <= kGoodNoise && held_out <= kGoodHeldOut;
+  if (good && facts.status == "converged") return Grade::kGood;
+  const bool partial = noise <= kPartialNoise && held_out <= kPartialHeldOut && IsBetter(facts);
+  return partial ? Grade::kPartial : Grade::kPoor;
+}
+
+std::string Headline(const VerdictFacts& facts, Grade grade) {
+  if (!ReachesTheEnd(facts)) return "The simulation breaks down before the recording ends.";
+  if (grade == Grade::kGood) return "The simulated cloth moves as the recorded one did.";
+  if (grade == Grade::kPoor) return "The simulated cloth does not move as the recorded one did.";
+  if (facts.noise_factor.value_or(0.0) > kGoodNoise) {
+    return "The simulated cloth follows the recorded one, but not to within its noise.";
+  }
+  if (HeldOutRatio(facts).value_or(1.0) > kGoodHeldOut) {
+    return "The simulated cloth follows the recorded one, but predicts it less well.";
+  }
+  return "The simulated cloth follows the recorded one; the fit is not finished.";
+}
+
+// ": 76 % less than at the start (11 mm)"
+std::string ComparedWithStart(const ErrorChange& error) {
+  if (!error.before || *error.before <= 0.0) return "";
+  const double change = 100.0 * (*error.after / *error.before - 1.0);
+  const std::string start = QuantityInWords(*error.before, error.unit);
+  if (std::abs(change) < 1.0) return fmt::format(", as at the start ({})", start);
+  return fmt::format(", {:.0f} % {} than at the start ({})", std::abs(change),
+                     change < 0.0 ? "less" : "more", start);
+}
+
+std::string FittedSentence(const ErrorChange& error) {
+  const std::string amount = QuantityInWords(*error.after, error.unit);
+  if (error.kind == "silhouettes") {
+    return fmt::format("Simulated and measured silhouettes differ by {} in a picture{}.", amount,
+                       ComparedWithStart(error));
+  }
+  return fmt::format("The {} are off by {} (root mean square){}.", error.kind, amount,
+                     ComparedWithStart(error));
+}
+
+std::string HeldOutSentence(const ErrorChange& error, double ratio) {
+  const char* const meaning = ratio <= 1.2            ? "it predicts as well as it fits"
+                              : ratio <= kGoodHeldOut ? "it predicts nearly as well as it fits"
+                                                      : "it predicts worse than it fits";
+  return fmt::format("On what was held out the error is {}{}: {}.",
+                     QuantityInWords(*error.after, error.unit), ComparedWithStart(error), meaning);
+}
+
+std::string NoiseSentence(double factor) {
+  if (factor <= 1.05) return "What is left is no larger than the stated noise of the measurement.";
+  return fmt::format(
+      "What is left is {:.2g} times the stated noise: {}; the intervals are widened by as much.",
+      factor,
+      factor <= kGoodNoise ? "the noise is understated, or a little physics is missing"
+                           : "physics is missing, or the noise is understated");
+}
+
+std::string ParameterSentence(const VerdictFacts& facts) {
+  if (facts.num_free == 0) return "No physical parameter was free.";
+  const auto open = facts.undetermined.size();
+  if (open == 0) {
+    return facts.num_free == 1
+               ? "The one free parameter is determined by the data."
+               : fmt::format("All {} free parameters are determined by the data.", facts.num_free);
+  }
+  return fmt::format("{} of {} free parameters {} left to {} prior: {}.", open, facts.num_free,
+                     open == 1 ? "is" : "are", open == 1 ? "its" : "their",
+                     JoinNames(facts.undetermined));
+}
+
+std::vector<std::string> Reservations(const VerdictFacts& facts) {
+  std::vector<std::string> sentences;
+  if (!facts.at_bound.empty()) {
+    sentences.push_back(
+        "At a bound, so that the model may be wrong there: " + JoinNames(facts.at_bound) + ".");
+  }
+  if (facts.status != "converged") {
+    sentences.push_back("The fit ended without converging (" + facts.status +
+                        "): it may get better.");
+  }
+  if (!ReachesTheEnd(facts)) {
+    sentences.push_back(fmt::format("Only {} of {} frames could be simulated.",
+                                    facts.simulated_frames, facts.recorded_frames));
+  }
+  return sentences;
+}
+
+}  // namespace
+
+std::string ToString(Grade grade) {
+  switch (grade) {
+    case Grade::kGood:
+      return "good";
+    case Grade::kPartial:
+      return "partial";
+    case Grade::kPoor:
+      break;
+  }
+  return "poor";
+}
+
+std::string QuantityInWords(double value, const std::string& unit) {
+  const bool is_length = unit == "m";
+  const double shown = is_length ? 1e3 * value : value;
+  const int digits = std::abs(shown) >= 10.0 ? 0 : std::abs(shown) >= 1.0 ? 1 : 2;
+  return fmt::format("{:.{}f} {}", shown, digits, is_length ? "mm" : unit);
+}
+
+Verdict JudgeFit(const VerdictFacts& facts) {
+  Verdict verdict;
+  verdict.grade = GradeOf(facts);
+  verdict.headline = Headline(facts, verdict.grade);
+  const std::string kind = MainKind(facts);
+  if (const ErrorChange* const fitted = Find(facts, kind, false)) {
+    verdict.sentences.push_back(FittedSentence(*fitted));
+  }
+  if (const std::optional<double> ratio = HeldOutRatio(facts)) {
+    verdict.sentences.push_back(HeldOutSentence(*Find(facts, kind, true), *ratio));
+  }
+  if (facts.noise_factor) verdict.sentences.push_back(NoiseSentence(*facts.noise_factor));
+  verdict.sentences.push_back(ParameterSentence(facts));
+  for (std::string& sentence : Reservations(facts)) {
+    verdict.sentences.push_back(std::move(sentence));
+  }
+  return verdict;
+}
+
+}  // namespace clothfit

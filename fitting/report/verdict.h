@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How good a fit is, in words that its numbers support.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace clothfit {
+
+// One kind of observation, over the fitted or over the held-out frames.
+struct ErrorChange {
+  std::string kind;  // "markers", "tracks", "silhouettes"
+  bool held_out = false;
+  std::string unit;  // "m"; "px"; of silhouettes px that differ in a picture
+  std::optional<double> before, after;
+};
+
+struct VerdictFacts {
+  std::string status;               // as summary.json has it
+  std::vector<ErrorChange> errors;  // those that are known
+  std::optional<double> noise_factor;
+  int num_free = 0;                                 // physical parameters
+  std::vector<std::string> undetermined, at_bound;  // names among them
+  int recorded_frames = 0, simulated_frames = 0;
+};
+
+struct Verdict {
+  enum class Grade { kGood, kPartial, kPoor };
+  Grade grade = Grade::kPoor;
+  std::string headline;
+  std::vector<std::string> sentences;
+};
+std::string ToString(Verdict::Grade grade);
+
+// Good: converged, residuals within 1.5 times the stated noise, and held-out errors within 1.5
+// times the fitted ones. Partial: within 5 and 2.5 times, and better than the start. Else poor.
+Verdict JudgeFit(const VerdictFacts& facts);
+
+// "2.8 mm", "0.33 px".
+std::string QuantityInWords(double value, const std::string& unit);
+
+}  // namespace clothfit

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Words that follow the numbers.
+#include "fitting/report/verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace clothfit {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+using Grade = Verdict::Grade;
+
+VerdictFacts GoodFacts() {
+  VerdictFacts facts;
+  facts.status = "converged";
+  facts.errors = {{"markers", false, "m", 0.0113, 0.0028}, {"markers", true, "m", 0.02, 0.003}};
+  facts.noise_factor = 1.0;
+  facts.num_free = 3;
+  facts.recorded_frames = facts.simulated_frames = 50;
+  return facts;
+}
+
+TEST(Verdict, OfAGoodFitSaysSoWithItsNumbers) {
+  const Verdict verdict = JudgeFit(GoodFacts());
+  EXPECT_EQ(verdict.grade, Grade::kGood);
+  EXPECT_EQ(ToString(verdict.grade), "good");
+  EXPECT_THAT(verdict.sentences, Contains("The markers are off by 2.8 mm (root mean square), 75 % "
+                                          "less than at the start (11 mm)."));
+  EXPECT_THAT(verdict.sentences, Contains(HasSubstr("predicts as well as it fits")));
+  EXPECT_THAT(verdict.sentences, Contains("All 3 free parameters are determined by the data."));
+}
+
+TEST(Verdict, IsNoBetterThanItsWorstPart) {
+  VerdictFacts noisy = GoodFacts();
+  noisy.noise_factor = 1.8;
+  EXPECT_EQ(JudgeFit(noisy).grade, Grade::kPartial);
+  EXPECT_THAT(JudgeFit(noisy).headline, HasSubstr("not to within its noise"));
+  noisy.noise_factor = 20.0;
+  EXPECT_EQ(JudgeFit(noisy).grade, Grade::kPoor);
+
+  VerdictFacts unforeseen = GoodFacts();
+  unforeseen.errors[1].after = 0.006;
+  EXPECT_EQ(JudgeFit(unforeseen).grade, Grade::kPartial);
+  EXPECT_THAT(JudgeFit(unforeseen).headline, HasSubstr("predicts it less well"));
+  unforeseen.errors[1].after = 0.1;
+  EXPECT_EQ(JudgeFit(unforeseen).grade, Grade::kPoor);
+
+  VerdictFacts unfinished = GoodFacts();
+  unfinished.status = "not converged";
+  EXPECT_EQ(JudgeFit(unfinished).grade, Grade::kPartial);
+  EXPECT_THAT(JudgeFit(unfinished).sentences, Contains(HasSubstr("without converging")));
+
+  VerdictFacts broken = GoodFacts();
+  broken.simulated_frames = 12;
+  EXPECT_EQ(JudgeFit(broken).grade, Grade::kPoor);
+  EXPECT_THAT(JudgeFit(broken).sentences, Contains("Only 12 of 50 frames could be simulated."));
+}
+
+TEST(Verdict, NamesWhatTheDataLeaveOpen) {
+  VerdictFacts facts = GoodFacts();
+  facts.undetermined = {"air_drag.normal"};
+  facts.at_bound = {"stretch.damping"};
+  const std::vector<std::string> sentences = JudgeFit(facts).sentences;
+  EXPECT_THAT(sentences, Contains("1 of 3 free parameters is left to its prior: air_drag.normal."));
+  EXPECT_THAT(sentences, Contains(HasSubstr("At a bound")));
+}
+
+TEST(Verdict, SpeaksOfWhatThereIs) {
+  VerdictFacts facts = GoodFacts();
+  facts.errors = {{"silhouettes", false, "px", 2887.0, 1215.0}};
+  const Verdict verdict = JudgeFit(facts);
+  EXPECT_THAT(verdict.sentences, Contains(HasSubstr("differ by 1215 px in a picture, 58 % less")));
+  EXPECT_THAT(verdict.sentences, Not(Contains(HasSubstr("held out"))));
+  facts.errors.clear();
+  EXPECT_NO_THROW(JudgeFit(facts));
+}
+
+TEST(Quantity, HasTwoDigitsOrSo) {
+  EXPECT_EQ(QuantityInWords(0.00284, "m"), "2.8 mm");
+  EXPECT_EQ(QuantityInWords(0.0113, "m"), "11 mm");
+  EXPECT_EQ(QuantityInWords(0.3306, "px"), "0.33 px");
+}
+
+}  // namespace
+}  // namespace clothfit
