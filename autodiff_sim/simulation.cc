@@ -129,7 +129,7 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
       report.status = StepStatus::kDiverged;
       return report;
     }
-    problem.start = &state->x;
+    problem.keep_clear = true;
   }
   Eigen::VectorXd v = state->v;
   if (problem.formula.before != 0.0 && !fresh)
@@ -147,7 +147,7 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
   state->previous_v = std::exchange(state->v, v);
   state->memory = solver.memory();
   state->previous_step = h;
-  if (problem.start != nullptr) solver_->clear_x = state->x;
+  if (problem.keep_clear) solver_->clear_x = state->x;
   state->time += h;
   return report;
 }

@@ -10,7 +10,7 @@
 namespace clothfit {
 
 bool StepSolver::StartClear(const StepProblem& problem, Eigen::VectorXd* v, StepReport* report) {
-  const Eigen::VectorXd& start = *problem.start;
+  const Eigen::VectorXd& start = problem.start;
   const double gamma = problem.formula.gamma;
   const double thickness = model_->ContactThickness(*problem.parameters);
   SelfContacts& contacts = *model_->contacts();
@@ -31,7 +31,7 @@ bool StepSolver::StartClear(const StepProblem& problem, Eigen::VectorXd* v, Step
 
 double StepSolver::ClearShare(const StepProblem& problem, const Eigen::VectorXd& v,
                               const Eigen::VectorXd& d, StepReport* report) {
-  if (problem.start == nullptr) return 1.0;
+  if (!problem.keep_clear) return 1.0;
   const double gamma = problem.formula.gamma;
   const Eigen::VectorXd x = problem.x_hat + gamma * v, end = x + gamma * d;
   if (!end.allFinite()) return 0.0;

@@ -42,7 +42,7 @@ void StepSolver::Reset() {
 const Eigen::VectorXd& StepSolver::Residual(const StepProblem& problem, const Eigen::VectorXd& v) {
   const double gamma = problem.formula.gamma;
   const StepMotion motion(problem, v);
-  if (problem.start != nullptr) model_->FollowContacts(motion.x, *problem.parameters);
+  if (problem.keep_clear) model_->FollowContacts(motion.x, *problem.parameters);
   model_->Forces(motion.Point(problem), &force_, &new_memory_);
   full_residual_ = -gamma * force_;
   const double density = (*problem.parameters)[kArealDensity];
@@ -59,7 +59,7 @@ const Eigen::VectorXd& StepSolver::Residual(const StepProblem& problem, const Ei
 void StepSolver::AssembleJacobian(const StepProblem& problem, const Eigen::VectorXd& v,
                                   StepReport* report) {
   const StepMotion motion(problem, v);
-  if (problem.start != nullptr) PrepareContacts(problem, motion, report);
+  if (problem.keep_clear) PrepareContacts(problem, motion, report);
   model_->StepJacobian(motion.Point(problem), problem.formula.gamma, &jacobian_);
   problem.constraints->ReduceMatrix(&jacobian_);
   gmres_.SetMatrix(&jacobian_);
@@ -123,7 +123,7 @@ double StepSolver::LineSearch(const StepProblem& problem, const Eigen::VectorXd&
 bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepReport* report) {
   const double gamma = problem.formula.gamma;
   problem.constraints->SetDependentVelocities(problem.x_hat, gamma, v);
-  if (problem.start != nullptr && !StartClear(problem, v, report)) return false;
+  if (problem.keep_clear && !StartClear(problem, v, report)) return false;
   if (!Residual(problem, *v).allFinite()) return false;
   AssembleJacobian(problem, *v, report);
   if (!factor_.has_factor() && !RefreshFactor(report)) return false;

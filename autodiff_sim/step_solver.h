@@ -21,8 +21,7 @@ struct StepProblem {
   StepFormula formula;
   Eigen::VectorXd start;  // m, the positions when the step began
   Eigen::VectorXd x_hat, v_hat, memory;
-  // Where the step starts from (3N, m) if the cloth is to keep clear of itself, else null.
-  const Eigen::VectorXd* start = nullptr;
+  bool keep_clear = false;  // of contact, from the start on
   const Eigen::VectorXd* parameters = nullptr;
   const HandleConstraints* constraints = nullptr;
 };
