@@ -32,6 +32,7 @@ ClothModel::ClothModel(ClothMesh mesh, const World& world,
   mesh_pattern_ = MakePattern(mesh_.num_particles(), cliques);
   for (const SurfacePoint& point : handles) handles_.push_back({point, Eigen::Vector3d::Zero()});
   MakePatternWith({});
+  if (!world_.obstacles.empty()) FollowObstacles(std::nullopt);
 }
 
 void ClothModel::MakePatternWith(const std::vector<std::vector<int>>& contacts) {
@@ -61,7 +62,8 @@ void ClothModel::BeginStep(const StepInputs& inputs) {
   const TermContext context = {mesh_, topology_, world_, &inputs};
   for (const Part& part : parts_) {
     part.batch->BeginStep(context);
-    if (contacts_ != nullptr) part.batch->FollowContacts(context);  // none so far
+    if (contacts_ != nullptr || obstacles_ != nullptr)
+      part.batch->FollowContacts(context);  // none so far
   }
 }
 
@@ -155,14 +157,25 @@ void ClothModel::AddMass(double areal_density, BlockSparseMatrix* a) const {
   }
 }
 
-void ClothModel::StepJacobian(const ForcePoint& all, double gamma,
-                              BlockSparseMatrix* jacobian) const {
+bool ClothModel::StepJacobian(const ForcePoint& all, double gamma, BlockSparseMatrix* jacobian,
+                              BlockSparseMatrix* without) const {
   jacobian->SetZero();
   AddMass(all.parameters[kArealDensity], jacobian);
+  const Part* contact = nullptr;
   for (const Part& part : parts_) {
-    if (!IsOff(part, all.parameters))
+    if (IsOff(part, all.parameters)) continue;
+    if (without != nullptr && part.first_parameter == first_contact_parameter_) {
+      contact = &part;
+    } else {
       part.batch->AddStepJacobian(PointOf(part, all), gamma, jacobian);
+    }
   }
+  const bool touches = contact != nullptr && CountContacts()[0] > 0;
+  if (touches) {
+    *without = *jacobian;
+    contact->batch->AddStepJacobian(PointOf(*contact, all), gamma, jacobian);
+  }
+  return touches;
 }
 
 void ClothModel::AddForceDerivatives(const ForcePoint& all, const ForceDirections& directions,

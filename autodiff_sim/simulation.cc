@@ -24,6 +24,7 @@ StepReport& StepReport::operator+=(const StepReport& other) {
   factorizations += other.factorizations;
   halvings += other.halvings;
   contact_pairs = other.contact_pairs;
+  obstacle_contacts = other.obstacle_contacts;
   limited_iterates += other.limited_iterates;
   pattern_rebuilds += other.pattern_rebuilds;
   blocked_steps += other.blocked_steps;
@@ -58,12 +59,6 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 State Simulation::MakeState(const Eigen::VectorXd& x) const {
-  const int intersections = options_.self_contact ? CountIntersections(x) : 0;
-  if (intersections > 0) {
-    throw InputError("initial state",
-                     "the cloth passes through itself, at " + std::to_string(intersections) +
-                         " edges; expected one that does not, or self_contact off");
-  }
   State state;
   state.x = x;
   state.v = Eigen::VectorXd::Zero(x.size());
@@ -78,18 +73,42 @@ int Simulation::CountIntersections(const Eigen::VectorXd& x) const {
   return static_cast<int>(FindIntersections(x, &surface).size());
 }
 
+int Simulation::CountObstacleIntersections(const Eigen::VectorXd& x, double time,
+                                           std::vector<std::string>* names) const {
+  const World& world = model_->world();
+  ObstacleContacts obstacles(model_->mesh(), world.obstacles,
+                             options_.self_contact ? world.ground_height : std::nullopt);
+  obstacles.BeginStep(time, time);
+  return obstacles.CountIntersections(x, names);
+}
+
 void Simulation::Reset() { solver_->solver.ResetAll(); }
 
-// Layers thicker than the mesh is fine would be pushed apart by their own neighbours.
-void Simulation::CheckThickness() const {
-  const double thickness = model_->ContactThickness(parameters_);
-  const double clearance = model_->contacts()->rest_clearance();
-  if (!(thickness > 0.0 && 2.0 * thickness <= clearance)) {
-    throw InputError("contact.thickness",
-                     std::to_string(thickness) + " m; expected at most " +
-                         std::to_string(0.5 * clearance) +
-                         " m, half of the smallest distance of parts of the flat mesh that have no "
-                         "particle in common; lower it, or lower cloth.resolution");
+void Simulation::CheckStart(const State& state) const {
+  if (model_->HasSelfContact(parameters_)) {
+    // Layers thicker than the mesh is fine would be pushed apart by their own neighbours.
+    const double thickness = model_->ContactThickness(parameters_);
+    if (!(thickness > 0.0 && thickness <= model_->LargestThickness())) {
+      throw InputError("contact.thickness",
+                       std::to_string(thickness) + " m; expected at most " +
+                           std::to_string(model_->LargestThickness()) +
+                           " m, half of the smallest distance of parts of the flat mesh that have "
+                           "no particle in common; lower it, or lower cloth.resolution");
+    }
+    if (const int edges = CountIntersections(state.x); edges > 0) {
+      throw InputError("cloth.initial",
+                       "the cloth passes through itself, at " + std::to_string(edges) +
+                           " edges; expected a cloth that does not, or simulation.self_contact: "
+                           "false");
+    }
+  }
+  std::vector<std::string> names;
+  if (!model_->HasObstacles(parameters_)) return;
+  if (const int count = CountObstacleIntersections(state.x, state.time, &names); count > 0) {
+    const std::string place = names[0] == "ground" ? "ground.height" : "obstacles: " + names[0];
+    throw InputError(place, "the cloth is in it at frame 0, in " + std::to_string(count) +
+                                " places; expected a cloth that begins outside: move "
+                                "cloth.initial, or make the obstacle smaller");
   }
 }
 
@@ -97,7 +116,7 @@ void Simulation::CheckThickness() const {
 bool Simulation::StartsClear(const State& state) {
   Eigen::VectorXd& clear_x = solver_->clear_x;
   if (clear_x.size() == state.x.size() && clear_x == state.x) return true;
-  if (!state.x.allFinite() || model_->contacts()->CountIntersections(state.x) > 0) return false;
+  if (!model_->IsClear(state.x, state.time, parameters_)) return false;
   clear_x = state.x;
   return true;
 }
@@ -124,8 +143,9 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
   problem.parameters = &parameters_;
   problem.constraints = &constraints;
   if (model_->HasContact(parameters_)) {
-    CheckThickness();
-    if (!StartsClear(*state)) {
+    const bool too_thick = model_->HasSelfContact(parameters_) &&
+                           !(model_->ContactThickness(parameters_) <= model_->LargestThickness());
+    if (too_thick || !StartsClear(*state)) {
       report.status = StepStatus::kDiverged;
       return report;
     }

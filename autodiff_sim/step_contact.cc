@@ -9,22 +9,30 @@
 
 namespace clothfit {
 
+using Obstacles = ObstacleContacts::Obstacles;
+
 bool StepSolver::StartClear(const StepProblem& problem, Eigen::VectorXd* v, StepReport* report) {
-  const Eigen::VectorXd& start = problem.start;
+  const Eigen::VectorXd &start = problem.start, &parameters = *problem.parameters;
   const double gamma = problem.formula.gamma;
-  const double thickness = model_->ContactThickness(*problem.parameters);
-  SelfContacts& contacts = *model_->contacts();
   Eigen::VectorXd guess = problem.x_hat + gamma * *v;
   if (!guess.allFinite()) return false;
-  contacts.Prepare(start, guess, thickness);
-  const double share = contacts.FreeShare(start, guess, thickness);
+  model_->BeginContactStep(problem.end_time - problem.step, problem.end_time);
+  model_->PrepareContacts(start, guess, parameters);
+  double share = model_->FreeShare(start, guess, parameters, Obstacles::kMoving);
   if (share == 1.0) return true;
   ++report->limited_iterates;
+  if (model_->ObstaclesMove()) {  // first the obstacles go, then the cloth
+    if (model_->FreeShare(start, start, parameters, Obstacles::kMoving) < 1.0) {
+      ++report->blocked_steps;
+      return false;
+    }
+    share = model_->FreeShare(start, guess, parameters, Obstacles::kArrived);
+  }
   const Eigen::VectorXd reached = start + share * (guess - start);
   *v = (reached - problem.x_hat) / gamma;
   problem.constraints->SetDependentVelocities(problem.x_hat, gamma, v);
   guess = problem.x_hat + gamma * *v;
-  if (contacts.FreeShare(reached, guess, thickness) == 1.0) return true;
+  if (model_->FreeShare(reached, guess, parameters, Obstacles::kArrived) == 1.0) return true;
   ++report->blocked_steps;
   return false;
 }
@@ -35,15 +43,17 @@ double StepSolver::ClearShare(const StepProblem& problem, const Eigen::VectorXd&
   const double gamma = problem.formula.gamma;
   const Eigen::VectorXd x = problem.x_hat + gamma * v, end = x + gamma * d;
   if (!end.allFinite()) return 0.0;
-  const double thickness = model_->ContactThickness(*problem.parameters);
-  const double share = model_->contacts()->FreeShare(x, end, thickness);
+  const double share =
+      model_->FreeShare(x, end, *problem.parameters, Obstacles::kArrived);
   if (share < 1.0) ++report->limited_iterates;
   return share;
 }
 
 void StepSolver::PrepareContacts(const StepProblem& problem, const StepMotion& motion,
                                  StepReport* report) {
-  report->contact_pairs = model_->FollowContacts(motion.x, *problem.parameters);
+  model_->FollowContacts(motion.x, *problem.parameters);
+  report->contact_pairs = model_->CountContacts()[0];
+  report->obstacle_contacts = model_->CountContacts()[1];
   if (model_->BindContacts()) return;
   model_->RebuildPattern();
   MakeMatrices(Ordering::kMinimumDegree);  // for some steps only
@@ -52,6 +62,7 @@ void StepSolver::PrepareContacts(const StepProblem& problem, const StepMotion& m
 
 void StepSolver::MakeMatrices(Ordering ordering) {
   jacobian_ = BlockSparseMatrix(&model_->pattern());
+  definite_ = BlockSparseMatrix(&model_->pattern());
   SparseCholesky factor(&model_->pattern(), ordering);
   factor.TakeShift(factor_);
   factor_ = std::move(factor);
@@ -61,10 +72,8 @@ void StepSolver::MakeMatrices(Ordering ordering) {
 }
 
 void StepSolver::ResetAll() {
-  if (model_->contacts() != nullptr) {
-    model_->ResetPattern();
-    MakeMatrices(Ordering::kNestedDissection);
-  }
+  model_->ResetPattern();
+  if (model_->has_self_contacts()) MakeMatrices(Ordering::kNestedDissection);
   Reset();
 }
 

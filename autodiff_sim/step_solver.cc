@@ -30,6 +30,7 @@ StepSolver::StepSolver(ClothModel* model, const SimulationOptions& options)
       options_(options),
       position_tolerance_(options.tolerance * model->topology().mean_edge),
       jacobian_(&model->pattern()),
+      definite_(&model->pattern()),
       factor_(&model->pattern()),
       gmres_(&model->pattern()) {}
 
@@ -60,8 +61,14 @@ void StepSolver::AssembleJacobian(const StepProblem& problem, const Eigen::Vecto
                                   StepReport* report) {
   const StepMotion motion(problem, v);
   if (problem.keep_clear) PrepareContacts(problem, motion, report);
-  model_->StepJacobian(motion.Point(problem), problem.formula.gamma, &jacobian_);
+  const double gamma = problem.formula.gamma;
+  use_definite_ = model_->StepJacobian(motion.Point(problem), gamma, &jacobian_,
+                                       problem.keep_clear ? &definite_ : nullptr);
   problem.constraints->ReduceMatrix(&jacobian_);
+  if (use_definite_) {
+    model_->AddContactStiffness(motion.Point(problem), gamma, &definite_);
+    problem.constraints->ReduceMatrix(&definite_);
+  }
   gmres_.SetMatrix(&jacobian_);
   factor_is_current_ = false;
   ++report->jacobians;
@@ -73,7 +80,7 @@ bool StepSolver::FactorIsWorn(bool careful) const {
 
 bool StepSolver::RefreshFactor(StepReport* report) {
   const int before = factor_.num_factorizations();
-  factor_is_current_ = factor_.Factorize(jacobian_);
+  factor_is_current_ = factor_.Factorize(use_definite_ ? definite_ : jacobian_);
   excess_ = 0;
   report->factorizations += factor_.num_factorizations() - before;
   return factor_is_current_;

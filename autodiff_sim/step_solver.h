@@ -21,7 +21,7 @@ struct StepProblem {
   StepFormula formula;
   Eigen::VectorXd start;  // m, the positions when the step began
   Eigen::VectorXd x_hat, v_hat, memory;
-  bool keep_clear = false;  // of contact, from the start on
+  bool keep_clear = false;  // of what there is to collide with, from the start on
   const Eigen::VectorXd* parameters = nullptr;
   const HandleConstraints* constraints = nullptr;
 };
@@ -117,6 +117,10 @@ class StepSolver {
   SimulationOptions options_;
   double position_tolerance_;  // m
   BlockSparseMatrix jacobian_;
+  // What is factored in its place where the cloth is in contact with itself; see
+  // ClothModel::AddContactStiffness.
+  BlockSparseMatrix definite_;
+  bool use_definite_ = false;
   SparseCholesky factor_;
   Gmres gmres_;
   bool factor_is_current_ = false;  // of jacobian_

@@ -24,7 +24,7 @@
 // decided on plain values (Value()), and the force is continuous across them. Elements are fixed
 // for a simulation, or, where kInputs > 0, made anew for each step from its StepInputs. Those of a
 // term with `static constexpr bool kFollowsContacts = true` are made anew from
-// TermContext::contacts wherever the forces are evaluated. A term that needs an input names its
+// TermContext::contacts or obstacles wherever the forces are evaluated. A term that needs an input names its
 // first row in StepInputs::directions as Element::first_input.
 //
 // A term that remembers knows where its particles were when the step began, and so needs no
@@ -36,6 +36,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -59,13 +60,16 @@ double Value(const ceres::Jet<T, N>& value) {
   return value.a;
 }
 
+struct Obstacle;         // contact/obstacle_body.h
+struct ContactPair;      // contact/contact_pair.h
+struct ObstacleContact;  // contact/obstacle_contact.h
+
 // The world around the cloth.
 struct World {
   Eigen::Vector3d gravity = {0.0, 0.0, -9.81};  // m/s^2
   std::optional<double> ground_height;          // m; the ground is the plane z = height
+  std::vector<std::shared_ptr<const Obstacle>> obstacles;
 };
-
-struct ContactPair;
 
 // What most terms are not.
 struct TermDefaults {
@@ -92,6 +96,7 @@ struct TermContext {
   const World& world;
   const StepInputs* inputs;
   const std::vector<ContactPair>* contacts = nullptr;  // features of the cloth that are in contact
+  const std::vector<ObstacleContact>* obstacles = nullptr;  // the same with obstacles
 };
 
 template <class Term, class T>

@@ -19,6 +19,7 @@
 #include "autodiff_sim/terms/ground_contact.h"
 #include "autodiff_sim/terms/gust.h"
 #include "autodiff_sim/terms/obstacle.h"
+#include "autodiff_sim/terms/obstacle_contact.h"
 #include "autodiff_sim/terms/orthotropy.h"
 #include "autodiff_sim/terms/relaxation.h"
 #include "autodiff_sim/terms/self_contact.h"
@@ -26,15 +27,16 @@
 #include "autodiff_sim/terms/spring.h"
 #include "autodiff_sim/terms/stiff_patch.h"
 #include "autodiff_sim/terms/stiff_seam.h"
+#include "autodiff_sim/terms/strain_limit.h"
 #include "autodiff_sim/terms/stretch_stiffening.h"
 #include "autodiff_sim/terms/wind.h"
 
 namespace clothfit {
 
 using Terms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass,
-                       GroundContact, PointAttraction, RayAttraction, SelfContact, UniformWind,
+                       GroundContact, PointAttraction, RayAttraction, SelfContact, ObstacleBarrier, UniformWind,
                        Gust, BendingFriction, ShearFriction, StretchRelaxation, ShearRelaxation,
-                       BendingRelaxation, Crease, StretchStiffening, StretchOrthotropy,
+                       BendingRelaxation, Crease, StretchStiffening, StrainLimit, StretchOrthotropy,
                        ShearOrthotropy, BendingOrthotropy, Hem, HeavyPatch, StiffPatchStretch,
                        StiffPatchBending, StiffSeamStretch, StiffSeamBending, Adhesion, StickyPatch,
                        ObstaclePlane, ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor>;

@@ -23,6 +23,7 @@
 #include "autodiff_sim/contact/closest_offset.h"
 #include "autodiff_sim/contact/contact_pair.h"
 #include "autodiff_sim/term.h"
+#include "autodiff_sim/terms/barrier.h"
 
 namespace clothfit {
 
@@ -110,7 +111,7 @@ struct SelfContact {
     const T log_s = log(s);
     if (element.kind == PairKind::kEdgeEdge) {
       const T energy = push * thickness * open * open * (-log_s);
-      push = push * AddFadingForce<T>(element, in, energy, out);
+      push = push * AddFadingForce<T>(in.x, element.parallel, energy, &out->force);
       if (!(element.parallel > 0.0 && HasCross(plain))) return;
     }
     const T normal_force = push * open * (open / s - 2.0 * log_s);
@@ -123,24 +124,6 @@ struct SelfContact {
   // Whether the edges are not exactly parallel: else their force is 0, and so are its derivatives.
   static bool HasCross(const FourPoints& x) {
     return (x[1] - x[0]).cross(x[3] - x[2]).squaredNorm() > 0.0;
-  }
-
-  // Adds -energy grad m and returns m.
-  template <class T>
-  static T AddFadingForce(const Element& element, const ElementInput<SelfContact, T>& in,
-                          const T& energy, ElementOutput<SelfContact, T>* out) {
-    const Vector3<T> first = in.x[1] - in.x[0], second = in.x[3] - in.x[2];
-    const Vector3<T> cross = first.cross(second);
-    const T share = cross.dot(cross) * (1.0 / element.parallel);
-    if (Value(share) >= 1.0) return T(1.0);
-    const T slope = energy * (T(1.0) - share) * (4.0 / element.parallel);
-    const Vector3<T> by_first = second.cross(cross) * slope;
-    const Vector3<T> by_second = cross.cross(first) * slope;
-    out->force[0] += by_first;
-    out->force[1] -= by_first;
-    out->force[2] += by_second;
-    out->force[3] -= by_second;
-    return share * (T(2.0) - share);
   }
 
   template <class T>
