@@ -27,10 +27,12 @@ int FirstParameter(const std::vector<NamedParameter>& parameters) {
 void ClothModel::EnableSelfContact() {
   first_contact_parameter_ = FirstParameter<SelfContact>(parameters_);
   if (first_contact_parameter_ < 0)
-    throw InputError("self_contact", "no term of the simulation has the parameter contact.stiffness");
+    throw InputError("self_contact",
+                     "no term of the simulation has the parameter contact.stiffness");
   contacts_ = std::make_unique<SelfContacts>(mesh_);
   ground_distance_ = FindParameter(parameters_, "ground.distance");
-  const bool has_barrier = ground_distance_ >= 0 && FirstParameter<ObstacleBarrier>(parameters_) >= 0;
+  const bool has_barrier =
+      ground_distance_ >= 0 && FirstParameter<ObstacleBarrier>(parameters_) >= 0;
   if (world_.ground_height && has_barrier) FollowObstacles(world_.ground_height);
 }
 
@@ -81,8 +83,7 @@ double ClothModel::FreeShare(const Eigen::VectorXd& x0, const Eigen::VectorXd& x
   if (HasSelfContact(parameters))
     share = contacts_->FreeShare(x0, x1, ContactThickness(parameters));
   if (HasObstacles(parameters)) {
-    const double thickness =
-        parameters[first_obstacle_parameter_ + ObstacleBarrier::kThickness];
+    const double thickness = parameters[first_obstacle_parameter_ + ObstacleBarrier::kThickness];
     share = std::min(share, obstacles_->FreeShare(x0, x1, thickness, obstacles));
   }
   return share;
@@ -103,11 +104,12 @@ void ClothModel::FollowContacts(const Eigen::VectorXd& x, const Eigen::VectorXd&
     found_contacts_ = &contacts_->Find(x, ContactThickness(parameters));
   if (HasObstacles(parameters)) {
     const double ground = ground_distance_ < 0 ? 0.0 : parameters[ground_distance_];
-    found_obstacles_ = &obstacles_->Find(
-        x, parameters[first_obstacle_parameter_ + ObstacleBarrier::kThickness],
-        ObstacleBarrier::kGroundShare * ground);
+    found_obstacles_ =
+        &obstacles_->Find(x, parameters[first_obstacle_parameter_ + ObstacleBarrier::kThickness],
+                          ObstacleBarrier::kGroundShare * ground);
   }
-  const TermContext context = {mesh_, topology_, world_, nullptr, found_contacts_, found_obstacles_};
+  const TermContext context = {mesh_,   topology_,       world_,
+                               nullptr, found_contacts_, found_obstacles_};
   for (const Part& part : parts_) part.batch->FollowContacts(context);
 }
 

@@ -25,9 +25,14 @@ StepReport& StepReport::operator+=(const StepReport& other) {
   halvings += other.halvings;
   contact_pairs = other.contact_pairs;
   obstacle_contacts = other.obstacle_contacts;
+  most_contact_pairs =
+      std::max({most_contact_pairs, other.most_contact_pairs, other.contact_pairs});
+  most_obstacle_contacts =
+      std::max({most_obstacle_contacts, other.most_obstacle_contacts, other.obstacle_contacts});
   limited_iterates += other.limited_iterates;
   pattern_rebuilds += other.pattern_rebuilds;
   blocked_steps += other.blocked_steps;
+  intersections += other.intersections;
   error = std::max(error, other.error);
   return *this;
 }
@@ -169,6 +174,10 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
   state->previous_step = h;
   if (problem.keep_clear) solver_->clear_x = state->x;
   state->time += h;
+  if (options_.check_intersections) {
+    report.intersections =
+        CountIntersections(state->x) + CountObstacleIntersections(state->x, state->time);
+  }
   return report;
 }
 

@@ -29,9 +29,11 @@ struct SimulationOptions {
   // Of the linear solves of the derivatives, relative to each right-hand side.
   double sensitivity_tolerance = 1e-9;
   // Whether the cloth collides with itself. Then it never passes through itself or the ground,
-  // neither at the end of a step nor on its way there; what the layers do to one another is the term
-  // `contact`. With the world's obstacles it collides always (the term `obstacle`).
+  // neither at the end of a step nor on its way there; what the layers do to one another is the
+  // term `contact`. With the world's obstacles it collides always (the term `obstacle`).
   bool self_contact = false;
+  // Counts after every step how often the cloth passes through itself, an obstacle or the ground.
+  bool check_intersections = false;
   // Of the derivatives; 0: as many as the machine runs at once. The numbers are the same for any.
   int num_threads = 1;
   // Terms that are off and remember do so in steps with derivatives by their parameters; this makes
@@ -57,9 +59,12 @@ struct StepReport {
   int halvings = 0;
   int contact_pairs = 0;      // of features of the cloth, at the end of the step
   int obstacle_contacts = 0;  // of the cloth and obstacles or the ground, likewise
+  // The most of both at the end of any step that was added up.
+  int most_contact_pairs = 0, most_obstacle_contacts = 0;
   int limited_iterates = 0;  // that would have passed through something and were shortened
   int pattern_rebuilds = 0;  // of the matrices, to make room for new contacts
   int blocked_steps = 0;     // tried in vain, since the handles' own motion met something
+  int intersections = 0;     // of all steps, where they are checked
   double error = 0.0;        // m, the largest estimated error of a position
 
   StepReport& operator+=(const StepReport& other);

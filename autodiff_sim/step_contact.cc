@@ -43,8 +43,7 @@ double StepSolver::ClearShare(const StepProblem& problem, const Eigen::VectorXd&
   const double gamma = problem.formula.gamma;
   const Eigen::VectorXd x = problem.x_hat + gamma * v, end = x + gamma * d;
   if (!end.allFinite()) return 0.0;
-  const double share =
-      model_->FreeShare(x, end, *problem.parameters, Obstacles::kArrived);
+  const double share = model_->FreeShare(x, end, *problem.parameters, Obstacles::kArrived);
   if (share < 1.0) ++report->limited_iterates;
   return share;
 }

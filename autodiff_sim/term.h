@@ -24,8 +24,8 @@
 // decided on plain values (Value()), and the force is continuous across them. Elements are fixed
 // for a simulation, or, where kInputs > 0, made anew for each step from its StepInputs. Those of a
 // term with `static constexpr bool kFollowsContacts = true` are made anew from
-// TermContext::contacts or obstacles wherever the forces are evaluated. A term that needs an input names its
-// first row in StepInputs::directions as Element::first_input.
+// TermContext::contacts or obstacles wherever the forces are evaluated. A term that needs an input
+// names its first row in StepInputs::directions as Element::first_input.
 //
 // A term that remembers knows where its particles were when the step began, and so needs no
 // memory of that; its memory is zero at first, and the cloth's first shape leaves it without force.

@@ -33,12 +33,13 @@
 
 namespace clothfit {
 
-using Terms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass,
-                       GroundContact, PointAttraction, RayAttraction, SelfContact, ObstacleBarrier, UniformWind,
-                       Gust, BendingFriction, ShearFriction, StretchRelaxation, ShearRelaxation,
-                       BendingRelaxation, Crease, StretchStiffening, StrainLimit, StretchOrthotropy,
-                       ShearOrthotropy, BendingOrthotropy, Hem, HeavyPatch, StiffPatchStretch,
-                       StiffPatchBending, StiffSeamStretch, StiffSeamBending, Adhesion, StickyPatch,
-                       ObstaclePlane, ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor>;
+using Terms =
+    TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass, GroundContact,
+             PointAttraction, RayAttraction, SelfContact, ObstacleBarrier, UniformWind, Gust,
+             BendingFriction, ShearFriction, StretchRelaxation, ShearRelaxation, BendingRelaxation,
+             Crease, StretchStiffening, StrainLimit, StretchOrthotropy, ShearOrthotropy,
+             BendingOrthotropy, Hem, HeavyPatch, StiffPatchStretch, StiffPatchBending,
+             StiffSeamStretch, StiffSeamBending, Adhesion, StickyPatch, ObstaclePlane,
+             ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor>;
 
 }  // namespace clothfit

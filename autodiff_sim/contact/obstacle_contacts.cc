@@ -175,7 +175,7 @@ ObstacleContact ObstacleContacts::MakeContact(const Body& body, const FeaturePai
   const MeshFeatures &cloth = surface_.features(), &own = body.obstacle->features;
   const std::array<int, 4> all = PairVertices(pair, cloth, own);
   const int first = FirstOfCloth(pair.kind), count = CountOfCloth(pair.kind);
-  ObstacleContact contact{pair.kind, {}, first, count, {}, {}, body.obstacle->radius,
+  ObstacleContact contact{pair.kind, {},  first, count, {}, {}, body.obstacle->radius,
                           0.0,       0.0, false};
   for (int i = 0; i < 3; ++i) contact.nodes[i] = all[first + (i < count ? i : 0)];
   for (int i = 0; i < 4; ++i) {
@@ -208,13 +208,12 @@ double ObstacleContacts::FreeShareOf(Body* body, const Eigen::VectorXd& x0,
     return EarliestImpact({x0, x1}, {begin, body->end}, approach, &surface_, &*body->surface);
   }
   const PlacedMesh cloth0{surface_.features(), x0}, cloth1{surface_.features(), x1};
-  const PlacedMesh body0{body->obstacle->features, begin}, body1{body->obstacle->features,
-                                                                 body->end};
+  const PlacedMesh body0{body->obstacle->features, begin},
+      body1{body->obstacle->features, body->end};
   double until = 1.0;
   VisitPairs(*body, [&](const FeaturePair& pair) {
-    const std::optional<double> time = FirstApproach(pair, PairPoints(pair, cloth0, body0),
-                                                     PairPoints(pair, cloth1, body1), approach,
-                                                     until);
+    const std::optional<double> time = FirstApproach(
+        pair, PairPoints(pair, cloth0, body0), PairPoints(pair, cloth1, body1), approach, until);
     if (time) until = std::min(until, *time);
   });
   return until;

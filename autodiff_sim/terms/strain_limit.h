@@ -52,8 +52,7 @@ struct StrainLimit : TermDefaults {
     const T length = sqrt(dx.dot(dx));
     const T rest_length = RestLength<T>(element, in.shrinkage);
     const T strain = length / rest_length - 1.0;
-    const T beyond =
-        Beyond<T>(strain - in.parameter[1]) - Beyond<T>(-strain - in.parameter[2]);
+    const T beyond = Beyond<T>(strain - in.parameter[1]) - Beyond<T>(-strain - in.parameter[2]);
     if (Value(beyond) == 0.0) return;
     const T pull = in.parameter[0] * beyond * rest_length * element.weight / length;
     for (int k = 0; k < 3; ++k) {

@@ -20,4 +20,17 @@ TestScene FoldedCloth(int n, double side, double gap);
 // just above it.
 TestScene CornerDrawnOver(int n, double side);
 
+// A square cloth that falls flat on a ball above the ground, not quite in its middle.
+TestScene ClothOverBall(int n, double side);
+
+// A square cloth that lies flat above a bar and is drawn over it and off at one side.
+TestScene ClothOverBar(int n, double side);
+
+// A square cloth held at four corners, two of which turn about its middle line by `turns`, and come
+// closer, within a second.
+TestScene TwistedCloth(int n, double side, double turns);
+
+// A square cloth that hangs by two corners while a box, on a path and turning, runs into it.
+TestScene BoxIntoCloth(int n, double side);
+
 }  // namespace clothfit
