@@ -58,7 +58,9 @@ StepReport ExpectClear(const TestScene& scene, int steps, bool self_contact) {
     EXPECT_EQ(report.intersections, 0) << "step " << i;
     if (report.status != StepStatus::kConverged) return report;
     // Flat at first, and no obstacle moves where nothing holds the cloth: all else takes energy.
-    if (alone) EXPECT_LE(MotionEnergy(simulation, state), energy) << "step " << i;
+    if (alone) {
+      EXPECT_LE(MotionEnergy(simulation, state), energy) << "step " << i;
+    }
     total += report;
   }
   return total;
