@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "autodiff_sim/contact/contact_clock.h"
+
 namespace clothfit {
 
 StepFormula MakeStepFormula(Integrator integrator, double step, double previous_step) {
@@ -128,8 +130,14 @@ void ClothModel::Forces(const ForcePoint& all, Eigen::VectorXd* force,
   new_memory->resize(all.memory.size());
   for (const Part& part : parts_) {
     if (IsOff(part, all.parameters)) continue;
-    part.batch->AddForces(PointOf(part, all), force->data(),
-                          new_memory->data() + part.first_memory);
+    double* memory = new_memory->data() + part.first_memory;
+    if (part.first_parameter == first_contact_parameter_ ||
+        part.first_parameter == first_obstacle_parameter_) {
+      const ContactClock clock(&contact_times.response);
+      part.batch->AddForces(PointOf(part, all), force->data(), memory);
+    } else {
+      part.batch->AddForces(PointOf(part, all), force->data(), memory);
+    }
   }
 }
 
@@ -172,6 +180,7 @@ bool ClothModel::StepJacobian(const ForcePoint& all, double gamma, BlockSparseMa
   }
   const bool touches = contact != nullptr && CountContacts()[0] > 0;
   if (touches) {
+    const ContactClock clock(&contact_times.response);
     *without = *jacobian;
     contact->batch->AddStepJacobian(PointOf(*contact, all), gamma, jacobian);
   }

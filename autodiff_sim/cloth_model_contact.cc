@@ -8,6 +8,7 @@
 #include <string>
 
 #include "autodiff_sim/cloth_model.h"
+#include "autodiff_sim/contact/contact_clock.h"
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/terms/barrier.h"
 #include "autodiff_sim/terms/obstacle_contact.h"
@@ -69,6 +70,7 @@ void ClothModel::BeginContactStep(double start, double end) {
 
 void ClothModel::PrepareContacts(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1,
                                  const Eigen::VectorXd& parameters) {
+  const ContactClock clock(&contact_times.detection);
   if (HasSelfContact(parameters)) contacts_->Prepare(x0, x1, ContactThickness(parameters));
   if (HasObstacles(parameters)) {
     obstacles_->Prepare(x0, x1,
@@ -79,6 +81,7 @@ void ClothModel::PrepareContacts(const Eigen::VectorXd& x0, const Eigen::VectorX
 double ClothModel::FreeShare(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1,
                              const Eigen::VectorXd& parameters,
                              ObstacleContacts::Obstacles obstacles) {
+  const ContactClock clock(&contact_times.detection);
   double share = 1.0;
   if (HasSelfContact(parameters))
     share = contacts_->FreeShare(x0, x1, ContactThickness(parameters));
@@ -98,6 +101,7 @@ bool ClothModel::IsClear(const Eigen::VectorXd& x, double time, const Eigen::Vec
 }
 
 void ClothModel::FollowContacts(const Eigen::VectorXd& x, const Eigen::VectorXd& parameters) {
+  const ContactClock clock(&contact_times.detection);
   found_contacts_ = nullptr;
   found_obstacles_ = nullptr;
   if (HasSelfContact(parameters))
@@ -136,6 +140,7 @@ bool ClothModel::BindContacts() {
 
 void ClothModel::AddContactStiffness(const ForcePoint& point, double gamma,
                                      BlockSparseMatrix* matrix) const {
+  const ContactClock clock(&contact_times.response);
   const double* parameter = &point.parameters[first_contact_parameter_];
   const double thickness = parameter[SelfContact::kThickness];
   const double slip = parameter[SelfContact::kSlipSpeed];

@@ -5,6 +5,7 @@
 // along which nothing meets (Li et al. 2020, "Incremental potential contact", sec. 4.3).
 #include <utility>
 
+#include "autodiff_sim/contact/contact_clock.h"
 #include "autodiff_sim/step_solver.h"
 
 namespace clothfit {
@@ -53,6 +54,7 @@ void StepSolver::PrepareContacts(const StepProblem& problem, const StepMotion& m
   model_->FollowContacts(motion.x, *problem.parameters);
   report->contact_pairs = model_->CountContacts()[0];
   report->obstacle_contacts = model_->CountContacts()[1];
+  const ContactClock clock(&contact_times.response);
   if (model_->BindContacts()) return;
   model_->RebuildPattern();
   MakeMatrices(Ordering::kMinimumDegree);  // for some steps only

@@ -75,8 +75,8 @@ TEST_F(BadInput, ContactThatCannotBegin) {
   EXPECT_THAT(FitLine(), HasSubstr("recording.yaml: obstacles: ball: the cloth is in it"));
   recording_.obstacles.clear();
   WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
-  const std::string line = FitLine({"--self-contact", "--set", "contact.thickness=0.02",
-                                    "--resolution", "30", "30"});
+  const std::string line =
+      FitLine({"--self-contact", "--set", "contact.thickness=0.02", "--resolution", "30", "30"});
   EXPECT_THAT(line, HasSubstr("contact.thickness: 0.020000 m; expected at most"));
   recording_.ground_height = 100.0;
   WriteRecording(recording_, path() / "rec", Overwrite::kAllow);

@@ -126,7 +126,7 @@ TEST(Simulate, CountsWhatPassesThroughObstacles) {
   ball.path[0].position = {0.21, 0.19, 0.85};  // the cloth falls from z = 1 m
   recording.obstacles = {ball};
   WriteRecording(recording, folder.path() / "rec");
-  std::vector<std::string> words = {"simulate", "rec", "-o", "on", "--check-intersections",
+  std::vector<std::string> words = {"simulate",      "rec", "-o", "on", "--check-intersections",
                                     "--self-contact"};
   const CommandResult on = RunCommand(words, folder.path());
   EXPECT_EQ(on.status, 0) << on.err;

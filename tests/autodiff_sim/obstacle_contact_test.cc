@@ -114,6 +114,7 @@ TEST(ObstacleContact, GroundGivesWayByNoMoreThanItsDistance) {
       LayFlat(scene.mesh, {0.0, 0.0, 0.11}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
   for (const bool self_contact : {true, false}) {
     Simulation simulation = MakeSimulation(scene, self_contact);
+    Set("ground.stiffness", 3e3, &simulation);
     State state = simulation.MakeState(scene.x);
     for (Eigen::Index i = 2; i < state.v.size(); i += 3) state.v[i] = -6.0;
     double lowest = 1.0;
@@ -169,11 +170,11 @@ TEST(ObstacleContact, ListIsThatOfAllPairs) {
   TestScene scene = BoxIntoCloth(7, 0.4);
   auto ball = std::make_shared<Obstacle>(MakeBall(0.05));
   auto bar = std::make_shared<Obstacle>(MakeBar(0.03, 0.1));
-  ball->path[0].origin_in_world = {0.1, 0.05, 0.25};
-  bar->path[0].origin_in_world = {0.3, 0.04, 0.1};
+  ball->path[0].origin_in_world = {0.1, 0.08, 0.25};
+  bar->path[0].origin_in_world = {0.3, 0.07, 0.1};
   scene.world.obstacles.push_back(ball);
   scene.world.obstacles.push_back(bar);
-  ObstacleContacts followed(scene.mesh, scene.world.obstacles, 0.0);
+  ObstacleContacts followed(scene.mesh, scene.world.obstacles, -0.003);
   std::mt19937 random(4);
   std::normal_distribution<double> normal(0.0, 1e-3);
   Eigen::VectorXd x = scene.x;
@@ -185,7 +186,7 @@ TEST(ObstacleContact, ListIsThatOfAllPairs) {
       for (Eigen::Index i = 0; i < next.size(); ++i)
         next[i] += normal(random) + (i % 3 == 1 ? 5e-4 : 0.0);
       if (iterate == 0) followed.Prepare(x, next, 0.004);
-      ObstacleContacts fresh(scene.mesh, scene.world.obstacles, 0.0);
+      ObstacleContacts fresh(scene.mesh, scene.world.obstacles, -0.003);
       fresh.BeginStep(step * kStep, (step + 1) * kStep);
       const auto arrived = ObstacleContacts::Obstacles::kArrived;
       const double share = followed.FreeShare(x, next, 0.004, arrived);
@@ -255,7 +256,7 @@ void ExpectRolloutDerivatives(const TestScene& scene, int steps, bool is_fast) {
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rollout.directions.size()));
   const RolloutResult result = RunRollout(rollout, still, false);
   ASSERT_TRUE(result.converged);
-  EXPECT_GT(result.report.obstacle_contacts, 5);
+  EXPECT_GE(result.report.most_obstacle_contacts, 3);
   GradientCheckOptions options;
   options.tolerance = 1e-5;
   options.first_step = 1e-4;
@@ -268,7 +269,7 @@ TEST(ObstacleContact, DerivativesOnABall) {
 }
 
 TEST(ObstacleContact, DerivativesWithABoxOnTheMove) {
-  ExpectRolloutDerivatives(BoxIntoCloth(5, 0.3), 36, false);
+  ExpectRolloutDerivatives(BoxIntoCloth(5, 0.3), 40, false);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TestScene ClothOverBar(int n, double side) {
   scene.world.ground_height = 0.0;
   RigidPose pose;
   pose.origin_in_world = {0.45 * side, 0.5 * side, 0.33 * side};
-  pose.world_from_body = Eigen::AngleAxisd(1.5, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  pose.world_from_body = Eigen::AngleAxisd(1.56, Eigen::Vector3d::UnitX()).toRotationMatrix();
   scene.world.obstacles = {Place(MakeBar(0.05 * side, 0.7 * side), "bar", {pose}, 0.0)};
   scene.handles = LocateOnCloth(scene.mesh, {{side, 0.0}, {side, side}});
   const std::vector<Eigen::Vector3d> start = {scene.handles[0].At(scene.x),

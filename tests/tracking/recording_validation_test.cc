@@ -56,8 +56,8 @@ constexpr const char* kPath = "handles/corner_a.csv";
 INSTANTIATE_TEST_SUITE_P(
     Obstacles, BadRecording,
     testing::Values(
-        BadInput{"NoShape", kYaml, "handles:",
-                 "obstacles:\n  - {name: a, position: [0, 0, 0]}\nhandles:",
+        BadInput{"NoShape", kYaml,
+                 "handles:", "obstacles:\n  - {name: a, position: [0, 0, 0]}\nhandles:",
                  "obstacles[0]: expected one of 'sphere', 'capsule', 'box' and 'mesh'"},
         BadInput{"NegativeRadius", kYaml, "handles:",
                  "obstacles:\n  - {name: a, sphere: {radius: -1}, position: [0, 0, 0]}\nhandles:",
