@@ -16,6 +16,7 @@
 #include "fitting/run_obstacles.h"
 #include "fitting/search.h"
 #include "fitting/surface_evaluation.h"
+#include "fitting/window_simulator.h"
 #include "tracking/silhouette_raster.h"
 
 namespace clothfit {
