@@ -59,6 +59,7 @@ double Gap(const ObstacleContact& contact, const Eigen::VectorXd& x) {
 
 // A ball, a bar and a box that the cloth is about to touch, on the move.
 void AddObstacles(TermScene* scene) {
+  std::vector<std::shared_ptr<const Obstacle>> bodies;
   const auto add = [&](Obstacle obstacle, const Eigen::Vector3d& place, int particle) {
     RigidPose before, after;
     before.origin_in_world = scene->x.segment<3>(3 * particle) + place;
@@ -67,12 +68,12 @@ void AddObstacles(TermScene* scene) {
     after.world_from_body = Eigen::AngleAxisd(0.3, Eigen::Vector3d(1.0, 2.0, 2.0) / 3.0);
     obstacle.path = {before, after};
     obstacle.frame_rate = 100.0;
-    scene->world.obstacles.push_back(std::make_shared<Obstacle>(obstacle));
+    bodies.push_back(std::make_shared<Obstacle>(obstacle));
   };
   add(MakeBall(0.01), {0.003, 0.004, 0.015}, 6);
   add(MakeBar(0.01, 0.05), {-0.002, 0.005, 0.014}, 13);
   add(MakeBoxObstacle({0.007, 0.007, 0.007}), {0.004, 0.003, -0.016}, 8);
-  ObstacleContacts obstacles(scene->mesh, scene->world.obstacles, scene->world.ground_height);
+  ObstacleContacts obstacles(scene->mesh, bodies, scene->world.ground_height);
   obstacles.BeginStep(0.0, 0.01);
   for (const ObstacleContact& contact : obstacles.Find(scene->x, 0.012, 0.001)) {
     // The states of a simulation are outside.
