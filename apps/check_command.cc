@@ -16,7 +16,10 @@ namespace {
 
 int RunCheckCommand(const std::string& folder) {
   const Recording recording = ReadRecording(folder);
-  CheckSimulable(MakeScene(recording, DefaultConfig(recording)));
+  const FitConfig config = DefaultConfig(recording);
+  const Scene scene = MakeScene(recording, config);
+  CheckSimulable(scene);
+  CheckContact(scene, config);
   fmt::print("{}", DescribeRecording(recording));
   std::fflush(stdout);
   PrintWarnings(recording);

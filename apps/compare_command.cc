@@ -106,6 +106,7 @@ int RunCompareCommand(CompareOptions options) {
   const FitConfig config = ConfigOf(options, recording);
   const Scene scene = MakeScene(recording, config);
   CheckFittable(scene);
+  CheckContact(scene, config);
   PrintWarnings(recording);
   PrintWarnings(scene);
   const std::optional<Comparison> before = Prepare(options, config);

@@ -52,6 +52,8 @@ void AddConfigOptions(CLI::App* command, ConfigOptions* options) {
               "start value of a parameter (its value where it is fixed); may be repeated");
   AddRepeated(command, "--without", &options->without, "TERM",
               "put a force term at its off values; may be repeated");
+  command->add_flag("--self-contact", options->self_contact,
+                    "the cloth does not pass through itself; see the parameters contact.*");
   command->add_option("--resolution", options->resolution, "particles along u and v")
       ->type_name("NU NV")
       ->expected(2);
@@ -80,6 +82,7 @@ FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording)
   for (const std::string& term : options.without) SwitchOff("--without", term, &config);
   for (const std::string& assignment : options.set) SetParameter("--set", assignment, &config);
   FreeAndFix(options, &config);
+  if (options.self_contact) config.self_contact = true;
   if (options.resolution) config.resolution = {(*options.resolution)[0], (*options.resolution)[1]};
   return config;
 }

@@ -22,9 +22,10 @@ struct ConfigOptions {
   std::vector<std::string> without;            // terms
   std::vector<std::string> fix, free;          // terms or full names
   std::optional<std::vector<int>> resolution;  // particles along u and v
+  bool self_contact = false;
 };
 
-// RECORDING, --config, --set, --without and --resolution.
+// RECORDING, --config, --set, --without, --self-contact and --resolution.
 void AddConfigOptions(CLI::App* command, ConfigOptions* options);
 // --free and --fix.
 void AddFreeOptions(CLI::App* command, ConfigOptions* options);

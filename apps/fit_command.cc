@@ -151,6 +151,7 @@ int RunFitCommand(FitOptions options) {
   Scene scene = MakeScene(recording, config);
   const bool track = HasPicturesOnly(recording);
   if (!track) CheckFittable(scene);
+  CheckContact(scene, config);
   const RunFolder run = MakeRunFolder(options, recording);
   if (track) {
     try {

@@ -70,6 +70,7 @@ int RunGradcheckCommand(const GradcheckOptions& options) {
   const FitConfig config = MakeGradcheckConfig(options, recording);
   const Scene scene = MakeScene(recording, config);
   CheckSimulable(scene);
+  CheckContact(scene, config);
   const GradientReport report = CheckFitGradient(scene, config, frames - 1);
   PrintReport(report, frames);
   return report.Passes() ? kExitSuccess : kExitFailure;

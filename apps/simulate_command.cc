@@ -19,6 +19,7 @@ struct SimulateOptions {
   std::string output;
   std::optional<int> frames;
   bool force = false;
+  bool check_intersections = false;
 };
 
 int CountFrames(const SimulateOptions& options, const Recording& recording) {
@@ -30,16 +31,27 @@ int CountFrames(const SimulateOptions& options, const Recording& recording) {
 
 int RunSimulateCommand(const SimulateOptions& options) {
   const Recording recording = ReadRecordingOf(options.config);
-  const FitConfig config = ReadConfigOf(options.config, recording);
+  FitConfig config = ReadConfigOf(options.config, recording);
+  if (options.check_intersections) config.check_intersections = true;
   config.Check("command line");
   const int frames = CountFrames(options, recording);
   const Scene scene = MakeScene(recording, config);
   CheckSimulable(scene);
+  CheckContact(scene, config);
   const RunFolder run(options.output,
                       options.force ? RunFolder::Existing::kReplace : RunFolder::Existing::kRefuse);
-  const int reached = SimulateIntoRun(scene, config, run, frames - 1);
+  StepReport steps;
+  const int reached = SimulateIntoRun(scene, config, run, frames - 1, &steps);
   fmt::print("{} frames of {} particles: {}\n", reached, scene.mesh.num_particles(),
              run.path().string());
+  const std::string contact = DescribeContact(scene, config, steps);
+  if (!contact.empty()) fmt::print("{}\n", contact);
+  if (steps.intersections > 0) {
+    throw std::runtime_error(fmt::format(
+        "the cloth passes through itself, an obstacle or the ground, {} times after all steps; "
+        "--self-contact prevents it",
+        steps.intersections));
+  }
   if (reached == frames) return kExitSuccess;
   throw std::runtime_error(
       fmt::format("the simulation fails after frame {} of {}", reached - 1, frames));
@@ -57,6 +69,9 @@ void AddSimulateCommand(CLI::App* app, Action* action) {
   AddConfigOptions(command, &options->config);
   command->add_option("--frames", options->frames, "how many frames; all if left out")
       ->type_name("N");
+  command->add_flag("--check-intersections", options->check_intersections,
+                    "count after every step where the cloth passes through itself, an obstacle or "
+                    "the ground; exit status 1 where it does");
   command->add_flag("--force", options->force, "replace what an earlier run wrote there");
   command->footer(
       "Writes trajectory.npy (frames x particles x 3, m), mesh.obj, residuals.csv and "

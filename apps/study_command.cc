@@ -12,6 +12,7 @@
 #include "apps/commands.h"
 #include "apps/tracking_options.h"
 #include "autodiff_sim/error.h"
+#include "fitting/chaos_study.h"
 #include "fitting/recovery_study.h"
 #include "tracking/text.h"
 #include "tracking/tracking_evaluation.h"
@@ -133,6 +134,60 @@ void AddTrackingStudy(CLI::App* study, Action* action) {
       [options, action] { *action = [options] { return RunTrackingStudy(*options); }; });
 }
 
+struct ChaosStudyOptions {
+  ChaosOptions chaos;
+  std::string output;
+  bool no_contact = false, force = false;
+};
+
+int RunChaosCommand(ChaosStudyOptions options) {
+  const std::filesystem::path folder = options.output;
+  if (std::filesystem::exists(folder / "chaos.csv") && !options.force) {
+    throw InputError(options.output, "already holds a study; --force replaces it");
+  }
+  if (options.chaos.particles < 4 || options.chaos.particles > 200) {
+    throw InputError("--particles", fmt::format("{}; expected 4 to 200", options.chaos.particles));
+  }
+  if (!(options.chaos.duration > 0.0)) {
+    throw InputError("--duration",
+                     fmt::format("{}; expected a number above 0", options.chaos.duration));
+  }
+  options.chaos.self_contact = !options.no_contact;
+  WriteTextFile(folder / "chaos.csv", "");  // fail now rather than at the end
+  const ChaosResult result =
+      RunChaosStudy(options.chaos, [](int frame) { fmt::print(stderr, "frame {}\n", frame); });
+  WriteTextFile(folder / "chaos.csv", ChaosAsCsv(result));
+  WriteTextFile(folder / "chaos.md", ChaosAsMarkdown(options.chaos, result));
+  WriteTextFile(folder / "chaos.svg", ChaosAsSvg(result));
+  DrawChaos(options.chaos, result, (folder / "chaos.png").string());
+  fmt::print("{}", ChaosAsMarkdown(options.chaos, result));
+  if (result.complete) return kExitSuccess;
+  throw std::runtime_error(
+      fmt::format("the simulation fails after frame {}", result.frames.size() - 1));
+}
+
+void AddChaosStudy(CLI::App* study, Action* action) {
+  CLI::App* const chaos = study->add_subcommand(
+      "chaos", "move one particle of a cloth that drops; how far do the two runs part?");
+  const auto options = std::make_shared<ChaosStudyOptions>();
+  chaos->add_option("-o,--output", options->output, "folder of tables and pictures")
+      ->type_name("FOLDER")
+      ->required();
+  chaos->add_option("--particles", options->chaos.particles, "particles a side")
+      ->type_name("N")
+      ->capture_default_str();
+  chaos->add_option("--offset", options->chaos.offset, "m, of the particle")
+      ->type_name("M")
+      ->capture_default_str();
+  chaos->add_option("--duration", options->chaos.duration, "s")
+      ->type_name("S")
+      ->capture_default_str();
+  chaos->add_flag("--no-contact", options->no_contact, "let the cloth pass through itself");
+  chaos->add_flag("--force", options->force, "replace what is there");
+  chaos->footer("Example:\n  clothfit study chaos -o studies/chaos");
+  chaos->callback([options, action] { *action = [options] { return RunChaosCommand(*options); }; });
+}
+
 }  // namespace
 
 void AddStudyCommand(CLI::App* app, Action* action) {
@@ -140,6 +195,7 @@ void AddStudyCommand(CLI::App* app, Action* action) {
   study->require_subcommand(1);
   AddRecoveryStudy(study, action);
   AddTrackingStudy(study, action);
+  AddChaosStudy(study, action);
 }
 
 }  // namespace clothfit

@@ -4,6 +4,6 @@
 
 namespace clothfit {
 
-Diagnoser DiagnoserToMeasure() { return {}; }
+Diagnoser DiagnoserToMeasure() { return Diagnose; }
 
 }  // namespace clothfit

@@ -36,6 +36,29 @@ BlockPattern MakePattern(int num_particles, const std::vector<std::vector<int>>&
   return pattern;
 }
 
+BlockPattern ExtendPattern(const BlockPattern& pattern,
+                           const std::vector<std::vector<int>>& cliques) {
+  std::vector<std::vector<int>> more(static_cast<std::size_t>(pattern.num_rows()));
+  for (const std::vector<int>& clique : cliques) {
+    for (const int a : clique) more[a].insert(more[a].end(), clique.begin(), clique.end());
+  }
+  BlockPattern extended;
+  extended.row_begin.push_back(0);
+  for (int i = 0; i < pattern.num_rows(); ++i) {
+    std::vector<int>& row = more[i];
+    row.insert(row.end(), pattern.column.begin() + pattern.row_begin[i],
+               pattern.column.begin() + pattern.row_begin[i + 1]);
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+    const auto diagonal = std::lower_bound(row.begin(), row.end(), i);
+    extended.diagonal.push_back(extended.num_blocks() +
+                                static_cast<int>(std::distance(row.begin(), diagonal)));
+    extended.column.insert(extended.column.end(), row.begin(), row.end());
+    extended.row_begin.push_back(extended.num_blocks());
+  }
+  return extended;
+}
+
 template <int kColumns>
 void BlockSparseMatrix::AddProduct(const Lanes<kColumns>& x, double scale,
                                    Lanes<kColumns>* y) const {

@@ -35,6 +35,10 @@ struct BlockPattern {
 // The pattern in which every two particles of a clique are coupled.
 BlockPattern MakePattern(int num_particles, const std::vector<std::vector<int>>& cliques);
 
+// The same with more couplings.
+BlockPattern ExtendPattern(const BlockPattern& pattern,
+                           const std::vector<std::vector<int>>& cliques);
+
 class BlockSparseMatrix {
  public:
   explicit BlockSparseMatrix(const BlockPattern* pattern)

@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "autodiff_sim/contact/contact_clock.h"
+
 namespace clothfit {
 
 StepFormula MakeStepFormula(Integrator integrator, double step, double previous_step) {
@@ -29,14 +31,16 @@ ClothModel::ClothModel(ClothMesh mesh, const World& world,
     const std::vector<std::vector<int>> more = part.batch->Cliques();
     cliques.insert(cliques.end(), more.begin(), more.end());
   }
-  pattern_ = MakePattern(mesh_.num_particles(), cliques);
-  std::vector<HandleTarget> targets;
-  for (const SurfacePoint& point : handles) targets.push_back({point, Eigen::Vector3d::Zero()});
-  const std::vector<std::vector<int>> extra = HandleConstraints(targets).ExtraCliques(pattern_);
-  if (!extra.empty()) {
-    cliques.insert(cliques.end(), extra.begin(), extra.end());
-    pattern_ = MakePattern(mesh_.num_particles(), cliques);
-  }
+  mesh_pattern_ = MakePattern(mesh_.num_particles(), cliques);
+  for (const SurfacePoint& point : handles) handles_.push_back({point, Eigen::Vector3d::Zero()});
+  MakePatternWith({});
+  if (!world_.obstacles.empty()) FollowObstacles(std::nullopt);
+}
+
+void ClothModel::MakePatternWith(const std::vector<std::vector<int>>& contacts) {
+  const BlockPattern with_contacts = ExtendPattern(mesh_pattern_, contacts);
+  const HandleConstraints handles(handles_);
+  pattern_ = ExtendPattern(with_contacts, handles.ExtraCliques(with_contacts));
   for (const Part& part : parts_) part.batch->Bind(&pattern_);
 }
 
@@ -58,7 +62,11 @@ void ClothModel::FindParts(std::vector<std::unique_ptr<ForceBatch>> batches) {
 
 void ClothModel::BeginStep(const StepInputs& inputs) {
   const TermContext context = {mesh_, topology_, world_, &inputs};
-  for (const Part& part : parts_) part.batch->BeginStep(context);
+  for (const Part& part : parts_) {
+    part.batch->BeginStep(context);
+    if (contacts_ != nullptr || obstacles_ != nullptr)
+      part.batch->FollowContacts(context);  // none so far
+  }
 }
 
 BatchPoint ClothModel::PointOf(const Part& part, const ForcePoint& all) {
@@ -122,8 +130,14 @@ void ClothModel::Forces(const ForcePoint& all, Eigen::VectorXd* force,
   new_memory->resize(all.memory.size());
   for (const Part& part : parts_) {
     if (IsOff(part, all.parameters)) continue;
-    part.batch->AddForces(PointOf(part, all), force->data(),
-                          new_memory->data() + part.first_memory);
+    double* memory = new_memory->data() + part.first_memory;
+    if (part.first_parameter == first_contact_parameter_ ||
+        part.first_parameter == first_obstacle_parameter_) {
+      const ContactClock clock(&contact_times.response);
+      part.batch->AddForces(PointOf(part, all), force->data(), memory);
+    } else {
+      part.batch->AddForces(PointOf(part, all), force->data(), memory);
+    }
   }
 }
 
@@ -151,14 +165,26 @@ void ClothModel::AddMass(double areal_density, BlockSparseMatrix* a) const {
   }
 }
 
-void ClothModel::StepJacobian(const ForcePoint& all, double gamma,
-                              BlockSparseMatrix* jacobian) const {
+bool ClothModel::StepJacobian(const ForcePoint& all, double gamma, BlockSparseMatrix* jacobian,
+                              BlockSparseMatrix* without) const {
   jacobian->SetZero();
   AddMass(all.parameters[kArealDensity], jacobian);
+  const Part* contact = nullptr;
   for (const Part& part : parts_) {
-    if (!IsOff(part, all.parameters))
+    if (IsOff(part, all.parameters)) continue;
+    if (without != nullptr && part.first_parameter == first_contact_parameter_) {
+      contact = &part;
+    } else {
       part.batch->AddStepJacobian(PointOf(part, all), gamma, jacobian);
+    }
   }
+  const bool touches = contact != nullptr && CountContacts()[0] > 0;
+  if (touches) {
+    const ContactClock clock(&contact_times.response);
+    *without = *jacobian;
+    contact->batch->AddStepJacobian(PointOf(*contact, all), gamma, jacobian);
+  }
+  return touches;
 }
 
 void ClothModel::AddForceDerivatives(const ForcePoint& all, const ForceDirections& directions,

@@ -8,12 +8,16 @@
 //   x_hat = (1 + w)^2 / (1 + 2 w) x_n - w^2 / (1 + 2 w) x_(n-1),  gamma = h (1 + w) / (1 + 2 w).
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "autodiff_sim/block_sparse_matrix.h"
+#include "autodiff_sim/contact/obstacle_contacts.h"
+#include "autodiff_sim/contact/self_contacts.h"
 #include "autodiff_sim/force_batch.h"
 #include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/parameter_table.h"
@@ -60,12 +64,55 @@ class ClothModel {
 
   const ClothMesh& mesh() const { return mesh_; }
   const ClothTopology& topology() const { return topology_; }
+  const World& world() const { return world_; }
   const BlockPattern& pattern() const { return pattern_; }
   const std::vector<NamedParameter>& parameters() const { return parameters_; }
   int memory_size() const { return memory_size_; }
   std::size_t num_terms() const { return parts_.size(); }
 
   void BeginStep(const StepInputs& inputs);
+
+  // Contacts of the cloth with itself, and with the ground beyond the term of that name. There are
+  // none until they are asked for; that throws InputError where no term answers them. Those with
+  // the world's obstacles are there always.
+  void EnableSelfContact();
+  bool has_self_contacts() const { return contacts_ != nullptr; }
+  // Whether contacts are followed and their force is not off: with itself, with obstacles, any.
+  bool HasSelfContact(const Eigen::VectorXd& parameters) const;
+  bool HasObstacles(const Eigen::VectorXd& parameters) const;
+  bool HasContact(const Eigen::VectorXd& parameters) const {
+    return HasSelfContact(parameters) || HasObstacles(parameters);
+  }
+  double ContactThickness(const Eigen::VectorXd& parameters) const;  // m, of self-contact
+  // m, the largest that the mesh is coarse enough for; infinite without self-contact.
+  double LargestThickness() const;
+  // Lets the obstacles go from where they are at `start` (s) to where they are at `end`.
+  void BeginContactStep(double start, double end);
+  bool ObstaclesMove() const { return obstacles_ != nullptr && obstacles_->is_moving(); }
+  // Makes ready for a motion of the cloth about from x0 to x1 (3N, m).
+  void PrepareContacts(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1,
+                       const Eigen::VectorXd& parameters);
+  // The share of the straight motion from x0 to x1 along which nothing meets.
+  double FreeShare(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1,
+                   const Eigen::VectorXd& parameters, ObstacleContacts::Obstacles obstacles);
+  // Whether nothing meets at x at that time (s).
+  bool IsClear(const Eigen::VectorXd& x, double time, const Eigen::VectorXd& parameters);
+  // Lets the contact terms' elements be the features in contact at x (3N, m), for what is
+  // evaluated next.
+  void FollowContacts(const Eigen::VectorXd& x, const Eigen::VectorXd& parameters);
+  // How many there are: with itself, with obstacles.
+  std::array<int, 2> CountContacts() const;
+  // Whether the pattern has blocks for all contacts; if so, tells the terms where they are.
+  bool BindContacts();
+  // Adds what makes the Jacobian of self-contact definite and most of it: the barrier's curvature
+  // along the offsets, and the friction's resistance. To precondition with, where the exact one,
+  // with what the barrier does to a turning pair, is indefinite.
+  void AddContactStiffness(const ForcePoint& point, double gamma, BlockSparseMatrix* matrix) const;
+  // Makes the pattern anew, in its place, with these contacts and those that are near: of matrices
+  // and factors that were made for it, nothing may be used any more.
+  void RebuildPattern();
+  // Without any contact.
+  void ResetPattern();
 
   // The terms that act, or that some direction (all parameters x directions) may switch on. The
   // others are at their off values, add exactly nothing and cost nothing.
@@ -78,8 +125,11 @@ class ClothModel {
   // what they have.
   void UpdateMemoryOfOff(const ForcePoint& point, const std::vector<bool>& awake,
                          Eigen::VectorXd* new_memory) const;
-  // jacobian = M - gamma (df/dv + gamma df/dx + 1/gamma df/da).
-  void StepJacobian(const ForcePoint& point, double gamma, BlockSparseMatrix* jacobian) const;
+  // jacobian = M - gamma (df/dv + gamma df/dx + 1/gamma df/da). Where the cloth is in contact with
+  // itself, `without` (may be null) gets the same without the term of that; else it is left alone.
+  // Returns whether it is.
+  bool StepJacobian(const ForcePoint& point, double gamma, BlockSparseMatrix* jacobian,
+                    BlockSparseMatrix* without = nullptr) const;
   // Adds the forces' derivatives along kLanes directions, 3N x kLanes. `awake` as found above for
   // all directions together.
   void AddForceDerivatives(const ForcePoint& point, const ForceDirections& directions,
@@ -103,13 +153,22 @@ class ClothModel {
   static bool IsSwitchedBy(const Part& part, const Directions& directions);
   void FindParts(std::vector<std::unique_ptr<ForceBatch>> batches);
   void AddMass(double areal_density, BlockSparseMatrix* a) const;
+  void MakePatternWith(const std::vector<std::vector<int>>& contacts);
+  void FollowObstacles(std::optional<double> ground);
 
   ClothMesh mesh_;
   ClothTopology topology_;
   World world_;
   std::vector<Part> parts_;
   std::vector<NamedParameter> parameters_;
+  BlockPattern mesh_pattern_;          // of triangles and terms, contacts excepted
+  std::vector<HandleTarget> handles_;  // all that may ever be held, at no place in particular
   BlockPattern pattern_;
+  std::unique_ptr<SelfContacts> contacts_;
+  std::unique_ptr<ObstacleContacts> obstacles_;
+  const std::vector<ContactPair>* found_contacts_ = nullptr;
+  const std::vector<ObstacleContact>* found_obstacles_ = nullptr;
+  int first_contact_parameter_ = -1, first_obstacle_parameter_ = -1, ground_distance_ = -1;
   int memory_size_ = 0;
 };
 

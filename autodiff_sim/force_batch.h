@@ -60,6 +60,8 @@ class ForceBatch {
 
   // Makes the elements of a step anew (terms with inputs only).
   virtual void BeginStep(const TermContext& context) = 0;
+  // Whether the elements are the contacts, and if so makes them anew. They are not bound then.
+  virtual bool FollowContacts(const TermContext& context) = 0;
   // The particles that each element couples.
   virtual std::vector<std::vector<int>> Cliques() const = 0;
   // Finds where the elements' blocks lie in the pattern, which must outlive this object.

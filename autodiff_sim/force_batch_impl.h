@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "autodiff_sim/dual.h"
@@ -14,6 +15,12 @@
 #include "autodiff_sim/parameter_table.h"
 
 namespace clothfit {
+
+template <class Term, class = void>
+constexpr bool kTermFollowsContacts = false;
+template <class Term>
+constexpr bool kTermFollowsContacts<Term, std::void_t<decltype(Term::kFollowsContacts)>> =
+    Term::kFollowsContacts;
 
 template <class Term>
 class TermBatch final : public ForceBatch {
@@ -28,6 +35,11 @@ class TermBatch final : public ForceBatch {
       elements_ = Term::Elements(context);
       Bind(pattern_);
     }
+  }
+
+  bool FollowContacts(const TermContext& context) override {
+    if constexpr (kTermFollowsContacts<Term>) elements_ = Term::Elements(context);
+    return kTermFollowsContacts<Term>;
   }
 
   std::vector<std::vector<int>> Cliques() const override {

@@ -22,6 +22,22 @@ class ObjReader {
   explicit ObjReader(const std::string& path) : path_(path) {}
 
   ObjCloth Read() {
+    ReadLines([this](std::istringstream* words) { ReadFace(words); });
+    ValidateMesh(cloth_.mesh, path_);
+    return cloth_;
+  }
+
+  ObjSurface ReadSurface() {
+    ObjSurface surface;
+    ReadLines([&](std::istringstream* words) { ReadPlainFace(words, &surface.triangles); });
+    if (surface.triangles.empty()) throw InputError(path_, "no f; expected a surface of triangles");
+    surface.positions = vertices_;
+    return surface;
+  }
+
+ private:
+  template <class ReadFaceLine>
+  void ReadLines(const ReadFaceLine& read_face) {
     std::ifstream file(path_);
     if (!file) throw InputError(path_, "cannot be opened; expected an OBJ file");
     for (std::string line; std::getline(file, line);) {
@@ -31,13 +47,19 @@ class ObjReader {
       if (!(words >> kind)) continue;
       if (kind == "v") vertices_.push_back(ReadNumbers<3>(&words));
       if (kind == "vt") texture_.push_back(ReadNumbers<2>(&words));
-      if (kind == "f") ReadFace(&words);
+      if (kind == "f") read_face(&words);
     }
-    ValidateMesh(cloth_.mesh, path_);
-    return cloth_;
   }
 
- private:
+  void ReadPlainFace(std::istringstream* words, std::vector<std::array<int, 3>>* triangles) const {
+    std::vector<int> corners;
+    for (std::string corner; *words >> corner;)
+      corners.push_back(Index(corner.substr(0, corner.find('/')), vertices_.size()));
+    if (corners.size() < 3) throw InputError(Place(), "a face needs at least 3 corners");
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      triangles->push_back({corners[0], corners[i], corners[i + 1]});
+  }
+
   std::string Place() const { return path_ + ":" + std::to_string(line_number_); }
 
   template <int kCount>
@@ -104,5 +126,6 @@ class ObjReader {
 }  // namespace
 
 ObjCloth ReadObj(const std::string& path) { return ObjReader(path).Read(); }
+ObjSurface ReadObjSurface(const std::string& path) { return ObjReader(path).ReadSurface(); }
 
 }  // namespace clothfit

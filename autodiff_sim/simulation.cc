@@ -5,8 +5,11 @@
 #include "autodiff_sim/simulation.h"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "autodiff_sim/contact/intersections.h"
+#include "autodiff_sim/error.h"
 #include "autodiff_sim/step_solver.h"
 #include "autodiff_sim/terms.h"
 
@@ -20,6 +23,16 @@ StepReport& StepReport::operator+=(const StepReport& other) {
   jacobians += other.jacobians;
   factorizations += other.factorizations;
   halvings += other.halvings;
+  contact_pairs = other.contact_pairs;
+  obstacle_contacts = other.obstacle_contacts;
+  most_contact_pairs =
+      std::max({most_contact_pairs, other.most_contact_pairs, other.contact_pairs});
+  most_obstacle_contacts =
+      std::max({most_obstacle_contacts, other.most_obstacle_contacts, other.obstacle_contacts});
+  limited_iterates += other.limited_iterates;
+  pattern_rebuilds += other.pattern_rebuilds;
+  blocked_steps += other.blocked_steps;
+  intersections += other.intersections;
   error = std::max(error, other.error);
   return *this;
 }
@@ -30,13 +43,17 @@ struct Simulation::Solver {
 
   StepSolver solver;
   HandleConstraints last_constraints;
+  Eigen::VectorXd
+      clear_x;  // a place (3N, m) at which the cloth is known not to pass through itself
 };
 
 Simulation::Simulation(std::unique_ptr<ClothModel> model, const SimulationOptions& options)
     : model_(std::move(model)),
       options_(options),
       parameters_(InitialValues(model_->parameters())),
-      solver_(std::make_unique<Solver>(model_.get(), options_)) {}
+      solver_(std::make_unique<Solver>(model_.get(), options_)) {
+  if (options_.self_contact) model_->EnableSelfContact();
+}
 
 Simulation::Simulation(ClothMesh mesh, const World& world, const std::vector<SurfacePoint>& handles,
                        const SimulationOptions& options)
@@ -56,7 +73,58 @@ State Simulation::MakeState(const Eigen::VectorXd& x) const {
   return state;
 }
 
-void Simulation::Reset() { solver_->solver.Reset(); }
+int Simulation::CountIntersections(const Eigen::VectorXd& x) const {
+  CollisionSurface<> surface(model_->mesh());
+  return static_cast<int>(FindIntersections(x, &surface).size());
+}
+
+int Simulation::CountObstacleIntersections(const Eigen::VectorXd& x, double time,
+                                           std::vector<std::string>* names) const {
+  const World& world = model_->world();
+  ObstacleContacts obstacles(model_->mesh(), world.obstacles,
+                             options_.self_contact ? world.ground_height : std::nullopt);
+  obstacles.BeginStep(time, time);
+  return obstacles.CountIntersections(x, names);
+}
+
+void Simulation::Reset() { solver_->solver.ResetAll(); }
+
+void Simulation::CheckStart(const State& state) const {
+  if (model_->HasSelfContact(parameters_)) {
+    // Layers thicker than the mesh is fine would be pushed apart by their own neighbours.
+    const double thickness = model_->ContactThickness(parameters_);
+    if (!(thickness > 0.0 && thickness <= model_->LargestThickness())) {
+      throw InputError("contact.thickness",
+                       std::to_string(thickness) + " m; expected at most " +
+                           std::to_string(model_->LargestThickness()) +
+                           " m, half of the smallest distance of parts of the flat mesh that have "
+                           "no particle in common; lower it, or lower cloth.resolution");
+    }
+    if (const int edges = CountIntersections(state.x); edges > 0) {
+      throw InputError("cloth.initial",
+                       "the cloth passes through itself, at " + std::to_string(edges) +
+                           " edges; expected a cloth that does not, or simulation.self_contact: "
+                           "false");
+    }
+  }
+  std::vector<std::string> names;
+  if (!model_->HasObstacles(parameters_)) return;
+  if (const int count = CountObstacleIntersections(state.x, state.time, &names); count > 0) {
+    const std::string place = names[0] == "ground" ? "ground.height" : "obstacles: " + names[0];
+    throw InputError(place, "the cloth is in it at frame 0, in " + std::to_string(count) +
+                                " places; expected a cloth that begins outside: move "
+                                "cloth.initial, or make the obstacle smaller");
+  }
+}
+
+// A state may come from anywhere: what this simulation did not make is looked at.
+bool Simulation::StartsClear(const State& state) {
+  Eigen::VectorXd& clear_x = solver_->clear_x;
+  if (clear_x.size() == state.x.size() && clear_x == state.x) return true;
+  if (!model_->IsClear(state.x, state.time, parameters_)) return false;
+  clear_x = state.x;
+  return true;
+}
 
 // One step of exactly h; the state is untouched unless it converges. A fresh one starts from the
 // velocities as they are, not from extrapolated ones.
@@ -79,6 +147,15 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
   problem.memory = state->memory;
   problem.parameters = &parameters_;
   problem.constraints = &constraints;
+  if (model_->HasContact(parameters_)) {
+    const bool too_thick = model_->HasSelfContact(parameters_) &&
+                           !(model_->ContactThickness(parameters_) <= model_->LargestThickness());
+    if (too_thick || !StartsClear(*state)) {
+      report.status = StepStatus::kDiverged;
+      return report;
+    }
+    problem.keep_clear = true;
+  }
   Eigen::VectorXd v = state->v;
   if (problem.formula.before != 0.0 && !fresh)
     v += (h / state->previous_step) * (state->v - state->previous_v);
@@ -95,7 +172,12 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
   state->previous_v = std::exchange(state->v, v);
   state->memory = solver.memory();
   state->previous_step = h;
+  if (problem.keep_clear) solver_->clear_x = state->x;
   state->time += h;
+  if (options_.check_intersections) {
+    report.intersections =
+        CountIntersections(state->x) + CountObstacleIntersections(state->x, state->time);
+  }
   return report;
 }
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -27,6 +28,12 @@ struct SimulationOptions {
   int max_halvings = 8;
   // Of the linear solves of the derivatives, relative to each right-hand side.
   double sensitivity_tolerance = 1e-9;
+  // Whether the cloth collides with itself. Then it never passes through itself or the ground,
+  // neither at the end of a step nor on its way there; what the layers do to one another is the
+  // term `contact`. With the world's obstacles it collides always (the term `obstacle`).
+  bool self_contact = false;
+  // Counts after every step how often the cloth passes through itself, an obstacle or the ground.
+  bool check_intersections = false;
   // Of the derivatives; 0: as many as the machine runs at once. The numbers are the same for any.
   int num_threads = 1;
   // Terms that are off and remember do so in steps with derivatives by their parameters; this makes
@@ -50,7 +57,15 @@ struct StepReport {
   int jacobians = 0;               // evaluated
   int factorizations = 0;
   int halvings = 0;
-  double error = 0.0;  // m, the largest estimated error of a position
+  int contact_pairs = 0;      // of features of the cloth, at the end of the step
+  int obstacle_contacts = 0;  // of the cloth and obstacles or the ground, likewise
+  // The most of both at the end of any step that was added up.
+  int most_contact_pairs = 0, most_obstacle_contacts = 0;
+  int limited_iterates = 0;  // that would have passed through something and were shortened
+  int pattern_rebuilds = 0;  // of the matrices, to make room for new contacts
+  int blocked_steps = 0;     // tried in vain, since the handles' own motion met something
+  int intersections = 0;     // of all steps, where they are checked
+  double error = 0.0;        // m, the largest estimated error of a position
 
   StepReport& operator+=(const StepReport& other);
 };
@@ -92,6 +107,15 @@ class Simulation {
 
   // The cloth at rest at these positions (3N, m).
   State MakeState(const Eigen::VectorXd& x) const;
+  // Throws InputError where contact cannot begin with this state and the present parameters: it
+  // passes through itself or an obstacle, or the thickness is too large for the mesh.
+  void CheckStart(const State& state) const;
+  // How many edges meet a triangle with which they have no vertex in common, at x (3N, m). Exact.
+  int CountIntersections(const Eigen::VectorXd& x) const;
+  // How much of the cloth at x is in an obstacle where that is at the time (s), and with
+  // self_contact not above the ground: see ObstacleContacts. `names` gets those that are concerned.
+  int CountObstacleIntersections(const Eigen::VectorXd& x, double time,
+                                 std::vector<std::string>* names = nullptr) const;
 
   // Moves the state on by h seconds, and its derivatives where `sensitivity` is given. There is no
   // way to get a derivative of a step that did not converge.
@@ -110,6 +134,8 @@ class Simulation {
   Simulation(std::unique_ptr<ClothModel> model, const SimulationOptions& options);
   StepReport TryStep(double h, bool fresh, const Drive& drive, State* state,
                      Sensitivity* sensitivity);
+
+  bool StartsClear(const State& state);
 
   std::unique_ptr<ClothModel> model_;
   SimulationOptions options_;

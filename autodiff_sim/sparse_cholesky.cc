@@ -21,8 +21,8 @@ double RelativeShift(int rung) { return rung == 0 ? 0.0 : 1e-4 * std::ldexp(1.0,
 
 }  // namespace
 
-SparseCholesky::SparseCholesky(const BlockPattern* pattern)
-    : supernodes_(FindSupernodes(*pattern)) {
+SparseCholesky::SparseCholesky(const BlockPattern* pattern, Ordering ordering)
+    : supernodes_(FindSupernodes(*pattern, ordering)) {
   const std::size_t n = 3 * supernodes_.order.size();
   values_.resize(supernodes_.num_values);
   inverse_diagonal_.resize(n);

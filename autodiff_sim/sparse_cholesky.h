@@ -15,7 +15,8 @@ namespace clothfit {
 class SparseCholesky {
  public:
   // Analyses the pattern, once.
-  explicit SparseCholesky(const BlockPattern* pattern);
+  explicit SparseCholesky(const BlockPattern* pattern,
+                          Ordering ordering = Ordering::kNestedDissection);
 
   // Factors (A + A') / 2 + shift I, with a shift of a fixed ladder, from 0 on, that makes it
   // positive definite. The ladder is entered one rung below the last shift that was needed. Returns
@@ -23,6 +24,8 @@ class SparseCholesky {
   bool Factorize(const BlockSparseMatrix& a);
   // Forgets the factor and the shift, so that what follows does not depend on them.
   void Forget();
+  // Begins on the other's rung: for a factor of much the same matrix with another pattern.
+  void TakeShift(const SparseCholesky& other) { rung_ = other.rung_; }
   bool has_factor() const { return has_factor_; }
   double shift() const { return shift_; }
   int num_factorizations() const { return num_factorizations_; }

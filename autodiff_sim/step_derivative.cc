@@ -82,7 +82,7 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
                                const Eigen::VectorXd& v, Sensitivity* sensitivity,
                                StepReport* report) {
   AssembleJacobian(problem, v, report);
-  if (FactorIsWorn(false) && !RefreshFactor(report)) return false;
+  if ((FactorIsWorn(false) || !factor_.has_factor()) && !RefreshFactor(report)) return false;
   const std::vector<bool> awake = model_->Awake(*problem.parameters, sensitivity->parameters());
   model_->UpdateMemoryOfOff(StepMotion(problem, v).Point(problem), awake, &new_memory_);
   const int count = static_cast<int>(sensitivity->lanes().size());

@@ -30,6 +30,7 @@ StepSolver::StepSolver(ClothModel* model, const SimulationOptions& options)
       options_(options),
       position_tolerance_(options.tolerance * model->topology().mean_edge),
       jacobian_(&model->pattern()),
+      definite_(&model->pattern()),
       factor_(&model->pattern()),
       gmres_(&model->pattern()) {}
 
@@ -42,6 +43,7 @@ void StepSolver::Reset() {
 const Eigen::VectorXd& StepSolver::Residual(const StepProblem& problem, const Eigen::VectorXd& v) {
   const double gamma = problem.formula.gamma;
   const StepMotion motion(problem, v);
+  if (problem.keep_clear) model_->FollowContacts(motion.x, *problem.parameters);
   model_->Forces(motion.Point(problem), &force_, &new_memory_);
   full_residual_ = -gamma * force_;
   const double density = (*problem.parameters)[kArealDensity];
@@ -58,8 +60,15 @@ const Eigen::VectorXd& StepSolver::Residual(const StepProblem& problem, const Ei
 void StepSolver::AssembleJacobian(const StepProblem& problem, const Eigen::VectorXd& v,
                                   StepReport* report) {
   const StepMotion motion(problem, v);
-  model_->StepJacobian(motion.Point(problem), problem.formula.gamma, &jacobian_);
+  if (problem.keep_clear) PrepareContacts(problem, motion, report);
+  const double gamma = problem.formula.gamma;
+  use_definite_ = model_->StepJacobian(motion.Point(problem), gamma, &jacobian_,
+                                       problem.keep_clear ? &definite_ : nullptr);
   problem.constraints->ReduceMatrix(&jacobian_);
+  if (use_definite_) {
+    model_->AddContactStiffness(motion.Point(problem), gamma, &definite_);
+    problem.constraints->ReduceMatrix(&definite_);
+  }
   gmres_.SetMatrix(&jacobian_);
   factor_is_current_ = false;
   ++report->jacobians;
@@ -71,7 +80,7 @@ bool StepSolver::FactorIsWorn(bool careful) const {
 
 bool StepSolver::RefreshFactor(StepReport* report) {
   const int before = factor_.num_factorizations();
-  factor_is_current_ = factor_.Factorize(jacobian_);
+  factor_is_current_ = factor_.Factorize(use_definite_ ? definite_ : jacobian_);
   excess_ = 0;
   report->factorizations += factor_.num_factorizations() - before;
   return factor_is_current_;
@@ -104,9 +113,10 @@ bool StepSolver::Direction(double relative_tolerance, Eigen::VectorXd* d, StepRe
 }
 
 double StepSolver::LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double level,
-                              Eigen::VectorXd* v, Eigen::VectorXd* z) {
+                              double largest_share, Eigen::VectorXd* v, Eigen::VectorXd* z) {
   const Eigen::VectorXd start = *v;
-  for (double share = 1.0; share >= kShortestStep; share *= 0.5) {
+  for (double share = largest_share; share >= kShortestStep * largest_share && share > 0.0;
+       share *= 0.5) {
     *v = start + share * d;
     if (!Residual(problem, *v).allFinite()) continue;
     EstimateError(z);
@@ -120,6 +130,7 @@ double StepSolver::LineSearch(const StepProblem& problem, const Eigen::VectorXd&
 bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepReport* report) {
   const double gamma = problem.formula.gamma;
   problem.constraints->SetDependentVelocities(problem.x_hat, gamma, v);
+  if (problem.keep_clear && !StartClear(problem, v, report)) return false;
   if (!Residual(problem, *v).allFinite()) return false;
   AssembleJacobian(problem, *v, report);
   if (!factor_.has_factor() && !RefreshFactor(report)) return false;
@@ -134,6 +145,7 @@ bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepRepor
     if (!usable) {
       AssembleJacobian(problem, *v, report);
       usable = current = true;
+      if (!factor_.has_factor() && !RefreshFactor(report)) return false;
     }
     const bool careful = share < 1.0;
     if (current && FactorIsWorn(careful) && !RefreshFactor(report)) return false;
@@ -144,7 +156,8 @@ bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepRepor
     problem.constraints->ExpandDirection<1>(&d);
     EstimateError(&z);  // the level in the metric of the present factor
     const double level = z.norm();
-    share = LineSearch(problem, d, level, v, &z);
+    const double clear = ClearShare(problem, *v, d, report);
+    share = LineSearch(problem, d, level, clear, v, &z);
     if (share > 0.0) {
       error = gamma * z.lpNorm<Eigen::Infinity>();
       const double contraction = z.norm() / level;

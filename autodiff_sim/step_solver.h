@@ -21,6 +21,7 @@ struct StepProblem {
   StepFormula formula;
   Eigen::VectorXd start;  // m, the positions when the step began
   Eigen::VectorXd x_hat, v_hat, memory;
+  bool keep_clear = false;  // of what there is to collide with, from the start on
   const Eigen::VectorXd* parameters = nullptr;
   const HandleConstraints* constraints = nullptr;
 };
@@ -60,8 +61,19 @@ class StepSolver {
   const Eigen::VectorXd& reduced_residual() const { return reduced_residual_; }
   const Eigen::VectorXd& memory() const { return new_memory_; }
   void Reset();
+  // Forgets the contacts too, so that what follows depends on nothing before.
+  void ResetAll();
 
  private:
+  // Contact. The first iterate: as far from the start towards the guess v as nothing meets, with
+  // the handles in their places. Returns false where the handles' own motion meets something.
+  bool StartClear(const StepProblem& problem, Eigen::VectorXd* v, StepReport* report);
+  // The largest share of d that the cloth may move from v without meeting itself.
+  double ClearShare(const StepProblem& problem, const Eigen::VectorXd& v, const Eigen::VectorXd& d,
+                    StepReport* report);
+  // Lets the elements be the contacts at the motion's end, and makes room for them in the matrices.
+  void PrepareContacts(const StepProblem& problem, const StepMotion& motion, StepReport* report);
+  void MakeMatrices(Ordering ordering);
   // Residual at v, full and reduced, and the memory there.
   const Eigen::VectorXd& Residual(const StepProblem& problem, const Eigen::VectorXd& v);
   void AssembleJacobian(const StepProblem& problem, const Eigen::VectorXd& v, StepReport* report);
@@ -75,7 +87,7 @@ class StepSolver {
   bool Direction(double relative_tolerance, Eigen::VectorXd* d, StepReport* report);
   // Moves v along d as far as the level function falls. Returns the step's share of d, 0 for none.
   double LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double level,
-                    Eigen::VectorXd* v, Eigen::VectorXd* z);
+                    double largest_share, Eigen::VectorXd* v, Eigen::VectorXd* z);
   ForceDirections DirectionsAtFixedVelocity(const StepProblem& problem, const StepInputs& inputs,
                                             const Sensitivity& sensitivity,
                                             std::size_t block) const;
@@ -105,6 +117,10 @@ class StepSolver {
   SimulationOptions options_;
   double position_tolerance_;  // m
   BlockSparseMatrix jacobian_;
+  // What is factored in its place where the cloth is in contact with itself; see
+  // ClothModel::AddContactStiffness.
+  BlockSparseMatrix definite_;
+  bool use_definite_ = false;
   SparseCholesky factor_;
   Gmres gmres_;
   bool factor_is_current_ = false;  // of jacobian_

@@ -14,11 +14,11 @@ namespace {
 
 // CHOLMOD's analysis, freed at the end of its life.
 struct Analysis {
-  explicit Analysis(const BlockPattern& pattern) {
+  Analysis(const BlockPattern& pattern, Ordering ordering) {
     cholmod_start(&common);
     common.print = 0;
     common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_NESDIS;
+    common.method[0].ordering = ordering == Ordering::kMinimumDegree ? CHOLMOD_AMD : CHOLMOD_NESDIS;
     common.supernodal = CHOLMOD_SUPERNODAL;
     const auto n = static_cast<std::size_t>(pattern.num_rows());
     matrix =
@@ -103,8 +103,8 @@ void AddPlaces(const BlockPattern& pattern, const std::vector<int>& panel_of,
 
 }  // namespace
 
-Supernodes FindSupernodes(const BlockPattern& pattern) {
-  const Analysis analysis(pattern);
+Supernodes FindSupernodes(const BlockPattern& pattern, Ordering ordering) {
+  const Analysis analysis(pattern, ordering);
   Supernodes supernodes;
   const int* order = static_cast<const int*>(analysis.factor->Perm);
   supernodes.order.assign(order, order + analysis.factor->n);

@@ -22,8 +22,10 @@
 // element's forces, and writes the memory at the end of the step. With its parameters at `off` it
 // adds nothing; those that only shape the force (Parameter::probes) need not be. Branches are
 // decided on plain values (Value()), and the force is continuous across them. Elements are fixed
-// for a simulation, or, where kInputs > 0, made anew for each step from its StepInputs. A term that
-// needs an input names its first row in StepInputs::directions as Element::first_input.
+// for a simulation, or, where kInputs > 0, made anew for each step from its StepInputs. Those of a
+// term with `static constexpr bool kFollowsContacts = true` are made anew from
+// TermContext::contacts or obstacles wherever the forces are evaluated. A term that needs an input
+// names its first row in StepInputs::directions as Element::first_input.
 //
 // A term that remembers knows where its particles were when the step began, and so needs no
 // memory of that; its memory is zero at first, and the cloth's first shape leaves it without force.
@@ -34,6 +36,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -57,10 +60,15 @@ double Value(const ceres::Jet<T, N>& value) {
   return value.a;
 }
 
+struct Obstacle;         // contact/obstacle_body.h
+struct ContactPair;      // contact/contact_pair.h
+struct ObstacleContact;  // contact/obstacle_contact.h
+
 // The world around the cloth.
 struct World {
   Eigen::Vector3d gravity = {0.0, 0.0, -9.81};  // m/s^2
   std::optional<double> ground_height;          // m; the ground is the plane z = height
+  std::vector<std::shared_ptr<const Obstacle>> obstacles;
 };
 
 // What most terms are not.
@@ -80,12 +88,15 @@ constexpr std::array<const char*, 0> kReadsOf = {};
 template <class Term>
 constexpr auto kReadsOf<Term, std::void_t<decltype(Term::kReads)>> = Term::kReads;
 
-// What an element list is made from. `inputs` is null for elements that are fixed for a simulation.
+// What an element list is made from. `inputs` is null for elements that are fixed for a simulation,
+// `contacts` where none are known.
 struct TermContext {
   const ClothMesh& mesh;
   const ClothTopology& topology;
   const World& world;
   const StepInputs* inputs;
+  const std::vector<ContactPair>* contacts = nullptr;  // features of the cloth that are in contact
+  const std::vector<ObstacleContact>* obstacles = nullptr;  // the same with obstacles
 };
 
 template <class Term, class T>

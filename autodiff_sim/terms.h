@@ -19,13 +19,16 @@
 #include "autodiff_sim/terms/ground_contact.h"
 #include "autodiff_sim/terms/gust.h"
 #include "autodiff_sim/terms/obstacle.h"
+#include "autodiff_sim/terms/obstacle_contact.h"
 #include "autodiff_sim/terms/orthotropy.h"
 #include "autodiff_sim/terms/relaxation.h"
 #include "autodiff_sim/terms/residual_force.h"
+#include "autodiff_sim/terms/self_contact.h"
 #include "autodiff_sim/terms/shear_friction.h"
 #include "autodiff_sim/terms/spring.h"
 #include "autodiff_sim/terms/stiff_patch.h"
 #include "autodiff_sim/terms/stiff_seam.h"
+#include "autodiff_sim/terms/strain_limit.h"
 #include "autodiff_sim/terms/stretch_stiffening.h"
 #include "autodiff_sim/terms/wind.h"
 
@@ -33,11 +36,11 @@ namespace clothfit {
 
 using Terms =
     TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass, GroundContact,
-             PointAttraction, RayAttraction, UniformWind, Gust, BendingFriction, ShearFriction,
-             StretchRelaxation, ShearRelaxation, BendingRelaxation, Crease, StretchStiffening,
-             StretchOrthotropy, ShearOrthotropy, BendingOrthotropy, Hem, HeavyPatch,
-             StiffPatchStretch, StiffPatchBending, StiffSeamStretch, StiffSeamBending, Adhesion,
-             StickyPatch, ObstaclePlane, ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor,
-             ResidualForce>;
+             PointAttraction, RayAttraction, SelfContact, ObstacleBarrier, UniformWind, Gust,
+             BendingFriction, ShearFriction, StretchRelaxation, ShearRelaxation, BendingRelaxation,
+             Crease, StretchStiffening, StrainLimit, StretchOrthotropy, ShearOrthotropy,
+             BendingOrthotropy, Hem, HeavyPatch, StiffPatchStretch, StiffPatchBending,
+             StiffSeamStretch, StiffSeamBending, Adhesion, StickyPatch, ObstaclePlane,
+             ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor, ResidualForce>;
 
 }  // namespace clothfit

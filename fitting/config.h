@@ -48,7 +48,9 @@ struct FitConfig {
   // simulation
   double max_step = 1.0 / 120.0;  // s; a frame is divided into equal steps no longer than this
   Integrator integrator = Integrator::kBdf2;
-  double tolerance = 1e-7;  // of a step, see SimulationOptions
+  double tolerance = 1e-7;           // of a step, see SimulationOptions
+  bool check_intersections = false;  // after every step, see SimulationOptions
+  bool self_contact = false;         // the cloth keeps clear of itself, see SimulationOptions
 
   // parameters, every one by its full name
   std::map<std::string, ParameterSetting> parameters;

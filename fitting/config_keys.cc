@@ -164,6 +164,13 @@ std::vector<ConfigKey> MakeConfigKeys() {
                 kIntegrators),
       NumberKey("simulation", "tolerance", "error of a step's positions, in mean edges",
                 &FitConfig::tolerance, Range::kAboveZero),
+      ChoiceKey("simulation", "self_contact",
+                "the cloth does not pass through itself; see the parameters contact.*",
+                &FitConfig::self_contact, kYesOrNo),
+      ChoiceKey("simulation", "check_intersections",
+                "count after every step where the cloth passes through anything; of a fit: of its "
+                "result",
+                &FitConfig::check_intersections, kYesOrNo),
       IntegerKey("initial_state", "order",
                  "polynomial offsets of the state at frame 0; -1: none, 0: constant, 1: bilinear, "
                  "2: biquadratic",

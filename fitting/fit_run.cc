@@ -13,8 +13,10 @@
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/run_obstacles.h"
 #include "fitting/search.h"
 #include "fitting/surface_evaluation.h"
+#include "fitting/window_simulator.h"
 #include "tracking/silhouette_raster.h"
 
 namespace clothfit {
@@ -22,10 +24,12 @@ namespace {
 
 std::vector<Eigen::VectorXd> SimulatePositions(const Scene& scene, const FitConfig& config,
                                                const FreeParameters& free,
-                                               const Eigen::VectorXd& theta, int last_frame) {
+                                               const Eigen::VectorXd& theta, int last_frame,
+                                               StepReport* steps) {
   std::vector<Eigen::VectorXd> positions;
-  SimulateFrames(scene, config, free, theta, last_frame,
-                 [&](int, const State& state) { positions.push_back(state.x); });
+  SimulateFrames(
+      scene, config, free, theta, last_frame,
+      [&](int, const State& state) { positions.push_back(state.x); }, steps);
   return positions;
 }
 
@@ -62,6 +66,12 @@ void CheckSilhouettesOfStart(const Scene& scene) {
                      "does not see the cloth as it lies at frame 0, but its mask does; is it "
                      "this camera's, and is the cloth's initial placement right?");
   }
+}
+
+void LogContact(const Scene& scene, const FitConfig& config, const StepReport& steps,
+                const RunFolder& run) {
+  const std::string line = DescribeContact(scene, config, steps);
+  if (!line.empty()) run.AppendLog(line);
 }
 
 FitCallbacks WithRun(const FitCallbacks& callbacks, const RunFolder& run) {
@@ -103,6 +113,36 @@ void CheckSimulable(const Scene& scene) {
   HandleConstraints{targets};
 }
 
+void CheckContact(const Scene& scene, const FitConfig& config) {
+  if (!config.self_contact && scene.world.obstacles.empty()) return;
+  const FreeParameters free(config, scene, MakeParameterTable());
+  Simulation simulation(scene.mesh, scene.world, scene.HandlePoints(), StepOptions(config));
+  simulation.SetParameters(free.Values(free.start()));
+  Eigen::VectorXd x, v;
+  free.InitialState(free.start(), &x, &v);
+  try {
+    simulation.CheckStart(simulation.MakeState(x));
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    if (text.rfind("contact.", 0) == 0) throw;  // a parameter, not of the recording
+    throw InputError((scene.recording.path / "recording.yaml").string(), text);
+  }
+}
+
+std::string DescribeContact(const Scene& scene, const FitConfig& config, const StepReport& steps) {
+  std::string text;
+  if (config.self_contact || !scene.world.obstacles.empty()) {
+    text = fmt::format(
+        "contact: at most {} pairs of the cloth and {} with obstacles or the ground; {} iterates "
+        "shortened, {} steps blocked by what moves, {} patterns made anew, {} steps halved",
+        steps.most_contact_pairs, steps.most_obstacle_contacts, steps.limited_iterates,
+        steps.blocked_steps, steps.pattern_rebuilds, steps.halvings);
+  }
+  if (!config.check_intersections) return text;
+  return text + fmt::format("{}intersections after any step: {}", text.empty() ? "" : "; ",
+                            steps.intersections);
+}
+
 void CheckFittable(const Scene& scene) {
   CheckSimulable(scene);
   if (scene.silhouettes) CheckSilhouettesOfStart(scene);
@@ -131,12 +171,17 @@ FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
   }
   run.WriteConfig(config);
 
+  FitConfig unchecked = config;
+  unchecked.check_intersections = false;  // only the result is worth it
   FitResult result =
-      FitByStrategy(scene, config, WithRun(callbacks, run), checkpoint ? &*checkpoint : nullptr);
+      FitByStrategy(scene, unchecked, WithRun(callbacks, run), checkpoint ? &*checkpoint : nullptr);
 
   run.WriteParameters(result);
-  run.WriteTrajectory(
-      scene, SimulatePositions(scene, config, free, result.theta, scene.recording.frame_count - 1));
+  StepReport steps;
+  run.WriteTrajectory(scene, SimulatePositions(scene, config, free, result.theta,
+                                               scene.recording.frame_count - 1, &steps));
+  WriteObstacles(scene, run);
+  LogContact(scene, config, steps, run);
   run.WriteSummary(scene, config, result);
   run.AppendLog("status: " + ToString(result.status));
   const bool is_final =
@@ -146,12 +191,16 @@ FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
 }
 
 int SimulateIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
-                    int last_frame) {
+                    int last_frame, StepReport* steps) {
   const FreeParameters free(config, scene, MakeParameterTable());
+  StepReport taken;
   run.WriteConfig(config);
   const std::vector<Eigen::VectorXd> positions =
-      SimulatePositions(scene, config, free, free.start(), last_frame);
+      SimulatePositions(scene, config, free, free.start(), last_frame, &taken);
   run.WriteTrajectory(scene, positions);
+  WriteObstacles(scene, run);
+  LogContact(scene, config, taken, run);
+  if (steps != nullptr) *steps = taken;
   run.AppendLog(fmt::format("simulated {} frames", positions.size()));
   return static_cast<int>(positions.size());
 }

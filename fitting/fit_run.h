@@ -12,7 +12,11 @@ namespace clothfit {
 // Throws InputError where handles lie so close that they hold the same particle.
 void CheckSimulable(const Scene& scene);
 
-// The same, and where the scene has nothing that a fit could go by.
+// Throws InputError where contact cannot begin as config and recording say: see
+// Simulation::CheckStart.
+void CheckContact(const Scene& scene, const FitConfig& config);
+
+// As CheckSimulable(), and where the scene has nothing that a fit could go by.
 void CheckFittable(const Scene& scene);
 
 // RunFit with everything written into the run: config and log at once, the checkpoint after every
@@ -23,8 +27,12 @@ FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
                      const FitCallbacks& callbacks, bool resume);
 
 // Simulates frames 0 to last_frame from the config's own values, open loop, and writes config,
-// trajectory, mesh and residuals. Returns the number of frames reached.
+// trajectory, mesh and residuals, and what contact took into the log. Returns the number of frames
+// reached; `steps`, where given, gets what they took.
 int SimulateIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
-                    int last_frame);
+                    int last_frame, StepReport* steps = nullptr);
+
+// What contact did, in one line; empty where there is none to follow.
+std::string DescribeContact(const Scene& scene, const FitConfig& config, const StepReport& steps);
 
 }  // namespace clothfit

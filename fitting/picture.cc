@@ -138,26 +138,59 @@ cv::Mat DrawPanel(const FittedRun& fitted, int frame, const Eigen::VectorXd& x, 
   return image;
 }
 
-}  // namespace
-
-void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,
-             const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
-  if (extension != ".png" && extension != ".jpg") {
-    throw InputError(file.string(), "expected a name that ends in .png or .jpg");
-  }
-  const std::vector<int> frames = ChooseFrames(fitted.scene, options.frames);
-  const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
-  const Positions before = Simulate(fitted, free, free.start(), frames);
-  const Positions after = Simulate(fitted, free, run.ReadParameters(free), frames);
-
+// width: m of a panel.
+View MakeView(const PictureOptions& options, double width) {
   View view;
   const double a = options.azimuth, e = options.elevation;
   view.right = Eigen::Vector3d(std::cos(a), std::sin(a), 0.0);
   view.towards =
       Eigen::Vector3d(std::sin(a) * std::cos(e), -std::cos(a) * std::cos(e), std::sin(e));
   view.up = view.towards.cross(view.right);
-  view.scale = 0.68 * options.panel / fitted.scene.recording.cloth.size.maxCoeff();
+  view.scale = options.panel / width;
+  return view;
+}
+
+void Beside(const cv::Mat& image, cv::Mat* row) {
+  if (row->empty()) {
+    *row = image;
+  } else {
+    cv::hconcat(*row, image, *row);
+  }
+}
+
+void Below(const cv::Mat& row, cv::Mat* rows) {
+  if (rows->empty()) {
+    *rows = row;
+  } else {
+    cv::vconcat(*rows, row, *rows);
+  }
+}
+
+std::string PictureExtension(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  if (extension == ".png" || extension == ".jpg") return extension;
+  throw InputError(file.string(), "expected a name that ends in .png or .jpg");
+}
+
+void WritePicture(const cv::Mat& image, const std::string& extension,
+                  const std::filesystem::path& file) {
+  std::vector<unsigned char> encoded;
+  cv::imencode(extension, image, encoded);
+  WriteWholeFile(file,
+                 std::string_view(reinterpret_cast<const char*>(encoded.data()), encoded.size()));
+}
+
+}  // namespace
+
+void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,
+             const std::filesystem::path& file) {
+  const std::string extension = PictureExtension(file);
+  const std::vector<int> frames = ChooseFrames(fitted.scene, options.frames);
+  const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
+  const Positions before = Simulate(fitted, free, free.start(), frames);
+  const Positions after = Simulate(fitted, free, run.ReadParameters(free), frames);
+
+  View view = MakeView(options, fitted.scene.recording.cloth.size.maxCoeff() / 0.68);
 
   cv::Mat rows;
   for (const Positions* row : {&before, &after}) {
@@ -166,22 +199,31 @@ void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions
       view.centre = Centre(after.at(frame));
       const cv::Mat panel =
           DrawPanel(fitted, frame, row->at(frame), view, row == &before ? "start" : "fit", options);
-      if (panels.empty()) {
-        panels = panel;
-      } else {
-        cv::hconcat(panels, panel, panels);
-      }
+      Beside(panel, &panels);
     }
-    if (rows.empty()) {
-      rows = panels;
-    } else {
-      cv::vconcat(rows, panels, rows);
-    }
+    Below(panels, &rows);
   }
-  std::vector<unsigned char> encoded;
-  cv::imencode(extension, rows, encoded);
-  WriteWholeFile(file,
-                 std::string_view(reinterpret_cast<const char*>(encoded.data()), encoded.size()));
+  WritePicture(rows, extension, file);
+}
+
+void DrawCloths(const ClothMesh& mesh, const std::vector<std::vector<ClothPanel>>& rows,
+                double width, const PictureOptions& options, const std::filesystem::path& file) {
+  const std::string extension = PictureExtension(file);
+  View view = MakeView(options, width);
+  view.origin = {0.5 * options.panel, 0.56 * options.panel};
+  cv::Mat all;
+  for (const std::vector<ClothPanel>& row : rows) {
+    cv::Mat panels;
+    for (const ClothPanel& panel : row) {
+      cv::Mat image(options.panel, options.panel, CV_8UC3, kWhite);
+      view.centre = panel.centre;
+      DrawCloth(mesh, panel.x, view, &image);
+      Write(panel.title, 0, kInk, &image);
+      Beside(image, &panels);
+    }
+    Below(panels, &all);
+  }
+  WritePicture(all, extension, file);
 }
 
 }  // namespace clothfit

@@ -5,8 +5,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "autodiff_sim/cloth_mesh.h"
 #include "fitting/prediction.h"
 
 namespace clothfit {
@@ -24,5 +28,17 @@ struct PictureOptions {
 // written, std::runtime_error where the simulation does not reach a frame.
 void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,
              const std::filesystem::path& file);
+
+// A cloth's state as a panel of a picture.
+struct ClothPanel {
+  std::string title;
+  Eigen::VectorXd x;       // m, 3N
+  Eigen::Vector3d centre;  // m, of the view
+};
+
+// Draws rows of as many panels each, all from afar and to one scale, in which a panel is `width`
+// metres wide. As DrawRun otherwise; options.frames is not looked at.
+void DrawCloths(const ClothMesh& mesh, const std::vector<std::vector<ClothPanel>>& rows,
+                double width, const PictureOptions& options, const std::filesystem::path& file);
 
 }  // namespace clothfit

@@ -12,7 +12,9 @@
 
 #include <ceres/cubic_interpolation.h>
 
+#include "autodiff_sim/contact/obstacle_body.h"
 #include "autodiff_sim/error.h"
+#include "autodiff_sim/obj_file.h"
 #include "tracking/initial_placement.h"
 
 namespace clothfit {
@@ -33,6 +35,35 @@ std::vector<Eigen::Vector3d> FillGaps(const HandleDescription::Path& path) {
   for (int g = last + 1; last >= 0 && g < static_cast<int>(path.size()); ++g)
     filled[g] = *path[last];
   return filled;
+}
+
+Obstacle MakeObstacle(const ObstacleDescription& description, double frame_rate) {
+  Obstacle obstacle;
+  if (const auto* ball = std::get_if<BallShape>(&description.shape)) {
+    obstacle = MakeBall(ball->radius);
+  } else if (const auto* bar = std::get_if<BarShape>(&description.shape)) {
+    obstacle = MakeBar(bar->radius, 0.5 * bar->length);
+  } else if (const auto* box = std::get_if<BoxShape>(&description.shape)) {
+    obstacle = MakeBoxObstacle(0.5 * box->size);
+  } else {
+    const ObjSurface surface = ReadObjSurface(std::get<MeshShape>(description.shape).file.string());
+    Eigen::VectorXd points(3 * static_cast<Eigen::Index>(surface.positions.size()));
+    for (std::size_t i = 0; i < surface.positions.size(); ++i)
+      points.segment<3>(3 * static_cast<Eigen::Index>(i)) = surface.positions[i];
+    obstacle = MakeMeshObstacle(points, surface.triangles);
+  }
+  obstacle.name = description.name;
+  obstacle.frame_rate = frame_rate;
+  obstacle.path.clear();
+  for (const ObstacleDescription::Pose& pose : description.path) {
+    const double angle = pose.rotation.norm();
+    RigidPose placed;
+    placed.origin_in_world = pose.position;
+    if (angle > 0.0)
+      placed.world_from_body = Eigen::AngleAxisd(angle, pose.rotation / angle).toRotationMatrix();
+    obstacle.path.push_back(placed);
+  }
+  return obstacle;
 }
 
 void AddHandles(const Recording& recording, const FitConfig& config, Scene* scene) {
@@ -166,6 +197,10 @@ Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene
   scene.recording = recording;
   scene.world.gravity = recording.gravity;
   scene.world.ground_height = recording.ground_height;
+  for (const ObstacleDescription& obstacle : recording.obstacles) {
+    scene.world.obstacles.push_back(
+        std::make_shared<Obstacle>(MakeObstacle(obstacle, recording.frame_rate)));
+  }
   scene.steps_per_frame = std::max(
       1, static_cast<int>(std::ceil(1.0 / (recording.frame_rate * config.max_step) - 1e-9)));
   scene.step = 1.0 / (recording.frame_rate * scene.steps_per_frame);

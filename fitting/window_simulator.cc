@@ -13,6 +13,8 @@ SimulationOptions StepOptions(const FitConfig& config) {
   options.integrator = config.integrator;
   options.tolerance = config.tolerance;
   options.num_threads = 0;
+  options.self_contact = config.self_contact;
+  options.check_intersections = config.check_intersections;
   return options;
 }
 

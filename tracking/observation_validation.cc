@@ -98,6 +98,7 @@ void CheckValues(const Recording& recording, const ObservationLines& lines) {
   CheckScene(recording);
   CheckCloth(recording);
   CheckHandles(recording);
+  CheckObstacles(recording);
   CheckCameras(recording);
   CheckNoiseAndSplits(recording);
   CheckObservations(recording, lines);

@@ -70,6 +70,30 @@ struct HandleDescription {
   std::optional<int> released_after;  // last frame at which it holds; empty: it holds to the end
 };
 
+// A rigid thing that the cloth meets. Each stands about the origin of a frame of its own.
+struct BallShape {
+  double radius = 0.0;  // m
+};
+struct BarShape {
+  double radius = 0.0;  // m, of its round ends too
+  double length = 0.0;  // m, between the middles of its ends, along z
+};
+struct BoxShape {
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();  // m
+};
+struct MeshShape {
+  std::filesystem::path file;  // OBJ, m; as it can be opened, not relative to the recording
+};
+struct ObstacleDescription {
+  struct Pose {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  // m, world, of the frame's origin
+    Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  // rad, axis times angle
+  };
+  std::string name;
+  std::variant<BallShape, BarShape, BoxShape, MeshShape> shape;
+  std::vector<Pose> path = {Pose()};  // one, at rest, or one a frame
+};
+
 // Standard deviations; empty: the default above.
 struct NoiseSigmas {
   std::optional<double> marker;      // m
@@ -121,6 +145,7 @@ struct Recording {
   std::optional<double> ground_height;       // m; the ground is the plane z = height
   ClothDescription cloth;
   std::vector<HandleDescription> handles;
+  std::vector<ObstacleDescription> obstacles;
   NoiseSigmas noise;
   Splits splits;
   std::vector<Camera> cameras;
@@ -140,7 +165,8 @@ void CheckRecording(const Recording& recording);
 enum class Overwrite { kRefuse, kAllow };
 
 // Checks the values, then writes recording.yaml and, where there is something to write,
-// cameras.yaml, markers.csv, tracks.csv, initial.csv and handles/*.csv, and copies a mesh. Numbers
+// cameras.yaml, markers.csv, tracks.csv, initial.csv, handles/*.csv and obstacles/*.csv, and copies
+// meshes. Numbers
 // are the shortest decimals that read back as the same doubles. Pictures are not
 // written: whoever makes them puts them beside, before or after.
 // Throws InputError when the folder already holds a recording (unless allowed) or is not writable.

@@ -73,6 +73,39 @@ HandleDescription ReadHandle(const YamlValue& value, const Recording& recording)
   return handle;
 }
 
+ObstacleDescription ReadObstacle(const YamlValue& value, const Recording& recording) {
+  value.AllowKeys({"name", "sphere", "capsule", "box", "mesh", "position", "rotation", "path"});
+  ObstacleDescription obstacle;
+  obstacle.name = value.Require("name").Text();
+  int shapes = 0;
+  if (const auto sphere = value.Find("sphere"); sphere && ++shapes > 0) {
+    sphere->AllowKeys({"radius"});
+    obstacle.shape = BallShape{sphere->Require("radius").Number()};
+  }
+  if (const auto capsule = value.Find("capsule"); capsule && ++shapes > 0) {
+    capsule->AllowKeys({"radius", "length"});
+    obstacle.shape =
+        BarShape{capsule->Require("radius").Number(), capsule->Require("length").Number()};
+  }
+  if (const auto box = value.Find("box"); box && ++shapes > 0) {
+    box->AllowKeys({"size"});
+    obstacle.shape = BoxShape{box->Require("size").Vector3()};
+  }
+  if (const auto mesh = value.Find("mesh"); mesh && ++shapes > 0)
+    obstacle.shape = MeshShape{FileNamed(*mesh, recording)};
+  if (shapes != 1) value.Fail("expected one of 'sphere', 'capsule', 'box' and 'mesh'");
+  const auto path = value.Find("path");
+  if (path) {
+    if (value.Has("position") || value.Has("rotation"))
+      path->Fail("expected either 'path' or 'position' and 'rotation', found both");
+    obstacle.path = ReadObstaclePath(FileNamed(*path, recording), recording);
+    return obstacle;
+  }
+  obstacle.path[0].position = value.Require("position").Vector3();
+  if (const auto rotation = value.Find("rotation")) obstacle.path[0].rotation = rotation->Vector3();
+  return obstacle;
+}
+
 void ReadNoise(const YamlValue& value, NoiseSigmas* noise) {
   value.AllowKeys({"marker", "track", "silhouette"});
   if (const auto marker = value.Find("marker")) noise->marker = marker->Number();
@@ -98,7 +131,7 @@ void ReadDescription(const YamlValue& top, Recording* recording) {
     format.Fail(fmt::format("expected '{}', found '{}'", kFormat, format.Text()));
   }
   top.AllowKeys({"format", "name", "frame_rate", "frame_count", "gravity", "ground", "cloth",
-                 "handles", "noise", "splits"});
+                 "handles", "obstacles", "noise", "splits"});
   recording->name = top.Require("name").Text();
   recording->frame_rate = top.Require("frame_rate").Number();
   recording->frame_count = top.Require("frame_count").Integer();
@@ -113,6 +146,10 @@ void ReadDescription(const YamlValue& top, Recording* recording) {
     for (const YamlValue& handle : handles->Items()) {
       recording->handles.push_back(ReadHandle(handle, *recording));
     }
+  }
+  if (const auto obstacles = top.Find("obstacles")) {
+    for (const YamlValue& obstacle : obstacles->Items())
+      recording->obstacles.push_back(ReadObstacle(obstacle, *recording));
   }
   if (const auto noise = top.Find("noise")) ReadNoise(*noise, &recording->noise);
   if (const auto splits = top.Find("splits")) ReadSplits(*splits, &recording->splits);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/recording_summary.h"
 
+#include <array>
 #include <set>
 #include <tuple>
 
@@ -145,6 +146,12 @@ std::string DescribeRecording(const Recording& recording) {
   text += Row("cloth", DescribeCloth(recording.cloth));
   for (const HandleDescription& handle : recording.handles) {
     text += Row("handle", DescribeHandle(handle, recording));
+  }
+  for (const ObstacleDescription& obstacle : recording.obstacles) {
+    constexpr std::array<const char*, 4> kShapes = {"sphere", "capsule", "box", "mesh"};
+    text += Row("obstacle",
+                fmt::format("{}, a {} {}", obstacle.name, kShapes.at(obstacle.shape.index()),
+                            obstacle.path.size() == 1 ? "at rest" : "on a path"));
   }
   text += Row("markers", DescribeMarkers(recording));
   text += Row("tracks", DescribeTracks(recording));

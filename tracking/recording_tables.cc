@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/error.h"
 #include "tracking/csv.h"
 #include "tracking/text.h"
 
@@ -76,6 +77,30 @@ HandleDescription::Path ReadHandlePath(const std::filesystem::path& file,
   return path;
 }
 
+std::vector<ObstacleDescription::Pose> ReadObstaclePath(const std::filesystem::path& file,
+                                                        const Recording& recording) {
+  std::vector<ObstacleDescription::Pose> path(static_cast<size_t>(recording.frame_count));
+  std::vector<int> line_of_frame(path.size(), 0);
+  ReadCsv(file, {"frame", "x", "y", "z", "rx", "ry", "rz"}, [&](const CsvRow& row) {
+    const int frame = row.Integer(0);
+    if (frame < 0 || frame >= recording.frame_count) {
+      row.Fail(0, fmt::format("{} is outside 0..{}", frame, recording.frame_count - 1));
+    }
+    const size_t index = static_cast<size_t>(frame);
+    if (line_of_frame[index] != 0) {
+      row.Fail(0, fmt::format("{} appeared already on line {}", frame, line_of_frame[index]));
+    }
+    line_of_frame[index] = row.line();
+    path[index] = {row.Vector3(1), row.Vector3(4)};
+  });
+  for (size_t frame = 0; frame < path.size(); ++frame) {
+    if (line_of_frame[frame] != 0) continue;
+    throw InputError(file.string(), fmt::format("no row for frame {}; expected one for each of {}",
+                                                frame, path.size()));
+  }
+  return path;
+}
+
 std::vector<PlacedPoint> ReadPlacedPoints(const std::filesystem::path& file) {
   std::vector<PlacedPoint> points;
   ReadCsv(file, {"u", "v", "x", "y", "z"}, [&](const CsvRow& row) {
@@ -107,6 +132,15 @@ std::string HandlePathAsCsv(const HandleDescription::Path& path) {
   std::string text = "frame,x,y,z\n";
   for (size_t frame = 0; frame < path.size(); ++frame) {
     if (path[frame]) text += fmt::format("{}{}\n", frame, Fields<3>(*path[frame]));
+  }
+  return text;
+}
+
+std::string ObstaclePathAsCsv(const std::vector<ObstacleDescription::Pose>& path) {
+  std::string text = "frame,x,y,z,rx,ry,rz\n";
+  for (size_t frame = 0; frame < path.size(); ++frame) {
+    text += fmt::format("{}{}{}\n", frame, Fields<3>(path[frame].position),
+                        Fields<3>(path[frame].rotation));
   }
   return text;
 }

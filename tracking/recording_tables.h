@@ -27,11 +27,15 @@ std::vector<Track> ReadTracks(const std::filesystem::path& file, const Recording
 // The path has recording.frame_count entries. A row without a position is as good as no row.
 HandleDescription::Path ReadHandlePath(const std::filesystem::path& file,
                                        const Recording& recording);
+// A pose for every frame.
+std::vector<ObstacleDescription::Pose> ReadObstaclePath(const std::filesystem::path& file,
+                                                        const Recording& recording);
 std::vector<PlacedPoint> ReadPlacedPoints(const std::filesystem::path& file);
 
 std::string MarkersAsCsv(const std::vector<Marker>& markers);
 std::string TracksAsCsv(const Recording& recording);
 std::string HandlePathAsCsv(const HandleDescription::Path& path);
+std::string ObstaclePathAsCsv(const std::vector<ObstacleDescription::Pose>& path);
 std::string PlacedPointsAsCsv(const std::vector<PlacedPoint>& points);
 
 }  // namespace clothfit

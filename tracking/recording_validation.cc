@@ -191,6 +191,36 @@ void CheckHandles(const Recording& recording) {
   }
 }
 
+void CheckObstacles(const Recording& recording) {
+  std::set<std::string> names;
+  for (size_t i = 0; i < recording.obstacles.size(); ++i) {
+    const ObstacleDescription& obstacle = recording.obstacles[i];
+    const std::string place = YamlPlace(recording, fmt::format("obstacles[{}]", i));
+    CheckName(obstacle.name, &names, place + ".name");
+    if (const auto* ball = std::get_if<BallShape>(&obstacle.shape)) {
+      CheckPositive(ball->radius, place + ".sphere.radius");
+    } else if (const auto* bar = std::get_if<BarShape>(&obstacle.shape)) {
+      CheckPositive(bar->radius, place + ".capsule.radius");
+      CheckPositive(bar->length, place + ".capsule.length");
+    } else if (const auto* box = std::get_if<BoxShape>(&obstacle.shape)) {
+      for (int k = 0; k < 3; ++k)
+        CheckPositive(box->size[k], place + fmt::format(".box.size[{}]", k));
+    } else if (const auto& file = std::get<MeshShape>(obstacle.shape).file;
+               !std::filesystem::is_regular_file(file)) {
+      throw InputError(place + ".mesh", fmt::format("no such file: {}", file.string()));
+    }
+    const size_t frames = obstacle.path.size();
+    if (frames != 1 && frames != static_cast<size_t>(recording.frame_count)) {
+      throw InputError(place + ".path",
+                       fmt::format("expected {} frames, found {}", recording.frame_count, frames));
+    }
+    for (const ObstacleDescription::Pose& pose : obstacle.path) {
+      CheckFinite(pose.position, place + (frames == 1 ? ".position" : ".path"));
+      CheckFinite(pose.rotation, place + (frames == 1 ? ".rotation" : ".path"));
+    }
+  }
+}
+
 void CheckNoiseAndSplits(const Recording& recording) {
   const NoiseSigmas& noise = recording.noise;
   if (noise.marker) CheckPositive(*noise.marker, YamlPlace(recording, "noise.marker"));

@@ -21,6 +21,7 @@ void CheckHasObservation(const Recording& recording);
 void CheckScene(const Recording& recording);  // frame rate and count, gravity, ground
 void CheckCloth(const Recording& recording);  // with its initial placement
 void CheckHandles(const Recording& recording);
+void CheckObstacles(const Recording& recording);
 void CheckNoiseAndSplits(const Recording& recording);
 void CheckCameras(const Recording& recording);
 void CheckObservations(const Recording& recording, const ObservationLines& lines);

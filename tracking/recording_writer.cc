@@ -61,6 +61,32 @@ std::string HandleAsYaml(const HandleDescription& handle) {
   return text;
 }
 
+std::string ObstacleFile(const ObstacleDescription& obstacle) {
+  return "obstacles/" + obstacle.name + ".csv";
+}
+
+std::string ShapeAsYaml(const BallShape& ball) {
+  return fmt::format("    sphere: {{radius: {}}}\n", ball.radius);
+}
+std::string ShapeAsYaml(const BarShape& bar) {
+  return fmt::format("    capsule: {{radius: {}, length: {}}}\n", bar.radius, bar.length);
+}
+std::string ShapeAsYaml(const BoxShape& box) {
+  return fmt::format("    box: {{size: {}}}\n", List(box.size));
+}
+std::string ShapeAsYaml(const MeshShape& mesh) {
+  return fmt::format("    mesh: {}\n", YamlText(mesh.file.filename().string()));
+}
+
+std::string ObstacleAsYaml(const ObstacleDescription& obstacle) {
+  std::string text = fmt::format("  - name: {}\n", YamlText(obstacle.name)) +
+                     std::visit([](const auto& s) { return ShapeAsYaml(s); }, obstacle.shape);
+  if (obstacle.path.size() > 1)
+    return text + fmt::format("    path: {}\n", YamlText(ObstacleFile(obstacle)));
+  text += fmt::format("    position: {}\n", List(obstacle.path[0].position));
+  return text + fmt::format("    rotation: {}\n", List(obstacle.path[0].rotation));
+}
+
 std::string NoiseAsYaml(const NoiseSigmas& noise) {
   std::string text;
   if (noise.marker) text += fmt::format("  marker: {}\n", *noise.marker);
@@ -94,6 +120,8 @@ std::string RecordingAsYaml(const Recording& recording) {
   text += ClothAsYaml(recording.cloth);
   if (!recording.handles.empty()) text += "handles:\n";
   for (const HandleDescription& handle : recording.handles) text += HandleAsYaml(handle);
+  if (!recording.obstacles.empty()) text += "obstacles:\n";
+  for (const ObstacleDescription& obstacle : recording.obstacles) text += ObstacleAsYaml(obstacle);
   return text + NoiseAsYaml(recording.noise) + SplitsAsYaml(recording.splits);
 }
 
@@ -102,9 +130,11 @@ void RemoveEarlierFiles(const fs::path& folder) {
   for (const char* name : {"cameras.yaml", "markers.csv", "tracks.csv", "initial.csv"}) {
     fs::remove(folder / name);
   }
-  if (!fs::is_directory(folder / "handles")) return;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "handles")) {
-    if (entry.path().extension() == ".csv") fs::remove(entry.path());
+  for (const char* name : {"handles", "obstacles"}) {
+    if (!fs::is_directory(folder / name)) continue;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / name)) {
+      if (entry.path().extension() == ".csv") fs::remove(entry.path());
+    }
   }
 }
 
@@ -128,6 +158,11 @@ void WriteFiles(const Recording& recording, const fs::path& folder) {
   }
   for (const HandleDescription& handle : recording.handles) {
     if (handle.path) WriteTextFile(folder / HandleFile(handle), HandlePathAsCsv(*handle.path));
+  }
+  for (const ObstacleDescription& obstacle : recording.obstacles) {
+    if (obstacle.path.size() > 1)
+      WriteTextFile(folder / ObstacleFile(obstacle), ObstaclePathAsCsv(obstacle.path));
+    if (const auto* mesh = std::get_if<MeshShape>(&obstacle.shape)) CopyMesh(mesh->file, folder);
   }
   if (const auto* mesh = std::get_if<MeshPlacement>(&recording.cloth.initial)) {
     CopyMesh(mesh->file, folder);

@@ -12,7 +12,12 @@
 namespace clothfit {
 namespace {
 
-bool IsAttraction(const std::string& term) { return term.rfind("attraction_", 0) == 0; }
+// Terms that are no physics to be found: they act on what a recording or an estimate gives, or
+// keep apart what is known to be there.
+bool IsNoCandidate(const std::string& term) {
+  return term.rfind("attraction_", 0) == 0 || term == "residual_force" || term == "contact" ||
+         term == "obstacle";
+}
 
 // Terms that act only where there is a ground.
 bool NeedsGround(const std::string& term) {
@@ -119,7 +124,7 @@ std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& 
   for (const TermInfo& term : AllTerms()) {
     const bool is_excluded =
         std::find(excluded.begin(), excluded.end(), term.name) != excluded.end();
-    if (is_excluded || IsAttraction(term.name)) continue;
+    if (is_excluded || IsNoCandidate(term.name)) continue;
     if (NeedsGround(term.name) && !scene.world.ground_height) continue;
     std::vector<const NamedParameter*> off, on;
     for (const NamedParameter& named : table) {

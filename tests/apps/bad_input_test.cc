@@ -67,6 +67,22 @@ TEST_F(BadInput, WrongKeyOfTheRecording) {
   EXPECT_THAT(FitLine(), HasSubstr("framerate: unknown key; did you mean 'frame_rate'?"));
 }
 
+TEST_F(BadInput, ContactThatCannotBegin) {
+  ObstacleDescription ball{"ball", BallShape{0.1}, {{}}};
+  ball.path[0].position = {0.2, 0.2, 1.05};  // the cloth lies at z = 1 m
+  recording_.obstacles = {ball};
+  WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
+  EXPECT_THAT(FitLine(), HasSubstr("recording.yaml: obstacles: ball: the cloth is in it"));
+  recording_.obstacles.clear();
+  WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
+  const std::string line =
+      FitLine({"--self-contact", "--set", "contact.thickness=0.02", "--resolution", "30", "30"});
+  EXPECT_THAT(line, HasSubstr("contact.thickness: 0.020000 m; expected at most"));
+  recording_.ground_height = 100.0;
+  WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
+  EXPECT_THAT(FitLine({"--self-contact"}), HasSubstr("recording.yaml: ground.height: "));
+}
+
 TEST_F(BadInput, NanInAnObservation) {
   Replace("rec/markers.csv", "\n1,", "\n1,0,0,0,nan,0,0\n1,");
   EXPECT_THAT(FitLine(), testing::ContainsRegex("markers.csv: line [0-9]+: x: expected a finite"));

@@ -119,6 +119,29 @@ TEST(Simulate, WritesATrajectory) {
       HasSubstr("--frames: 11: expected 1 to 10"));
 }
 
+TEST(Simulate, CountsWhatPassesThroughObstacles) {
+  const TestFolder folder;
+  Recording recording = MakeSmallRecording(Tiny());
+  ObstacleDescription ball{"ball", BallShape{0.1}, {{}}};
+  ball.path[0].position = {0.21, 0.19, 0.85};  // the cloth falls from z = 1 m
+  recording.obstacles = {ball};
+  WriteRecording(recording, folder.path() / "rec");
+  std::vector<std::string> words = {"simulate",      "rec", "-o", "on", "--check-intersections",
+                                    "--self-contact"};
+  const CommandResult on = RunCommand(words, folder.path());
+  EXPECT_EQ(on.status, 0) << on.err;
+  EXPECT_THAT(on.out, HasSubstr("intersections after any step: 0"));
+  EXPECT_THAT(ReadTextFile(folder.path() / "on" / "log.txt"), HasSubstr("contact: at most"));
+  EXPECT_THAT(ReadTextFile(folder.path() / "on" / "report" / "obstacles.json"),
+              HasSubstr("\"name\":\"ball\",\"positions\":\"obstacle_0.npy\""));
+  EXPECT_THAT(ReadTextFile(folder.path() / "on" / "config.yaml"), HasSubstr("self_contact: true"));
+  words[3] = "off";
+  words.insert(words.end(), {"--without", "obstacle"});
+  const CommandResult off = RunCommand(words, folder.path());
+  EXPECT_EQ(off.status, 1);
+  EXPECT_THAT(off.err, HasSubstr("the cloth passes through"));
+}
+
 TEST(Gradcheck, FindsTheDerivativesRight) {
   const TestFolder folder;
   WriteRecording(MakeSmallRecording(Tiny()), folder.path() / "rec");

@@ -26,6 +26,7 @@ const std::vector<CatalogueCase>& CatalogueCases() {
       {"bending_relaxation", false, {{"share", 0.5}, {"time", 0.2}}},
       {"crease", false, {{"curvature", 30.0}, {"angle", 0.4}, {"offset", 0.03}, {"width", 0.02}}},
       {"stretch_stiffening", false, {{"cubic", 1e6}, {"onset", 0.002}}},
+      {"strain_limit", false, {{"stiffness", 1e4}, {"stretch", 0.003}, {"compression", 0.004}}},
       {"stretch_orthotropy", false, {{"ratio", 2.0}}},
       {"shear_orthotropy", false, {{"ratio", 2.0}}},
       {"bending_orthotropy", false, {{"ratio", 3.0}}},

@@ -8,6 +8,7 @@
 
 #include "autodiff_sim/terms.h"
 #include "tests/autodiff_sim/force_of_energy.h"
+#include "tests/autodiff_sim/motion.h"
 #include "tests/autodiff_sim/term_sample.h"
 
 namespace clothfit {
@@ -91,6 +92,53 @@ TEST(StretchStiffeningPhysics, ForceIsThatOfTheEnergy) {
         const double beyond = std::max(0.0, length / rest - 1.0 - 0.01);
         return 0.25 * 1e6 * std::pow(beyond, 4) * rest * rest * spring.weight;
       });
+}
+
+// Both limits, within and beyond the part where the slope sets in.
+TEST(StrainLimitPhysics, ForceIsThatOfTheEnergy) {
+  const double stretch = 0.004, compression = 0.006, soft = StrainLimit::kSoft;
+  const auto beyond = [soft](double z) {
+    if (z < 0.0) return 0.0;
+    if (z < soft) return z * z * z / (6.0 * soft);
+    return 0.5 * (z * z - soft * soft) - 0.5 * soft * (z - soft) + soft * soft / 6.0;
+  };
+  ExpectForceOfEnergy<StrainLimit>(
+      Numbers({1e4, stretch, compression}), [&](const Spring& spring, const Eigen::VectorXd& n) {
+        const double length = (Node<1>(n) - Node<0>(n)).norm();
+        const double warp = std::sqrt(spring.warp_share) * (1.0 - kSampleShrinkage[0]);
+        const double weft = std::sqrt(1.0 - spring.warp_share) * (1.0 - kSampleShrinkage[1]);
+        const double rest = spring.rest_length * std::hypot(warp, weft);
+        const double strain = length / rest - 1.0;
+        return 1e4 * (beyond(strain - stretch) + beyond(-strain - compression)) * rest * rest *
+               spring.weight;
+      });
+}
+
+// The largest strain along warp and weft, after half a second, of a cloth that hangs by two corners
+// and is far too heavy for its springs.
+double StrainOfHeavyCloth(double limiting_stiffness) {
+  const TestScene scene = SwingingCloth(7, 0.3);
+  Simulation simulation(scene.mesh, scene.world, scene.handles);
+  UseSuppleCloth(&simulation);
+  Set("gravity.scale", 10.0, &simulation);
+  Set("stretch.stiffness", 30.0, &simulation);
+  Set("strain_limit.stiffness", limiting_stiffness, &simulation);
+  Set("strain_limit.stretch", 0.05, &simulation);
+  State state = simulation.MakeState(scene.x);
+  Advance(1.0 / 120.0, 60, scene.MakeDrive(), &simulation, &state);
+  double largest = 0.0;
+  for (const Spring& spring : simulation.model().topology().structural) {
+    const double length =
+        (state.x.segment<3>(3 * spring.nodes[1]) - state.x.segment<3>(3 * spring.nodes[0])).norm();
+    largest = std::max(largest, length / spring.rest_length - 1.0);
+  }
+  return largest;
+}
+
+TEST(StrainLimitPhysics, HoldsWhatSpringsDoNot) {
+  EXPECT_GT(StrainOfHeavyCloth(0.0), 0.3);
+  // At the corners a few newtons hang on a width of 25 mm: 1e4 N/m give way by a few per cent.
+  EXPECT_LT(StrainOfHeavyCloth(1e4), 0.1);
 }
 
 // Forces of a term's element at rest-free numbers; parameters of others at the initial values.

@@ -248,7 +248,7 @@ void ExpectEquivariance(bool with_ground, const Eigen::Matrix3d& rotation,
   int acting = 0, elements_seen = 0;
   for (TermScene scene : MakeTermScenes()) {
     SCOPED_TRACE(scene.name);
-    if (!with_ground) scene.world.ground_height.reset();
+    if (!with_ground) RemoveGround(&scene);
     const TermScene moved = Moved(scene, rotation, shift);
     const auto elements = SceneElements<Term>(scene), moved_elements = SceneElements<Term>(moved);
     ASSERT_EQ(elements.size(), moved_elements.size());

@@ -93,6 +93,10 @@ const std::vector<std::string> kOfTheTargets = {
     "attraction_point.linear", "attraction_point.reciprocal", "attraction_point.radius",
     "attraction_ray.linear",   "attraction_ray.reciprocal",   "attraction_ray.radius"};
 
+// In contact_derivative_test.cc.
+const std::vector<std::string> kOfTheContact = {"contact.stiffness", "contact.thickness",
+                                                "contact.friction", "contact.slip_speed"};
+
 // Those of the terms that are off unless asked for stand in catalogue_rollout_test.cc.
 TEST(RolloutDerivative, OfEveryParameterThatActsByItself) {
   const std::vector<std::string> catalogue = CatalogueTerms();
@@ -104,6 +108,7 @@ TEST(RolloutDerivative, OfEveryParameterThatActsByItself) {
   std::vector<std::string> checked = kOfTheCloth;
   checked.insert(checked.end(), kOfTheGround.begin(), kOfTheGround.end());
   checked.insert(checked.end(), kOfTheTargets.begin(), kOfTheTargets.end());
+  checked.insert(checked.end(), kOfTheContact.begin(), kOfTheContact.end());
   EXPECT_THAT(names, ::testing::UnorderedElementsAreArray(checked));
 }
 

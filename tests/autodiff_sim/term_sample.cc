@@ -4,8 +4,12 @@
 // The scenes that force terms are sampled in.
 #include "tests/autodiff_sim/term_sample.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "autodiff_sim/contact/closest_offset.h"
+#include "autodiff_sim/contact/obstacle_contacts.h"
+#include "autodiff_sim/contact/self_contacts.h"
 #include "autodiff_sim/parameter_table.h"
 
 namespace clothfit {
@@ -48,6 +52,39 @@ StepInputs Targets(const TermScene& scene, double distance, std::mt19937* random
   return inputs;
 }
 
+// m, from the obstacle's surface or the ground.
+double Gap(const ObstacleContact& contact, const Eigen::VectorXd& x) {
+  FourPoints points = contact.points;
+  if (contact.is_ground) return x[3 * contact.nodes[0] + 2] - points[1].z();
+  for (int i = 0; i < contact.count; ++i)
+    points[contact.first + i] = x.segment<3>(3 * contact.nodes[i]);
+  return FindClosestOffset<double>(contact.kind, points, points).offset.norm() - contact.radius;
+}
+
+// A ball, a bar and a box that the cloth is about to touch, on the move.
+void AddObstacles(TermScene* scene) {
+  std::vector<std::shared_ptr<const Obstacle>> bodies;
+  const auto add = [&](Obstacle obstacle, const Eigen::Vector3d& place, int particle) {
+    RigidPose before, after;
+    before.origin_in_world = scene->x.segment<3>(3 * particle) + place;
+    after = before;
+    before.origin_in_world += Eigen::Vector3d(1e-3, 2e-3, -3e-3);
+    after.world_from_body = Eigen::AngleAxisd(0.3, Eigen::Vector3d(1.0, 2.0, 2.0) / 3.0);
+    obstacle.path = {before, after};
+    obstacle.frame_rate = 100.0;
+    bodies.push_back(std::make_shared<Obstacle>(obstacle));
+  };
+  add(MakeBall(0.01), {0.003, 0.004, 0.015}, 6);
+  add(MakeBar(0.01, 0.05), {-0.002, 0.005, 0.014}, 13);
+  add(MakeBoxObstacle({0.007, 0.007, 0.007}), {0.004, 0.003, -0.016}, 8);
+  ObstacleContacts obstacles(scene->mesh, bodies, scene->world.ground_height);
+  obstacles.BeginStep(0.0, 0.01);
+  for (const ObstacleContact& contact : obstacles.Find(scene->x, 0.012, 0.001)) {
+    // The states of a simulation are outside.
+    if (Gap(contact, scene->x) > 1e-4) scene->obstacles.push_back(contact);
+  }
+}
+
 }  // namespace
 
 std::vector<TermScene> MakeTermScenes() {
@@ -64,7 +101,7 @@ std::vector<TermScene> MakeTermScenes() {
                                              {"crumpled", 0.25, 0.0, 0.5, 1.0, 0.1},
                                              {"folded by 90 degrees", 0.02, 90.0, 0.3, 0.5, 0.5},
                                              {"folded by -90 degrees", 0.02, -90.0, 0.3, 0.5, 0.02},
-                                             {"folded by 170 degrees", 0.01, 170.0, 0.3, 3.0, 0.3},
+                                             {"folded by 175 degrees", 0.01, 175.0, 0.3, 3.0, 0.3},
                                              {"sliding on the ground", 0.02, 0.0, 8e-4, 1.0, 0.05},
                                              {"sticking to it", 0.02, 0.0, 8e-4, 1e-4, 0.01},
                                              {"beneath it", 0.02, 0.0, -3e-3, 0.02, 2e-3}}};
@@ -94,9 +131,19 @@ std::vector<TermScene> MakeTermScenes() {
           scene.x.segment<3>(3 * i) + RandomVector(0.05 * kEdge, &random_start);
     }
     scene.inputs = Targets(scene, shape.distance, &random);
+    scene.contacts = SelfContacts(scene.mesh).Find(scene.x, 0.012);
+    AddObstacles(&scene);
     scenes.push_back(scene);
   }
   return scenes;
+}
+
+void RemoveGround(TermScene* scene) {
+  scene->world.ground_height.reset();
+  std::vector<ObstacleContact>& contacts = scene->obstacles;
+  contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
+                                [](const ObstacleContact& contact) { return contact.is_ground; }),
+                 contacts.end());
 }
 
 TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
@@ -108,6 +155,10 @@ TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
     moved.v.segment<3>(3 * i) = rotation * scene.v.segment<3>(3 * i);
     moved.a.segment<3>(3 * i) = rotation * scene.a.segment<3>(3 * i);
     moved.start.segment<3>(3 * i) = rotation * scene.start.segment<3>(3 * i) + shift;
+  }
+  for (ObstacleContact& contact : moved.obstacles) {
+    for (Eigen::Vector3d& point : contact.points) point = rotation * point + shift;
+    for (Eigen::Vector3d& velocity : contact.velocities) velocity = rotation * velocity;
   }
   for (PointTarget& target : moved.inputs.points)
     target.position = rotation * target.position + shift;

@@ -13,6 +13,8 @@
 
 #include <ceres/jet.h>
 
+#include "autodiff_sim/contact/contact_pair.h"
+#include "autodiff_sim/contact/obstacle_contact.h"
 #include "autodiff_sim/term.h"
 #include "tests/support/scenes.h"
 
@@ -25,6 +27,8 @@ struct TermScene {
   ClothTopology topology;
   World world;
   StepInputs inputs;
+  std::vector<ContactPair> contacts;       // features within 12 mm
+  std::vector<ObstacleContact> obstacles;  // the same with a ball, a bar, a box and the ground
   Eigen::VectorXd x, v, a, start;
   double speed;  // m/s, typical of v; a is about as large (m/s^2)
 };
@@ -36,6 +40,9 @@ std::vector<TermScene> MakeTermScenes();
 // The scene turned about the origin and moved: the cloth, the inputs and gravity, not the ground.
 TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
                 const Eigen::Vector3d& shift);
+
+// Takes the ground away.
+void RemoveGround(TermScene* scene);
 
 constexpr std::array<double, 2> kSampleShrinkage = {0.01, -0.02};  // along warp and weft
 constexpr double kSampleTime = 0.25;                               // s
@@ -141,7 +148,8 @@ Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const Term
 
 template <class Term>
 std::vector<typename Term::Element> SceneElements(const TermScene& scene) {
-  return Term::Elements({scene.mesh, scene.topology, scene.world, &scene.inputs});
+  return Term::Elements(
+      {scene.mesh, scene.topology, scene.world, &scene.inputs, &scene.contacts, &scene.obstacles});
 }
 
 // A parameter at random: within its bounds, evenly for kLinear, evenly in the logarithm for kLog;

@@ -29,6 +29,8 @@ FitConfig AwkwardConfig() {
   config.max_step = 1.0 / 77.0;
   config.integrator = Integrator::kBackwardEuler;
   config.tolerance = std::sqrt(2.0) * 1e-9;
+  config.self_contact = true;
+  config.check_intersections = true;
   config.initial_order = 2;
   config.initial_position_sigma = 1.0 / 300.0;
   config.initial_velocity_sigma = 1.0 / 7.0;

@@ -54,6 +54,27 @@ constexpr const char* kTracks = "tracks.csv";
 constexpr const char* kPath = "handles/corner_a.csv";
 
 INSTANTIATE_TEST_SUITE_P(
+    Obstacles, BadRecording,
+    testing::Values(
+        BadInput{"NoShape", kYaml,
+                 "handles:", "obstacles:\n  - {name: a, position: [0, 0, 0]}\nhandles:",
+                 "obstacles[0]: expected one of 'sphere', 'capsule', 'box' and 'mesh'"},
+        BadInput{"NegativeRadius", kYaml, "handles:",
+                 "obstacles:\n  - {name: a, sphere: {radius: -1}, position: [0, 0, 0]}\nhandles:",
+                 "obstacles[0].sphere.radius: expected a number above 0, found -1"},
+        BadInput{"NoMeshFile", kYaml, "handles:",
+                 "obstacles:\n  - {name: a, mesh: gone.obj, position: [0, 0, 0]}\nhandles:",
+                 "obstacles[0].mesh: no such file"},
+        BadInput{"TwoPlaces", kYaml, "handles:",
+                 "obstacles:\n  - {name: a, sphere: {radius: 1}, position: [0, 0, 0], "
+                 "path: markers.csv}\nhandles:",
+                 "obstacles[0].path: expected either 'path' or"},
+        BadInput{"OtherKey", kYaml, "handles:",
+                 "obstacles:\n  - {name: a, ball: {radius: 1}, position: [0, 0, 0]}\nhandles:",
+                 "obstacles[0].ball: unknown key"}),
+    NameOf);
+
+INSTANTIATE_TEST_SUITE_P(
     Scene, BadRecording,
     testing::Values(
         BadInput{"NoDescription", kYaml, "", nullptr, "recording.yaml: no such file"},

@@ -100,6 +100,48 @@ void ExpectSameObservations(const Recording& a, const Recording& b) {
   }
 }
 
+void ExpectSameShape(const ObstacleDescription& a, const ObstacleDescription& b) {
+  ASSERT_EQ(a.shape.index(), b.shape.index());
+  if (const auto* ball = std::get_if<BallShape>(&a.shape)) {
+    EXPECT_EQ(ball->radius, std::get<BallShape>(b.shape).radius);
+  } else if (const auto* bar = std::get_if<BarShape>(&a.shape)) {
+    EXPECT_EQ(bar->radius, std::get<BarShape>(b.shape).radius);
+    EXPECT_EQ(bar->length, std::get<BarShape>(b.shape).length);
+  } else if (const auto* box = std::get_if<BoxShape>(&a.shape)) {
+    EXPECT_EQ(box->size, std::get<BoxShape>(b.shape).size);
+  } else {
+    EXPECT_EQ(std::get<MeshShape>(a.shape).file.filename(),
+              std::get<MeshShape>(b.shape).file.filename());
+  }
+}
+
+TEST(WriteRecording, RoundTripsObstacles) {
+  const TestFolder folder;
+  Recording recording = AwkwardRecording();
+  recording.obstacles.resize(4);
+  recording.obstacles[0] = {"a ball", BallShape{1.0 / 3.0}, {{{0.1, 1e-17, 3.0}, {0, 0, 0}}}};
+  recording.obstacles[1] = {"bar", BarShape{0.01, 2.0 / 7.0}, {{{1, 2, 3}, {0, 1.0 / 7.0, 1}}}};
+  recording.obstacles[2] = {"box", BoxShape{{0.1, 0.2, 1.0 / 3.0}}, {}};
+  for (int frame = 0; frame < recording.frame_count; ++frame)
+    recording.obstacles[2].path.push_back({{frame / 3.0, 0, 1}, {0, frame / 7.0, 0}});
+  const auto mesh = folder.Write("bust.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  recording.obstacles[3] = {"bust", MeshShape{mesh}, {{{0, 0, 0}, {0, 0, 0}}}};
+  const TestFolder written;
+  WriteRecording(recording, written.path());
+  const Recording again = ReadRecording(written.path());
+  ASSERT_EQ(again.obstacles.size(), 4u);
+  for (size_t i = 0; i < 4; ++i) {
+    const ObstacleDescription &a = recording.obstacles[i], &b = again.obstacles[i];
+    EXPECT_EQ(a.name, b.name);
+    ExpectSameShape(a, b);
+    ASSERT_EQ(a.path.size(), b.path.size());
+    for (size_t k = 0; k < a.path.size(); ++k) {
+      EXPECT_EQ(a.path[k].position, b.path[k].position);
+      EXPECT_EQ(a.path[k].rotation, b.path[k].rotation);
+    }
+  }
+}
+
 TEST(WriteRecording, RoundTripsExactly) {
   const Recording recording = AwkwardRecording();
   ASSERT_EQ(recording.handles.size(), 2u);

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "autodiff_sim/terms/strain_limit.h"
+
+#include "autodiff_sim/force_batch_impl.h"
+
+namespace clothfit {
+
+template std::unique_ptr<ForceBatch> MakeForceBatch<StrainLimit>(const TermContext&);
+
+}  // namespace clothfit

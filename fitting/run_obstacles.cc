@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/run_obstacles.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/contact/obstacle_body.h"
+#include "fitting/npy_file.h"
+#include "fitting/whole_file.h"
+
+namespace clothfit {
+namespace {
+
+struct Surface {
+  Eigen::VectorXd points;  // 3M, m, in the body's frame
+  std::vector<std::array<int, 3>> triangles;
+};
+
+// What is within the radius (m) of the z axis from low to high (m): rings of vertices.
+Surface RoundSurface(double radius, double low, double high) {
+  constexpr int kHalf = 8, kRings = 2 * kHalf, kAround = 32;  // two rings where the ends part
+  Surface surface;
+  surface.points.resize(3 * kRings * kAround);
+  for (int ring = 0; ring < kRings; ++ring) {
+    const bool upper = ring >= kHalf;
+    const double angle = M_PI_2 * (upper ? ring - kHalf : ring - kHalf + 1) / (kHalf - 1);
+    for (int i = 0; i < kAround; ++i) {
+      const double around = 2.0 * M_PI * i / kAround;
+      surface.points.segment<3>(3 * (ring * kAround + i)) = Eigen::Vector3d(
+          radius * std::cos(angle) * std::cos(around), radius * std::cos(angle) * std::sin(around),
+          (upper ? high : low) + radius * std::sin(angle));
+    }
+  }
+  for (int ring = 0; ring + 1 < kRings; ++ring) {
+    for (int i = 0; i < kAround; ++i) {
+      const int a = ring * kAround + i, b = ring * kAround + (i + 1) % kAround;
+      surface.triangles.push_back({a, b, b + kAround});
+      surface.triangles.push_back({a, b + kAround, a + kAround});
+    }
+  }
+  return surface;
+}
+
+Surface SurfaceOf(const Obstacle& obstacle) {
+  if (obstacle.IsMesh()) return {obstacle.points, obstacle.features.triangles};
+  return RoundSurface(obstacle.radius, obstacle.points[2],
+                      obstacle.points[obstacle.points.size() - 1]);
+}
+
+}  // namespace
+
+void WriteObstacles(const Scene& scene, const RunFolder& run) {
+  if (scene.world.obstacles.empty()) return;
+  std::error_code ignored;  // what cannot be written is told below
+  std::filesystem::create_directories(run.path() / "report", ignored);
+  std::string json;
+  for (std::size_t i = 0; i < scene.world.obstacles.size(); ++i) {
+    const Obstacle& obstacle = *scene.world.obstacles[i];
+    const Surface surface = SurfaceOf(obstacle);
+    std::vector<Eigen::VectorXd> positions;
+    for (int frame = 0; frame < scene.recording.frame_count; ++frame)
+      positions.push_back(PlaceInWorld(obstacle.PoseAt(scene.FrameTime(frame)), surface.points));
+    const std::string file = fmt::format("obstacle_{}.npy", i);
+    WriteWholeFile(run.path() / "report" / file, PointsAsNpy(positions));
+    std::string triangles, name;
+    for (const auto& [a, b, c] : surface.triangles)
+      triangles += fmt::format("{}[{},{},{}]", triangles.empty() ? "" : ",", a, b, c);
+    // A name has no control characters and no backslash.
+    for (const char c : obstacle.name) name += c == '"' ? std::string("\\\"") : std::string(1, c);
+    json += fmt::format(R"({}{{"name":"{}","positions":"{}","triangles":[{}]}})",
+                        json.empty() ? "" : ",\n", name, file, triangles);
+  }
+  WriteWholeFile(run.path() / "report" / "obstacles.json", "{\"obstacles\":[" + json + "]}\n");
+}
+
+}  // namespace clothfit
