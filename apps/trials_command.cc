@@ -15,7 +15,6 @@
 #include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
-#include "apps/trials_diagnoser.h"
 #include "autodiff_sim/error.h"
 #include "fitting/diagnosis/trial_effect_table.h"
 #include "fitting/diagnosis/trial_plan.h"
@@ -79,10 +78,6 @@ std::vector<TrialScore> Prepare(const TrialsOptions& options, const std::vector<
 }
 
 int RunAll(const TrialsOptions& options, const std::vector<Trial>& trials) {
-  const Diagnoser diagnose = DiagnoserToMeasure();
-  if (!diagnose) {
-    throw InputError("trials", "this build has no diagnosis to measure; --list and --effects work");
-  }
   if (options.output.empty()) throw InputError("--output", "is missing: expected a folder");
   const std::vector<TrialScore> before = Prepare(options, trials);
   const fs::path folder = options.output;
@@ -105,7 +100,7 @@ int RunAll(const TrialsOptions& options, const std::vector<Trial>& trials) {
     display.Show("trials", fmt::format("{} of {}", scores.size(), trials.size()),
                  static_cast<double>(scores.size()) / static_cast<double>(trials.size()));
   };
-  const std::vector<TrialScore> scores = RunTrials(trials, diagnose, run, before);
+  const std::vector<TrialScore> scores = RunTrials(trials, Diagnose, run, before);
   display.Finish();
   write(scores);
   fmt::print("{}\n{}\n", ScoresAsMarkdown(scores), folder.string());

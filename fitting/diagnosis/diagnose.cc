@@ -21,8 +21,8 @@ namespace {
 
 constexpr double kGate = 0.01;           // p-value below which something is missing
 constexpr int kLongestSide = 13;         // particles; physics does not need a finer mesh
-constexpr int kFinestSide = 21;          // particles, where the mesh turns out to matter
-constexpr double kFineEnough = 0.4;      // share of the unexplained that the mesh may make
+constexpr int kFinestSide = 13;          // particles, where the mesh turns out to matter
+constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
 constexpr double kBlockSeconds = 0.2;    // of the bootstrap
 constexpr double kSameShare = 0.1;       // of what is explained: models nearer than that are equal
 constexpr double kSameSignature = 0.97;  // cosine beyond which two effects are one
@@ -71,6 +71,7 @@ class Diagnoser {
   Ranking last_ranking_;
   std::vector<std::string> kept_parameters_;
   double baseline_cost_ = 0.0;
+  bool is_above_floor_ = false;
   double first_unexplained_ = 0.0;  // sum of squares
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
@@ -86,6 +87,12 @@ bool IsSuspicious(const Ranking& ranking) {
   return ranking.gate_p_value < kGate ||
          std::any_of(ranking.candidates.begin(), ranking.candidates.end(),
                      [](const RankedCandidate& c) { return c.summary.is_short_listed; });
+}
+
+// Do mesh and step make much of what is left?
+bool MeshMatters(const Ranking& ranking) {
+  const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
+  return ranking.floor_rms > kFineEnough * left;
 }
 
 // The recording's mesh, made coarser where it is finer than physics needs.
@@ -177,7 +184,11 @@ Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
                           const HeldOutErrors& errors) {
   Model described;
   described.effects = diagnosis_.effects;
-  described.effects.push_back(model.candidate.summary.name);
+  const std::string& newest = model.candidate.summary.name;
+  const bool is_again =  // a fault that is put right once more
+      std::find(described.effects.begin(), described.effects.end(), newest) !=
+      described.effects.end();
+  if (!is_again) described.effects.push_back(newest);
   described.config = model.scene.values;
   described.cost = model.scene.fit.cost_after;
   const double excess = before.fit.cost_after - 0.5 * last_ranking_.null_mean;
@@ -238,10 +249,8 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     Ranking ranking = RankCandidates(*current, options_);
     Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
                     ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
-    const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
     std::array<int, 2> grid = current->scene.mesh.grid;
-    const bool matters = ranking.floor_rms > kFineEnough * left && IsSuspicious(ranking);
-    if (!matters || !current->scene.mesh.is_grid() || Stopped() ||
+    if (!MeshMatters(ranking) || !IsSuspicious(ranking) || !current->scene.mesh.is_grid() || Stopped() ||
         std::max(grid[0], grid[1]) >= kFinestSide) {
       return ranking;
     }
@@ -272,6 +281,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     diagnosis_.residual_rms = ranking.residual_rms;
     diagnosis_.floor_rms = ranking.floor_rms;
     first_unexplained_ = ranking.unexplained;
+    is_above_floor_ = !MeshMatters(ranking);
     for (const RankedCandidate& candidate : ranking.candidates)
       diagnosis_.ranking.push_back(candidate.summary);
   }
@@ -316,8 +326,9 @@ void Diagnoser::Conclude(const FittedScene& current) {
   } else if (is_fault) {
     diagnosis_.verdict = Verdict::kObservationFault;
   } else {
-    diagnosis_.verdict =
-        diagnosis_.gate_p_value < kGate ? Verdict::kNoneOfTheAbove : Verdict::kNothingMissing;
+    // Nothing below the numerical floor is ever held against the physics.
+    const bool is_unexplained = diagnosis_.gate_p_value < kGate && is_above_floor_;
+    diagnosis_.verdict = is_unexplained ? Verdict::kNoneOfTheAbove : Verdict::kNothingMissing;
   }
   diagnosis_.words = DescribeDiagnosis(diagnosis_, recording_);
 }
