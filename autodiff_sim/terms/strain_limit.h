@@ -28,7 +28,7 @@ struct StrainLimit : TermDefaults {
   static constexpr std::array<Parameter, 3> kParameters = {{
       {"stiffness", "N/m", "membrane stiffness beyond the limits, on top of that before", 0.0, 0.0,
        0.0, 1e6, Scale::kLinear, 1e3},
-      Shape({"stretch", "1", "strain beyond which springs are steep", 0.1, 0.1, 0.0, 1.0,
+      Shape({"stretch", "1", "strain beyond which springs are steep", 0.1, 0.1, 0.0, 0.5,
              Scale::kLinear, 0.05},
             Meaning::kNumber, 0.02, 0.05, 0.1),
       Shape({"compression", "1", "the same of shortening; 1: never", 0.1, 0.1, 0.0, 1.0,

@@ -82,11 +82,14 @@ void Diagnoser::Spend(const std::string& stage) {
   mark_ = now;
 }
 
-// Would anything be said of it?
+// Would anything be held against the physics?
 bool IsSuspicious(const Ranking& ranking) {
   return ranking.gate_p_value < kGate ||
          std::any_of(ranking.candidates.begin(), ranking.candidates.end(),
-                     [](const RankedCandidate& c) { return c.summary.is_short_listed; });
+                     [](const RankedCandidate& c) {
+                       return c.summary.is_short_listed &&
+                              c.summary.kind == CandidateKind::kPhysics;
+                     });
 }
 
 // Do mesh and step make much of what is left?

@@ -32,11 +32,12 @@ SyntheticOptions Small() {
   return options;
 }
 
-// A baseline that knows the fabric but for its drag, so that a test takes seconds.
+// A baseline that knows most of the fabric, so that a test takes seconds, and its drag, without
+// which a wind's speed cannot be told.
 FitConfig Baseline(const Recording& recording) {
   FitConfig config = DefaultConfig(recording);
   for (auto& [name, setting] : config.parameters) setting.free = false;
-  for (const char* name : {"air_drag.normal", "stretch.stiffness", "bending.stiffness"})
+  for (const char* name : {"stretch.stiffness", "shear.stiffness", "bending.stiffness"})
     config.parameters.at(name).free = true;
   config.max_iterations = 8;
   return config;
@@ -52,7 +53,7 @@ DiagnosisOptions Quick() {
 
 TEST(Diagnose, NamesTheWind) {
   SyntheticOptions options = Small();
-  options.parameters["wind.x"] = 1.5;
+  options.parameters["wind.x"] = 2.5;  // so much that the coarse mesh matters little
   const Recording recording = MakeSyntheticRecording(options).recording;
   const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), Quick());
   EXPECT_EQ(diagnosis.verdict, Verdict::kNamed) << diagnosis.words;
@@ -62,7 +63,7 @@ TEST(Diagnose, NamesTheWind) {
       std::find_if(diagnosis.answer->parameters.begin(), diagnosis.answer->parameters.end(),
                    [](const EffectParameter& p) { return p.name == "wind.x"; });
   ASSERT_NE(x, diagnosis.answer->parameters.end());
-  EXPECT_NEAR(x->value, 1.5, 0.2);
+  EXPECT_NEAR(x->value, 2.5, 0.25);
   EXPECT_LT(x->lower90, x->upper90);
   EXPECT_TRUE(diagnosis.answer->proof.is_proven);
   EXPECT_LT(diagnosis.answer->proof.after, diagnosis.answer->proof.before);
