@@ -19,6 +19,7 @@ constexpr int kLongestSide = 11;      // particles: a force that is even over pa
 constexpr int kMostRows = 20000;      // of residuals
 constexpr int kMostKnots = 24;        // in time
 constexpr double kKnotSpacing = 0.1;  // s, at least
+constexpr int kLinearisations = 6;    // at most
 constexpr int kNulls = 99;            // so that a p-value of 0.01 can be seen
 constexpr int kDraws = 2;             // of parameters, at which the numerical error is measured
 // As the ranking has them: the part of the numerical error that a 1.6 times finer mesh does not
@@ -103,9 +104,10 @@ class Localiser {
   bool Estimate() {
     ResidualForceOptions force;
     force.frames = frames_.frames();
+    force.iterations = kLinearisations;
     force.by_source = CountSources(fitted_.scene, force.frames) > 1;
-    force.knot_spacing = std::max(
-        kKnotSpacing, fitted_.scene.FrameTime(force.frames.back()) / (kMostKnots - 1));
+    force.knot_spacing =
+        std::max(kKnotSpacing, fitted_.scene.FrameTime(force.frames.back()) / (kMostKnots - 1));
     force.correlation_time = std::max(force.correlation_time, 1.5 * force.knot_spacing);
     force.nulls = nulls_;
     if (options_.project) {
@@ -118,8 +120,8 @@ class Localiser {
         force.fault_sigmas[static_cast<Eigen::Index>(i)] = faults_[i].tolerated;
     }
     const FreeParameters free(fitted_.config, fitted_.scene, MakeParameterTable());
-    std::optional<MissingForce> missing = EstimateMissingForce(
-        fitted_.scene, fitted_.config, free, fitted_.fit.theta, force);
+    std::optional<MissingForce> missing =
+        EstimateMissingForce(fitted_.scene, fitted_.config, free, fitted_.fit.theta, force);
     if (missing) result_.missing = std::move(*missing);
     return missing.has_value();
   }

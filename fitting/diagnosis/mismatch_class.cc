@@ -119,7 +119,6 @@ class Balance {
     balance.moment_sigma.assign(free_sigma.data(), free_sigma.data() + free.size());
     const double unsigned_sum = std::max(length_ * UnsignedSum(), 1e-300);
     balance.coherence = free.cwiseAbs().sum() / unsigned_sum;
-    balance.largest_coherence = (free.cwiseAbs() + 2.0 * free_sigma).sum() / unsigned_sum;
     return balance;
   }
 
@@ -253,6 +252,19 @@ void FillPower(const MissingForce& missing, const ForcePatch& patch, const Balan
   result->is_driving = is_clear && result->power > 0.0 && one_sign > kOneSign;
 }
 
+// What the best family is tied to, where it is clearly better than any force at all and than the
+// families of other ties. Empty where none is.
+std::string ClearTie(const std::vector<Tie>& ties) {
+  constexpr double kClearly = 10.0;  // log evidence: what is correlated and what is not are models
+  const auto best =
+      std::find_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_of_patch; });
+  for (const Tie& other : ties) {
+    if (other.is_of_patch || other.to == best->to) continue;
+    if (other.log_evidence > best->log_evidence - kClearly) return "";
+  }
+  return best->log_evidence > kClearly ? best->to : "";
+}
+
 }  // namespace
 
 MismatchReport ClassifyMismatch(const Scene& scene, const MissingForce& missing,
@@ -263,12 +275,15 @@ MismatchReport ClassifyMismatch(const Scene& scene, const MissingForce& missing,
   MismatchClass& c = report.mismatch_class;
   c.net_force_sigmas = balance.ForceSigmas();
   c.net_moment_sigmas = balance.FreeSigmas();
+  // Forces that cancel are not said to be the cloth's own: the prior's smoothness alone can make an
+  // internal force look as if it did not, and one from outside as if it did.
   constexpr double kCancels = 0.3;  // of the sum without signs
-  c.is_internal = report.balance.is_testable && report.balance.coherence < kCancels;
+  constexpr double kSure = 10.0;    // sigmas of the net sums
+  c.is_internal_known = report.balance.is_testable && location.mismatch.is_significant &&
+                        report.balance.coherence > kCancels && c.net_moment_sigmas > kSure;
   FillPower(missing, location.patch, balance, &c);
   report.ties = FindTies(scene, missing, location.patch);
-  constexpr double kWorthSaying = 3.0;  // log evidence, 20 to 1
-  if (report.ties.front().log_evidence > kWorthSaying) c.tied_to = report.ties.front().to;
+  c.tied_to = ClearTie(report.ties);
   c.words = ClassWords(c);
   return report;
 }

@@ -20,6 +20,9 @@ struct Tie {
   std::string family;         // "one vector", "field in the world", ...
   double log_evidence = 0.0;  // against no force
   double explained = 0.0;     // decrease of the sum of squares over that of any force at all
+  // Forces in the patch only, or in its time only: found in the same data, so that their evidence
+  // is too good and they are not said to be a tie.
+  bool is_of_patch = false;
 };
 
 // Net sums over the cloth at the knots of the map, and what they show.
@@ -33,8 +36,6 @@ struct MismatchBalance {
   // |free net moment, and net force where nothing holds the cloth| over the same sum with all parts
   // taken without their signs: near 0 for forces that cancel, towards 1 for those that add up.
   double coherence = 0.0;
-  // The same with the sums as large as two of their sigmas allow.
-  double largest_coherence = 0.0;
   bool is_testable = false;  // false where the handles could hide any net force and moment
 };
 

@@ -22,7 +22,7 @@ class Families {
 
   std::vector<Tie> Run() {
     ties_.push_back(
-        {"", "any force", missing_.log_evidence, Gain(missing_.system, missing_.posterior)});
+        {"", "any force", missing_.log_evidence, Gain(missing_.system, missing_.posterior), false});
     AddWorld();
     AddMaterial();
     AddContact();
@@ -39,7 +39,7 @@ class Families {
                  const Eigen::MatrixXd& factor) {
     const Evidence evidence = MaximiseEvidence(system, factor);
     const PosteriorForce posterior(system, factor, evidence.strength, evidence.noise);
-    ties_.push_back({to, family, evidence.log_evidence, Gain(system, posterior)});
+    ties_.push_back({to, family, evidence.log_evidence, Gain(system, posterior), false});
   }
 
   // Forces that are sums of these columns, each with an amount (N/m^2) of its own.
@@ -74,6 +74,7 @@ class Families {
     system.sum = missing_.system.sum;
     system.rows = missing_.system.rows;
     AddSystem(to, family, system, correlation.llt().matrixL());
+    ties_.back().is_of_patch = to != "contact";
   }
 
   // Columns of `count` world vectors, weighted at each (knot, node).

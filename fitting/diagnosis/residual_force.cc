@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -153,14 +154,16 @@ class Estimator {
     if (!before) return false;
     result_.sum_before = result_.sum_after = *before;
     for (int i = 0; i < options_.iterations; ++i) {
-      const bool is_last = i + 1 == options_.iterations;
       std::vector<NormalSums> by_source;
       const std::optional<NormalSums> sums =
-          equations_.Linearise(at, is_last && options_.by_source ? &by_source : nullptr);
+          equations_.Linearise(at, options_.by_source ? &by_source : nullptr);
       if (!sums) return false;
       Solve(*sums, at);
-      if (is_last) LeaveOut(*sums, by_source, at);
+      LeaveOut(*sums, by_source, at);
+      const double cost = Cost(at, result_.sum_after);
       at = Step(*sums, at);
+      constexpr double kEnough = 0.02;  // decrease that another linearisation is worth
+      if (Cost(at, result_.sum_after) > (1.0 - kEnough) * cost) break;
     }
     Finish(at);
     return equations_.Sum(at, &result_.x, &result_.v).has_value();
@@ -185,25 +188,33 @@ class Estimator {
     return sum + equations_.PriorSum(at) + white.squaredNorm() / (strength * strength);
   }
 
-  // To the solution of the linearised problem, or part of the way where the simulation disagrees.
+  // To the solution of the linearised problem, or where the simulation likes that better to that of
+  // a narrower prior, as Levenberg and Marquardt do.
   ForceUnknowns Step(const NormalSums& sums, const ForceUnknowns& at) {
-    const Eigen::VectorXd force = result_.posterior.Mean(result_.system.data.leftCols(1));
-    const ForceUnknowns goal = equations_.Complete(sums, at, force);
-    const double cost = Cost(at, result_.sum_after);
-    for (double part = 1.0; part > 0.05; part *= 0.5) {
-      const ForceUnknowns next = {at.theta + part * (goal.theta - at.theta),
-                                  at.faults + part * (goal.faults - at.faults),
-                                  at.force + part * (goal.force - at.force)};
+    ForceUnknowns best = at;
+    double best_cost = Cost(at, result_.sum_after), strength = result_.posterior.strength();
+    constexpr int kTries = 10;
+    for (int i = 0; i < kTries; ++i, strength /= 3.0) {
+      const PosteriorForce narrower(result_.system, result_.correlation_factor, strength,
+                                    result_.posterior.noise());
+      const ForceUnknowns next = equations_.Complete(
+          sums, at, (i == 0 ? result_.posterior : narrower).Mean(result_.system.data.leftCols(1)));
       const std::optional<double> sum = equations_.Sum(next);
-      if (!sum || Cost(next, *sum) >= cost) continue;
-      result_.sum_after = *sum;
-      return next;
+      const double cost = sum ? Cost(next, *sum) : std::numeric_limits<double>::infinity();
+      if (cost < best_cost) {
+        best = next;
+        best_cost = cost;
+        result_.sum_after = *sum;
+      } else if (best.force != at.force) {
+        break;
+      }
     }
-    return at;
+    return best;
   }
 
   void LeaveOut(const NormalSums& all, const std::vector<NormalSums>& by_source,
                 const ForceUnknowns& at) {
+    result_.without.clear();
     for (std::size_t s = 0; s < by_source.size(); ++s) {
       const NormalSums& source = by_source[s];
       if (source.information.size() == 0) continue;

@@ -27,7 +27,7 @@ struct ResidualForceOptions {
   // Range over which the prior takes forces for alike: a share of the cloth's longer side, and s.
   double correlation_length = 0.4;
   double correlation_time = 0.12;
-  int iterations = 2;       // of Gauss-Newton
+  int iterations = 2;       // linearisations at most
   bool by_source = false;   // keep the equations of each source apart (see WhoseMismatch)
   std::vector<int> frames;  // whose rows are used; empty: all that are fitted
   // Residuals of simulated recordings in which nothing is missing, one a column, rows as
