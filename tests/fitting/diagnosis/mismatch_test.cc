@@ -201,6 +201,22 @@ TEST(Locate, FindsNothingInACleanRecording) {
   EXPECT_FALSE(found.location.mismatch.is_significant);
 }
 
+TEST(Locate, FindsAPushInTracksAndBlamesNoCamera) {
+  MismatchProblemOptions options;
+  options.tracks_only = true;
+  options.planted = Patch();
+  const Found found = Find("tracks", options, true);
+  ExpectPatch(found, options.planted);
+  const std::vector<SourceShift> shifts =
+      WhoseMismatch(found.problem.scene.recording, found.missing, found.location.patch);
+  ASSERT_EQ(shifts.size(), 3u);
+  for (const SourceShift& shift : shifts) {
+    std::printf("  %s kept %.2f p %.2g\n", shift.name.c_str(), shift.kept, shift.p_value);
+    EXPECT_FALSE(shift.is_to_blame) << shift.name;
+    EXPECT_GT(shift.kept, 0.7) << shift.name;
+  }
+}
+
 TEST(Locate, BlamesTheCameraThatIsOff) {
   MismatchProblemOptions options;
   options.tracks_only = true;
