@@ -243,5 +243,15 @@ TEST(MismatchClass, WindComesFromOutside) {
   EXPECT_GT(found.report.mismatch_class.net_moment_sigmas, 3.0);
 }
 
+TEST(MismatchClass, FrictionIsNotSaidToComeFromOutside) {
+  MismatchProblemOptions options;
+  options.missing = {{"bending_friction.moment", 5e-4}, {"bending_friction.onset", 5.0}};
+  const Found found = Find("friction", options);
+  EXPECT_FALSE(found.report.mismatch_class.is_internal_known);
+  EXPECT_FALSE(found.report.mismatch_class.is_driving);
+  // The fabric that is free takes most of it.
+  EXPECT_LT(found.missing.sum_after, 1.1 * found.missing.system.rows);
+}
+
 }  // namespace
 }  // namespace clothfit
