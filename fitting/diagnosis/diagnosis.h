@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
+
 #include "fitting/config.h"
 #include "fitting/fit.h"
 #include "fitting/scene.h"
@@ -100,9 +102,10 @@ std::string ToString(Verdict verdict);
 // Of what class the missing force is, each with how sure that is.
 struct MismatchClass {
   // Shares of the missing force's work: 1 for what is certain.
-  bool is_internal = false;     // no net force, no net moment over the cloth
-  bool is_dissipative = false;  // takes energy out wherever it acts
-  bool is_driving = false;      // puts energy in
+  bool is_internal = false;       // no net force, no net moment over the cloth
+  bool is_internal_known = true;  // false: it may be internal or come from outside
+  bool is_dissipative = false;    // takes energy out wherever it acts
+  bool is_driving = false;        // puts energy in
   double net_force_sigmas = 0.0, net_moment_sigmas = 0.0;  // how far each is from nothing
   double power = 0.0, power_sigma = 0.0;                   // W, mean over the time where it acts
   std::string tied_to;  // "world", "material", "contact", "clock" or empty where it cannot be told
@@ -120,6 +123,12 @@ struct Mismatch {
   std::string words;
 };
 
+// Pictures of the missing force, 8-bit BGR: its map over the cloth and time, and its arrows on the
+// cloth.
+struct MismatchPictures {
+  cv::Mat map, cloth;
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::kNothingMissing;
   std::string words;  // the answer as a paragraph
@@ -130,6 +139,7 @@ struct Diagnosis {
   double gate_p_value = 1.0;  // of the whole residual against the null
   std::optional<Mismatch> mismatch;
   std::optional<MismatchClass> mismatch_class;
+  std::optional<MismatchPictures> mismatch_pictures;
   std::vector<Candidate> ranking;      // best first
   std::vector<Model> models;           // all that were fitted
   std::optional<Model> answer;         // the last that was kept

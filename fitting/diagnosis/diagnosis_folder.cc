@@ -5,9 +5,16 @@
 #include "autodiff_sim/error.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/whole_file.h"
+#include "tracking/picture_writer.h"
 
 namespace clothfit {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kMap = "missing-force.png";
+constexpr const char* kCloth = "missing-force-cloth.png";
+
+}  // namespace
 
 DiagnosisFolder::DiagnosisFolder(const fs::path& folder, bool replace) : path_(folder) {
   const bool is_there = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
@@ -20,7 +27,7 @@ DiagnosisFolder::DiagnosisFolder(const fs::path& folder, bool replace) : path_(f
   std::error_code error;
   fs::create_directories(folder, error);
   WriteWholeFile(folder / "log.txt", "clothfit diagnose\n");
-  for (const char* name : {"diagnosis.json", "diagnosis.md", "config.yaml"})
+  for (const char* name : {"diagnosis.json", "diagnosis.md", "config.yaml", kMap, kCloth})
     fs::remove(folder / name, error);
 }
 
@@ -33,6 +40,9 @@ void DiagnosisFolder::Write(const Diagnosis& diagnosis) const {
   WriteWholeFile(path_ / "config.yaml", ConfigToYaml(config));
   WriteWholeFile(path_ / "diagnosis.md", DiagnosisAsMarkdown(diagnosis));
   WriteWholeFile(path_ / "diagnosis.json", DiagnosisAsJson(diagnosis));
+  if (!diagnosis.mismatch_pictures) return;
+  WritePicture(diagnosis.mismatch_pictures->map, path_ / kMap);
+  WritePicture(diagnosis.mismatch_pictures->cloth, path_ / kCloth);
 }
 
 }  // namespace clothfit

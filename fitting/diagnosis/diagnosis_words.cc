@@ -112,7 +112,7 @@ Json AsJson(const Mismatch& m) {
 }
 
 Json AsJson(const MismatchClass& c) {
-  return {{"internal", c.is_internal},
+  return {{"internal", c.is_internal_known ? Json(c.is_internal) : Json(nullptr)},
           {"dissipative", c.is_dissipative},
           {"driving", c.is_driving},
           {"net_force_sigmas", OrNull(c.net_force_sigmas)},
