@@ -13,6 +13,8 @@
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/held_out.h"
+#include "fitting/diagnosis/localise.h"
+#include "fitting/diagnosis/mismatch_pictures.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/ranking.h"
 
@@ -48,6 +50,8 @@ class Diagnoser {
   FittedScene UndoSwaps(FittedScene fitted);
   // Ranks; where mesh and step make much of what is left, on a finer mesh.
   Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
+  // Where, when and of what class a force is missing.
+  void LocateMismatch(const FittedScene& fitted);
   // One more effect. False where there is none to be had.
   bool AddEffect(FittedScene* current, HeldOutErrors* errors);
   std::vector<Fitted> FitModels(const FittedScene& current, const Ranking& ranking);
@@ -274,6 +278,25 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
   }
 }
 
+void Diagnoser::LocateMismatch(const FittedScene& fitted) {
+  if (Stopped()) return;
+  Say("locating what is missing", 0.4);
+  const std::optional<Localised> found = Localise(fitted, options_);
+  Spend("locating");
+  if (!found) {
+    Log("the missing force cannot be estimated: the simulation fails");
+    return;
+  }
+  diagnosis_.mismatch = found->location.mismatch;
+  Log(found->location.mismatch.words);
+  if (!found->location.mismatch.is_significant) return;
+  // What is one source's has no class.
+  if (found->Blamed() == nullptr) diagnosis_.mismatch_class = found->report.mismatch_class;
+  const Scene& scene = found->fitted.scene;
+  diagnosis_.mismatch_pictures = {DrawForceMap(scene, found->missing, found->location),
+                                  DrawForceArrows(scene, found->missing, found->location)};
+}
+
 bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   Say("ranking what could be missing", 0.3);
   const bool is_first = diagnosis_.ranking.empty();
@@ -289,6 +312,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
       diagnosis_.ranking.push_back(candidate.summary);
   }
   last_ranking_ = ranking;
+  if (is_first && IsSuspicious(ranking)) LocateMismatch(*current);
   std::vector<Fitted> models = FitModels(*current, ranking);
   Spend("fitting models");
   if (models.empty()) return false;
