@@ -6,18 +6,12 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include "autodiff_sim/parameter_table.h"
 
 namespace clothfit {
 namespace {
-
-// Terms that are no physics to be found: they act on what a recording or an estimate gives, or
-// keep apart what is known to be there.
-bool IsNoCandidate(const std::string& term) {
-  return term.rfind("attraction_", 0) == 0 || term == "residual_force" || term == "contact" ||
-         term == "obstacle";
-}
 
 // Terms that act only where there is a ground.
 bool NeedsGround(const std::string& term) {
@@ -115,6 +109,13 @@ CandidateTerm MakeCandidate(const std::string& name, const std::string& term,
 
 }  // namespace
 
+bool CanBeMissing(const std::string& term) {
+  static const std::set<std::string> kNever = {"attraction_point", "attraction_ray",
+                                               "residual_force",   "contact",
+                                               "obstacle",         "strain_limit"};
+  return kNever.count(term) == 0;
+}
+
 std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& scene,
                                           const Extent& extent,
                                           const std::vector<std::string>& excluded,
@@ -124,7 +125,7 @@ std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& 
   for (const TermInfo& term : AllTerms()) {
     const bool is_excluded =
         std::find(excluded.begin(), excluded.end(), term.name) != excluded.end();
-    if (is_excluded || IsNoCandidate(term.name)) continue;
+    if (is_excluded || !CanBeMissing(term.name)) continue;
     if (NeedsGround(term.name) && !scene.world.ground_height) continue;
     std::vector<const NamedParameter*> off, on;
     for (const NamedParameter& named : table) {

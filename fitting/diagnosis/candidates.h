@@ -32,6 +32,11 @@ struct Extent {
   double duration = 0.0;      // s
 };
 
+// Whether a term is physics that a model may lack. Others help a fit or an estimate, keep apart
+// what is known to be there, or are a second form of one that is looked for (strain_limit, of
+// stretch_stiffening).
+bool CanBeMissing(const std::string& term);
+
 // The candidates of a fitted config, and at most `most_probes` probes each: all combinations where
 // they are fewer, else a fixed choice of them spread over all values.
 std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& scene,

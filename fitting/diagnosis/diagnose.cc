@@ -89,11 +89,10 @@ void Diagnoser::Spend(const std::string& stage) {
 // Would anything be held against the physics?
 bool IsSuspicious(const Ranking& ranking) {
   return ranking.gate_p_value < kGate ||
-         std::any_of(ranking.candidates.begin(), ranking.candidates.end(),
-                     [](const RankedCandidate& c) {
-                       return c.summary.is_short_listed &&
-                              c.summary.kind == CandidateKind::kPhysics;
-                     });
+         std::any_of(
+             ranking.candidates.begin(), ranking.candidates.end(), [](const RankedCandidate& c) {
+               return c.summary.is_short_listed && c.summary.kind == CandidateKind::kPhysics;
+             });
 }
 
 // Do mesh and step make much of what is left?
@@ -257,8 +256,8 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
                     ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
     std::array<int, 2> grid = current->scene.mesh.grid;
-    if (!MeshMatters(ranking) || !IsSuspicious(ranking) || !current->scene.mesh.is_grid() || Stopped() ||
-        std::max(grid[0], grid[1]) >= kFinestSide) {
+    if (!MeshMatters(ranking) || !IsSuspicious(ranking) || !current->scene.mesh.is_grid() ||
+        Stopped() || std::max(grid[0], grid[1]) >= kFinestSide) {
       return ranking;
     }
     ModelStart finer{current->scene.recording, current->config};

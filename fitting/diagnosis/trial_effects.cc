@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/candidates.h"
 #include "fitting/diagnosis/trial_terms/trial_terms.h"
 
 namespace clothfit {
@@ -226,9 +227,7 @@ std::vector<TermInfo> AbsentTerms() {
     const bool is_off =
         std::all_of(term.parameters.begin(), term.parameters.end(),
                     [](const Parameter& p) { return !SwitchesOff(p) || p.initial == p.off; });
-    // These pull the cloth towards what was observed: a help of the fit, no physics.
-    const bool is_help = term.name == "attraction_point" || term.name == "attraction_ray";
-    if (is_off && !is_help) absent.push_back(term);
+    if (is_off && CanBeMissing(term.name)) absent.push_back(term);
   }
   return absent;
 }

@@ -103,13 +103,13 @@ TEST(StrainLimitPhysics, ForceIsThatOfTheEnergy) {
     return 0.5 * (z * z - soft * soft) - 0.5 * soft * (z - soft) + soft * soft / 6.0;
   };
   ExpectForceOfEnergy<StrainLimit>(
-      Numbers({1e4, stretch, compression}), [&](const Spring& spring, const Eigen::VectorXd& n) {
+      Numbers({1e3, stretch, compression}), [&](const Spring& spring, const Eigen::VectorXd& n) {
         const double length = (Node<1>(n) - Node<0>(n)).norm();
         const double warp = std::sqrt(spring.warp_share) * (1.0 - kSampleShrinkage[0]);
         const double weft = std::sqrt(1.0 - spring.warp_share) * (1.0 - kSampleShrinkage[1]);
         const double rest = spring.rest_length * std::hypot(warp, weft);
         const double strain = length / rest - 1.0;
-        return 1e4 * (beyond(strain - stretch) + beyond(-strain - compression)) * rest * rest *
+        return 1e3 * (beyond(strain - stretch) + beyond(-strain - compression)) * rest * rest *
                spring.weight;
       });
 }

@@ -97,6 +97,11 @@ const std::vector<std::string> kOfTheTargets = {
 const std::vector<std::string> kOfTheContact = {"contact.stiffness", "contact.thickness",
                                                 "contact.friction", "contact.slip_speed"};
 
+// In obstacle_contact_test.cc and residual_force_term_test.cc.
+const std::vector<std::string> kOfObstaclesAndForces = {"obstacle.stiffness", "obstacle.thickness",
+                                                        "obstacle.friction", "obstacle.slip_speed",
+                                                        "residual_force.share"};
+
 // Those of the terms that are off unless asked for stand in catalogue_rollout_test.cc.
 TEST(RolloutDerivative, OfEveryParameterThatActsByItself) {
   const std::vector<std::string> catalogue = CatalogueTerms();
@@ -109,6 +114,7 @@ TEST(RolloutDerivative, OfEveryParameterThatActsByItself) {
   checked.insert(checked.end(), kOfTheGround.begin(), kOfTheGround.end());
   checked.insert(checked.end(), kOfTheTargets.begin(), kOfTheTargets.end());
   checked.insert(checked.end(), kOfTheContact.begin(), kOfTheContact.end());
+  checked.insert(checked.end(), kOfObstaclesAndForces.begin(), kOfObstaclesAndForces.end());
   EXPECT_THAT(names, ::testing::UnorderedElementsAreArray(checked));
 }
 

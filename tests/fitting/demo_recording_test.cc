@@ -41,6 +41,9 @@ TEST(DemoRecording, IsWhatItsOptionsMake) {
     const int index = FindParameter(table, name);
     ASSERT_GE(index, 0) << name;
     const auto found = recorded.find(name);
+    // Contacts act only where they are asked for.
+    const bool acts_if_asked = table[index].term == "contact" || table[index].term == "obstacle";
+    if (found == recorded.end() && acts_if_asked) continue;
     EXPECT_EQ(found == recorded.end() ? table[index].parameter.off : found->second, value) << name;
   }
   const std::vector<TruthPoint> truth = ReadTruthPoints(DemoFolder());
