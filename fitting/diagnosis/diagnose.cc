@@ -105,13 +105,8 @@ bool MeshMatters(const Ranking& ranking) {
 std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig& config) {
   std::array<int, 2> grid = config.resolution;
   if (grid[0] == 0) grid = {recording.cloth.resolution.x(), recording.cloth.resolution.y()};
-  const int longer = std::max(grid[0], grid[1]);
-  if (longer <= kLongestSide) return config.resolution;
-  for (int& n : grid) {
-    const double share = static_cast<double>(kLongestSide - 1) / (longer - 1);
-    n = 1 + std::max(1, static_cast<int>(std::lround(share * (n - 1))));
-  }
-  return grid;
+  if (std::max(grid[0], grid[1]) <= kLongestSide) return config.resolution;
+  return CoarserGrid(grid, kLongestSide);
 }
 
 FittedScene Diagnoser::FitBaseline() {

@@ -57,12 +57,11 @@ struct Candidate {
   CandidateKind kind = CandidateKind::kPhysics;
   // First-order estimates at the best of the places and times that were tried.
   std::vector<EffectParameter> parameters;
-  double score = 0.0;        // decrease of the sum of squares (in sigmas) that it promises
-  double raw_score = 0.0;    // the same with nothing projected out
-  double share = 0.0;        // score over the sum of squares that the baseline leaves
-  double other_share = 0.0;  // the same on another mesh
-  double p_value = 1.0;      // against the re-simulated null
-  double q_value = 1.0;      // after false-discovery control
+  double score = 0.0;      // decrease of the sum of squares (in sigmas) that it promises
+  double raw_score = 0.0;  // the same with nothing projected out
+  double share = 0.0;      // score over the sum of squares that the baseline leaves
+  double p_value = 1.0;    // against the re-simulated null
+  double q_value = 1.0;    // after false-discovery control
   // Amount of the first parameter's vector that the null passes for in 1 of 20 recordings, in its
   // unit: less of it cannot be told from nothing here.
   double detection_limit = 0.0;
@@ -145,7 +144,6 @@ struct Diagnosis {
   std::optional<Model> answer;         // the last that was kept
   std::vector<std::string> effects;    // of the answer, and faults named
   std::vector<std::string> ambiguity;  // what cannot be told from the first effect, itself included
-  std::string separating_motion;       // what to record to tell them apart
   std::vector<std::pair<std::string, double>> seconds;  // where the time went
 };
 

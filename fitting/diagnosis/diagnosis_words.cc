@@ -52,9 +52,7 @@ std::string SayProof(const Model& answer, bool is_px) {
 std::string SayAmbiguity(const Diagnosis& diagnosis) {
   if (diagnosis.ambiguity.size() < 2) return "";
   std::vector<std::string> others(diagnosis.ambiguity.begin() + 1, diagnosis.ambiguity.end());
-  std::string words = "This recording cannot tell it from " + JoinNames(others);
-  if (!diagnosis.separating_motion.empty()) words += "; " + diagnosis.separating_motion;
-  return words + ".";
+  return "This recording cannot tell it from " + JoinNames(others) + ".";
 }
 
 Json AsJson(const EffectParameter& p) {
@@ -77,7 +75,6 @@ Json AsJson(const Candidate& c) {
           {"score", OrNull(c.score)},
           {"score_without_projection", OrNull(c.raw_score)},
           {"share", OrNull(c.share)},
-          {"share_on_other_mesh", OrNull(c.other_share)},
           {"p_value", OrNull(c.p_value)},
           {"false_discovery_rate", OrNull(c.q_value)},
           {"detection_limit", OrNull(c.detection_limit)},
@@ -200,7 +197,6 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
   json["class"] = diagnosis.mismatch_class ? AsJson(*diagnosis.mismatch_class) : Json(nullptr);
   json["effects"] = diagnosis.effects;
   json["ambiguity"] = diagnosis.ambiguity;
-  json["separating_motion"] = diagnosis.separating_motion;
   json["answer"] = diagnosis.answer ? AsJson(*diagnosis.answer) : Json(nullptr);
   json["ranking"] = Json::array();
   for (const Candidate& c : diagnosis.ranking) json["ranking"].push_back(AsJson(c));

@@ -60,7 +60,6 @@ HeldOutErrors MeasureHeldOut(const FittedScene& fitted) {
   const HardSilhouette hard(scene);
   HeldOutErrors errors;
   const bool has_markers = !scene.markers.empty(), has_tracks = !scene.tracks.empty();
-  errors.unit = has_markers ? "m" : "px";
   const int last = scene.recording.frame_count - 1;
   const int reached = SimulateFrames(
       scene, fitted.config, free, fitted.fit.theta, last, [&](int frame, const State& state) {

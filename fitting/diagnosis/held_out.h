@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,7 +18,6 @@ namespace clothfit {
 // tracks (px^2), else pixels in which silhouettes differ, squared.
 struct HeldOutErrors {
   std::vector<double> squared;  // one a held-out frame that was observed
-  std::string unit;             // of the root: "m" or "px"
   bool is_complete = false;     // the simulation got there
   double Rms() const;
 };

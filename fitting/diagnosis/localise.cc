@@ -22,17 +22,11 @@ constexpr double kKnotSpacing = 0.1;  // s, at least
 constexpr int kLinearisations = 6;    // at most
 constexpr int kNulls = 99;            // so that a p-value of 0.01 can be seen
 constexpr int kDraws = 2;             // of parameters, at which the numerical error is measured
-// As the ranking has them: the part of the numerical error that a 1.6 times finer mesh does not
-// see, and one sigma of its amounts that are taken out.
-constexpr double kExtrapolated = 1.64, kNumericalSigma = 1.5;
 
 FittedScene Coarse(const FittedScene& fitted) {
-  std::array<int, 2> grid = fitted.scene.mesh.grid;
-  const int longer = std::max(grid[0], grid[1]);
-  if (!fitted.scene.mesh.is_grid() || longer <= kLongestSide) return fitted;
-  const double share = static_cast<double>(kLongestSide - 1) / (longer - 1);
-  for (int& n : grid) n = 1 + std::max(1, static_cast<int>(std::lround(share * (n - 1))));
-  return WithOtherSteps(fitted, grid, fitted.config.max_step);
+  const std::array<int, 2>& grid = fitted.scene.mesh.grid;
+  if (!fitted.scene.mesh.is_grid() || std::max(grid[0], grid[1]) <= kLongestSide) return fitted;
+  return WithOtherSteps(fitted, CoarserGrid(grid, kLongestSide), fitted.config.max_step);
 }
 
 // Markers (-1) and cameras with rows.
@@ -73,10 +67,8 @@ class Localiser {
 
  private:
   bool MeasureErrors() {
-    Pass pass{fitted_.values, true, true};
-    for (auto& [name, setting] : pass.config.parameters)
-      setting.free = fitted_.config.parameters.at(name).free;
-    const std::optional<Rows> baseline = EvaluateRows(fitted_, pass, frames_, faults_);
+    const std::optional<Rows> baseline =
+        EvaluateRows(fitted_, BaselinePass(fitted_), frames_, faults_);
     if (!baseline) return false;
     errors_ = MeasureNumericalErrors(fitted_, frames_, *baseline,
                                      options_.simulate_null ? kDraws : 0, options_.seed);

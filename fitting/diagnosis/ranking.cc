@@ -17,13 +17,9 @@ namespace clothfit {
 namespace {
 
 constexpr int kMostRows = 30000;
-constexpr int kMostProbes = 8;  // of a candidate, in the first round
-constexpr int kRefined = 5;     // candidates whose places and shapes are looked at again
-// Errors of second order between the fit's mesh and a 1.6 times finer one, as parts of those that
-// the fit's mesh makes in all: 1 - 1 / 1.6^2.
-constexpr double kExtrapolated = 1.64;
-constexpr double kLargestFault = 2.0;    // sigmas of those that go unremarked, one sigma
-constexpr double kNumericalSigma = 1.5;  // of the amounts of numerical error that are taken out
+constexpr int kMostProbes = 8;         // of a candidate, in the first round
+constexpr int kRefined = 5;            // candidates whose places and shapes are looked at again
+constexpr double kLargestFault = 2.0;  // sigmas of those that go unremarked, one sigma
 
 // One candidate at one probe, and where its columns are.
 struct Trial {
@@ -73,7 +69,6 @@ class Ranker {
   std::vector<CandidateTerm> candidates_;
   std::vector<Trial> trials_;
   std::optional<Rows> baseline_;
-  std::vector<Eigen::VectorXd> positions_;
   Extent extent_;
   std::optional<ColumnSet> columns_;
   int residual_ = 0, first_baseline_ = 0, first_fault_ = 0, first_numerical_ = 0;
@@ -89,16 +84,13 @@ void Ranker::RunBaseline() {
   extent_.high.setConstant(-1e9);
   extent_.size = fitted_.scene.recording.cloth.size;
   extent_.duration = fitted_.scene.FrameTime(fitted_.scene.last_fitted_frame);
-  Pass pass{fitted_.values, true, true};
-  for (auto& [name, setting] : pass.config.parameters)
-    setting.free = fitted_.config.parameters.at(name).free;
-  baseline_ = EvaluateRows(fitted_, pass, frames_, faults_, [&](int, const State& state) {
-    positions_.push_back(state.x);
-    for (Eigen::Index i = 0; i < state.x.size(); i += 3) {
-      extent_.low = extent_.low.cwiseMin(state.x.segment<3>(i));
-      extent_.high = extent_.high.cwiseMax(state.x.segment<3>(i));
-    }
-  });
+  baseline_ =
+      EvaluateRows(fitted_, BaselinePass(fitted_), frames_, faults_, [&](int, const State& state) {
+        for (Eigen::Index i = 0; i < state.x.size(); i += 3) {
+          extent_.low = extent_.low.cwiseMin(state.x.segment<3>(i));
+          extent_.high = extent_.high.cwiseMax(state.x.segment<3>(i));
+        }
+      });
   if (!baseline_) throw std::runtime_error("the fitted baseline cannot be simulated");
   columns_.emplace(frames_.num_rows());
   residual_ = columns_->Add(baseline_->residuals);
@@ -373,7 +365,6 @@ Ranking Ranker::Run() {
   ranking.faults = faults_;
   ranking.extent = extent_;
   ranking.num_rows = frames_.num_rows();
-  ranking.swaps = FindSwappedMarkers(fitted_.scene, positions_);
   DrawTheNulls();
   std::vector<double> left;
   for (const NullResidual& null : nulls_)

@@ -33,7 +33,6 @@ struct Ranking {
   double residual_rms = 0.0, floor_rms = 0.0;  // in sigmas: of all rows, and of mesh and step alone
   double null_mean = 0.0;                      // sum of squares that the null leaves
   int num_rows = 0;
-  std::vector<SwappedMarkers> swaps;
   Extent extent;
   // Cosine of two candidates' effects after projection; 0 for observation faults.
   double Cosine(const RankedCandidate& a, const RankedCandidate& b) const;

@@ -3,6 +3,7 @@
 #include "fitting/diagnosis/rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/window_simulator.h"
@@ -44,6 +45,23 @@ FittedScene WithOtherSteps(const FittedScene& fitted, const std::array<int, 2>& 
   }
   other.scene = MakeScene(fitted.scene.recording, other.config, &fitted.scene);
   return other;
+}
+
+std::array<int, 2> CoarserGrid(const std::array<int, 2>& grid, int longest_side) {
+  const int longer = std::max(grid[0], grid[1]);
+  std::array<int, 2> coarser = grid;
+  for (int& n : coarser) {
+    const double share = static_cast<double>(longest_side - 1) / (longer - 1);
+    n = 1 + std::max(1, static_cast<int>(std::lround(share * (n - 1))));
+  }
+  return coarser;
+}
+
+Pass BaselinePass(const FittedScene& fitted) {
+  Pass pass{fitted.values, true, true};
+  for (auto& [name, setting] : pass.config.parameters)
+    setting.free = fitted.config.parameters.at(name).free;
+  return pass;
 }
 
 RowFrames::RowFrames(const Scene& scene, const ObservationResiduals& observations, int most) {

@@ -32,6 +32,9 @@ FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResul
 FittedScene WithOtherSteps(const FittedScene& fitted, const std::array<int, 2>& resolution,
                            double max_step);
 
+// A grid of the same shape with this many particles along its longer side.
+std::array<int, 2> CoarserGrid(const std::array<int, 2>& grid, int longest_side);
+
 // Frames whose rows are looked at, and where their rows begin.
 class RowFrames {
  public:
@@ -62,6 +65,8 @@ struct Pass {
   bool of_unknown = false;  // handles and initial state too
   bool of_faults = false;
 };
+// The pass of what the fit itself had free, faults of the observation and all unknowns.
+Pass BaselinePass(const FittedScene& fitted);
 // Simulates once from the fit's start. Empty where the simulation or an observation fails.
 // observer(frame, state), where given, is called for all frames, fitted ones or not, up to
 // the last that is fitted.

@@ -15,7 +15,6 @@ HeldOutErrors Errors(double rms, double spread, unsigned seed, int frames = 60) 
   std::normal_distribution<double> normal;
   HeldOutErrors errors;
   errors.is_complete = true;
-  errors.unit = "m";
   for (int k = 0; k < frames; ++k)
     errors.squared.push_back(std::pow(rms * std::exp(spread * normal(random)), 2));
   return errors;
