@@ -25,6 +25,10 @@ constexpr double kGate = 0.01;           // p-value below which something is mis
 constexpr int kLongestSide = 13;         // particles; physics does not need a finer mesh
 constexpr int kFinestSide = 13;          // particles, where the mesh turns out to matter
 constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
+constexpr int kModelIterations = 12;     // a model starts near its end
+constexpr int kFirstIterations = 4;      // enough to see which models are worth more
+constexpr double kStillInRace = 0.5;     // of what the best has gained by then
+constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
 constexpr double kBlockSeconds = 0.2;    // of the bootstrap
 constexpr double kSameShare = 0.1;       // of what is explained: models nearer than that are equal
 constexpr double kSameSignature = 0.97;  // cosine beyond which two effects are one
@@ -55,6 +59,7 @@ class Diagnoser {
   // One more effect. False where there is none to be had.
   bool AddEffect(FittedScene* current, HeldOutErrors* errors);
   std::vector<Fitted> FitModels(const FittedScene& current, const Ranking& ranking);
+  void FinishModels(const FittedScene& current, std::vector<Fitted>* models);
   Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
   void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models, std::size_t winner,
                      const FittedScene& before);
@@ -95,6 +100,17 @@ bool IsSuspicious(const Ranking& ranking) {
              });
 }
 
+// Does one candidate stand so far out that an error of the mesh cannot be mistaken for it?
+bool IsObvious(const Ranking& ranking) {
+  constexpr double kFarOut = 3.0;  // times what the null passes for
+  return std::any_of(ranking.candidates.begin(), ranking.candidates.end(),
+                     [&](const RankedCandidate& c) {
+                       const double limit = c.summary.detection_limit;
+                       return c.summary.is_short_listed && c.summary.share >= 0.5 && limit > 0.0 &&
+                              c.amounts.norm() >= kFarOut * limit;
+                     });
+}
+
 // Do mesh and step make much of what is left?
 bool MeshMatters(const Ranking& ranking) {
   const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
@@ -114,17 +130,20 @@ FittedScene Diagnoser::FitBaseline() {
   // Nobody lays out a cloth exactly: the start is free, up to bilinear offsets.
   config.initial_order = std::max(config.initial_order, 1);
   config.resolution = WorkingResolution(recording_, config);
-  // What is left of the way to the minimum is linear, and the projection goes it.
   constexpr int kMostIterations = 15;
   config.max_iterations = std::min(config.max_iterations, kMostIterations);
+  config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
   Scene scene = MakeScene(recording_, config);
+  const FitConfig quick = config;
+  config.max_iterations = baseline_.max_iterations;
+  config.function_tolerance = baseline_.function_tolerance;
   FitCallbacks callbacks;
   callbacks.stop = options_.stop;
   callbacks.log = options_.log;
   callbacks.progress = [this](const FitProgress& p) {
     Say("baseline: " + p.stage, 0.2 * p.fraction);
   };
-  const FitResult fit = RunFit(scene, config, callbacks);
+  const FitResult fit = RunFit(scene, quick, callbacks);
   if (fit.status == FitStatus::kFailed)
     throw std::runtime_error("the baseline's fit failed: the simulation diverges");
   diagnosis_.baseline = config;
@@ -147,7 +166,7 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
     const std::string name = fmt::format("markers {} and {} swapped from frame {} on",
                                          swap.first_id, swap.second_id, swap.from_frame);
     ModelStart start{SwapBack(fitted.scene.recording, swap), fitted.config};
-    std::optional<FittedScene> again = FitModel(fitted, start, options_.stop);
+    std::optional<FittedScene> again = FitModel(fitted, start, kModelIterations, options_.stop);
     if (!again || !(again->fit.cost_after < fitted.fit.cost_after)) break;
     Log(name);
     diagnosis_.effects.push_back(name);
@@ -164,21 +183,40 @@ std::vector<Fitted> Diagnoser::FitModels(const FittedScene& current, const Ranki
     // What comes second has to matter beside what came first.
     if (candidate.summary.score < options_.least_share * first_unexplained_) continue;
     Say("fitting with " + candidate.summary.name, 0.5);
-    std::optional<FittedScene> fitted =
-        FitModel(current, SwitchOn(current, candidate, ranking.faults), options_.stop);
-    if (!fitted) {
+    std::optional<FittedScene> fitted = FitModel(
+        current, SwitchOn(current, candidate, ranking.faults), kFirstIterations, options_.stop);
+    if (fitted) {
+      models.push_back({candidate, std::move(*fitted), {}});
+    } else {
       Log(candidate.summary.name + ": the fit with it fails");
-      continue;
     }
-    Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", candidate.summary.name,
-                    current.fit.cost_after, fitted->fit.cost_after));
-    HeldOutErrors errors = MeasureHeldOut(*fitted);
-    models.push_back({candidate, std::move(*fitted), std::move(errors)});
   }
-  std::stable_sort(models.begin(), models.end(), [](const Fitted& a, const Fitted& b) {
-    return a.scene.fit.cost_after < b.scene.fit.cost_after;
-  });
+  FinishModels(current, &models);
+  for (Fitted& model : models) {
+    Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
+                    current.fit.cost_after, model.scene.fit.cost_after));
+    model.errors = MeasureHeldOut(model.scene);
+  }
   return models;
+}
+
+// Fits those further that may come first. The best is the first then.
+void Diagnoser::FinishModels(const FittedScene& current, std::vector<Fitted>* models) {
+  const auto cost = [](const Fitted& model) { return model.scene.fit.cost_after; };
+  double least = current.fit.cost_after;
+  for (const Fitted& model : *models) least = std::min(least, cost(model));
+  const double worst = current.fit.cost_after - kStillInRace * (current.fit.cost_after - least);
+  for (Fitted& model : *models) {
+    const bool is_done = model.scene.fit.status == FitStatus::kConverged;
+    if (is_done || cost(model) > worst || Stopped()) continue;
+    Say("fitting with " + model.candidate.summary.name, 0.6);
+    std::optional<FittedScene> further =
+        FitModel(model.scene, GoOn(model.scene), kModelIterations, options_.stop);
+    const bool is_better = further && further->fit.cost_after < cost(model);
+    if (is_better) model.scene = std::move(*further);
+  }
+  std::stable_sort(models->begin(), models->end(),
+                   [&](const Fitted& a, const Fitted& b) { return cost(a) < cost(b); });
 }
 
 Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
@@ -251,8 +289,8 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
                     ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
     std::array<int, 2> grid = current->scene.mesh.grid;
-    if (!MeshMatters(ranking) || !IsSuspicious(ranking) || !current->scene.mesh.is_grid() ||
-        Stopped() || std::max(grid[0], grid[1]) >= kFinestSide) {
+    if (!MeshMatters(ranking) || !IsSuspicious(ranking) || IsObvious(ranking) ||
+        !current->scene.mesh.is_grid() || Stopped() || std::max(grid[0], grid[1]) >= kFinestSide) {
       return ranking;
     }
     ModelStart finer{current->scene.recording, current->config};
@@ -262,7 +300,7 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
       setting.value = current->values.parameters.at(name).value;
     Log(fmt::format("the mesh matters: {} x {} particles", grid[0], grid[1]));
     Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
-    std::optional<FittedScene> refined = FitModel(*current, finer, options_.stop);
+    std::optional<FittedScene> refined = FitModel(*current, finer, kModelIterations, options_.stop);
     if (!refined) return ranking;
     *current = std::move(*refined);
     *errors = MeasureHeldOut(*current);
@@ -275,7 +313,7 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
 void Diagnoser::LocateMismatch(const FittedScene& fitted) {
   if (Stopped()) return;
   Say("locating what is missing", 0.4);
-  const std::optional<Localised> found = Localise(fitted, options_);
+  const std::optional<Localised> found = Localise(fitted, options_, last_ranking_.errors.get());
   Spend("locating");
   if (!found) {
     Log("the missing force cannot be estimated: the simulation fails");
@@ -294,7 +332,9 @@ void Diagnoser::LocateMismatch(const FittedScene& fitted) {
 bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   Say("ranking what could be missing", 0.3);
   const bool is_first = diagnosis_.ranking.empty();
-  Ranking ranking = is_first ? RankOnFineMesh(current, errors) : RankCandidates(*current, options_);
+  Ranking ranking =
+      is_first ? RankOnFineMesh(current, errors)
+               : RankCandidates(*current, options_, {last_ranking_.errors, kLooksLikeNull});
   Spend("ranking");
   if (is_first) {
     diagnosis_.gate_p_value = ranking.gate_p_value;

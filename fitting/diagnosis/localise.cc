@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/parameter_table.h"
-#include "fitting/diagnosis/null_residuals.h"
 
 namespace clothfit {
 namespace {
@@ -19,7 +18,7 @@ constexpr int kLongestSide = 11;      // particles: a force that is even over pa
 constexpr int kMostRows = 20000;      // of residuals
 constexpr int kMostKnots = 24;        // in time
 constexpr double kKnotSpacing = 0.1;  // s, at least
-constexpr int kLinearisations = 6;    // at most
+constexpr int kLinearisations = 3;    // at most
 constexpr int kNulls = 99;            // so that a p-value of 0.01 can be seen
 constexpr int kDraws = 2;             // of parameters, at which the numerical error is measured
 
@@ -42,8 +41,10 @@ int CountSources(const Scene& scene, const std::vector<int>& frames) {
 // All that an estimate of the missing force of a fit is made of.
 class Localiser {
  public:
-  Localiser(const FittedScene& fitted, const DiagnosisOptions& options, Localised* result)
+  Localiser(const FittedScene& fitted, const DiagnosisOptions& options,
+            const NumericalErrors* known, Localised* result)
       : options_(options),
+        known_(known),
         result_(*result),
         fitted_(result->fitted),
         observations_(fitted.scene, fitted.config),
@@ -70,9 +71,12 @@ class Localiser {
     const std::optional<Rows> baseline =
         EvaluateRows(fitted_, BaselinePass(fitted_), frames_, faults_);
     if (!baseline) return false;
-    errors_ = MeasureNumericalErrors(fitted_, frames_, *baseline,
-                                     options_.simulate_null ? kDraws : 0, options_.seed);
-    for (Eigen::VectorXd& error : errors_.at_draws) error *= kExtrapolated;
+    if (known_ != nullptr && known_->half_step.size() == frames_.num_rows()) {
+      errors_ = *known_;
+    } else {
+      errors_ = MeasureNumericalErrors(fitted_, frames_, *baseline,
+                                       options_.simulate_null ? kDraws : 0, options_.seed);
+    }
     typical_.resize(static_cast<Eigen::Index>(faults_.size()));
     for (std::size_t i = 0; i < faults_.size(); ++i)
       typical_[static_cast<Eigen::Index>(i)] = options_.simulate_null ? faults_[i].typical : 0.0;
@@ -119,6 +123,7 @@ class Localiser {
   }
 
   const DiagnosisOptions& options_;
+  const NumericalErrors* known_;
   Localised& result_;
   const FittedScene& fitted_;
   ObservationResiduals observations_;
@@ -157,10 +162,12 @@ Eigen::MatrixXd DrawNullResiduals(const std::vector<Eigen::VectorXd>& numerical,
   return nulls;
 }
 
-std::optional<Localised> Localise(const FittedScene& fitted, const DiagnosisOptions& options) {
+std::optional<Localised> Localise(const FittedScene& fitted, const DiagnosisOptions& options,
+                                  const NumericalErrors* errors) {
   Localised result;
   result.fitted = Coarse(fitted);
-  if (!Localiser(result.fitted, options, &result).Run()) return {};
+  const bool is_same = result.fitted.scene.mesh.grid == fitted.scene.mesh.grid;
+  if (!Localiser(result.fitted, options, is_same ? errors : nullptr, &result).Run()) return {};
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/locate.h"
 #include "fitting/diagnosis/mismatch_class.h"
+#include "fitting/diagnosis/null_residuals.h"
 #include "fitting/diagnosis/rows.h"
 
 namespace clothfit {
@@ -24,8 +25,10 @@ struct Localised {
   const SourceShift* Blamed() const;  // null where none is to blame
 };
 
-// Nothing where the simulation fails, or where no frame after the first is observed.
-std::optional<Localised> Localise(const FittedScene& fitted, const DiagnosisOptions& options);
+// Nothing where the simulation fails, or where no frame after the first is observed. `errors`:
+// those of the fit's mesh and step, where they are known.
+std::optional<Localised> Localise(const FittedScene& fitted, const DiagnosisOptions& options,
+                                  const NumericalErrors* errors = nullptr);
 
 // Residuals of recordings in which nothing is missing, one a column: noise of unit variance, what
 // mesh and step leave of a simulation of the baseline, and well-made recordings' faults.

@@ -10,9 +10,6 @@
 namespace clothfit {
 namespace {
 
-// A model starts near its end.
-constexpr int kMostIterations = 12;
-
 // Keeps an estimate inside, off the bounds themselves so that a logarithm can move it.
 double Inside(double value, const ParameterSetting& setting) {
   return std::clamp(value, setting.lower, setting.upper);
@@ -59,12 +56,20 @@ ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
   return start;
 }
 
+ModelStart GoOn(const FittedScene& model) {
+  ModelStart start{model.scene.recording, model.config};
+  for (auto& [name, setting] : start.config.parameters)
+    setting.value = model.values.parameters.at(name).value;
+  return start;
+}
+
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
-                                    const std::atomic<bool>* stop) {
+                                    int most_iterations, const std::atomic<bool>* stop) {
   FitConfig config = start.config;
   config.coarse_resolution = 0;  // it begins where the last fit ended
   config.window = 0.0;
-  config.max_iterations = std::min(config.max_iterations, kMostIterations);
+  config.max_iterations = std::min(config.max_iterations, most_iterations);
+  config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
   Scene scene = MakeScene(start.recording, config, &fitted.scene);
   FitCallbacks callbacks;
   callbacks.stop = stop;
@@ -78,6 +83,8 @@ std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart&
   from.mean = free.PriorMean();
   const FitResult result = RunFit(scene, config, callbacks, &from);
   if (result.status == FitStatus::kFailed || !std::isfinite(result.cost_after)) return std::nullopt;
+  config.max_iterations = start.config.max_iterations;
+  config.function_tolerance = start.config.function_tolerance;
   return MakeFittedScene(std::move(scene), config, result);
 }
 

@@ -20,8 +20,15 @@ struct ModelStart {
 ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
                     const std::vector<Fault>& faults);
 
-// Fits it. Empty where the fit fails.
+// A fitted model, to be fitted further.
+ModelStart GoOn(const FittedScene& model);
+
+// Change of the cost, relative to it, at which a fit ends: of the size of noise. What is left of
+// the way is linear, and the projection goes it.
+inline constexpr double kEnoughForDiagnosis = 1e-4;
+
+// Fits it, from the handles' paths and initial state of `fitted`. Empty where the fit fails.
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
-                                    const std::atomic<bool>* stop);
+                                    int most_iterations, const std::atomic<bool>* stop);
 
 }  // namespace clothfit

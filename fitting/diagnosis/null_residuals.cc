@@ -8,6 +8,9 @@
 #include <random>
 
 #include <Eigen/Eigenvalues>
+#include <ceres/ceres.h>
+
+#include "fitting/levenberg_marquardt.h"
 
 namespace clothfit {
 namespace {
@@ -16,27 +19,108 @@ namespace {
 constexpr double kFinerMesh = 1.6;
 constexpr double kFinerStep = 0.5;
 
-// Moves a fit's parameters and unknowns along a random direction of their posterior.
-FittedScene DrawAround(const FittedScene& fitted, const Rows& baseline, const Eigen::MatrixXd& root,
-                       std::mt19937_64* random) {
-  std::normal_distribution<double> normal;
-  Eigen::VectorXd unit(root.cols());
-  for (double& u : unit) u = normal(*random);
-  const Eigen::VectorXd moved = root * unit;
-  FittedScene drawn = fitted;
-  const auto fabric = moved.size() - fitted.unknown.size();
-  for (Eigen::Index i = 0; i < moved.size(); ++i) {
-    const FreeEntry& entry = baseline.entries[static_cast<std::size_t>(i)];
+// The fit with its free vector moved.
+FittedScene Moved(const FittedScene& fitted, const std::vector<FreeEntry>& entries,
+                  const Eigen::VectorXd& by) {
+  FittedScene moved = fitted;
+  const auto fabric = by.size() - fitted.unknown.size();
+  for (Eigen::Index i = 0; i < by.size(); ++i) {
+    const FreeEntry& entry = entries[static_cast<std::size_t>(i)];
     if (i >= fabric) {
-      drawn.unknown[i - fabric] += moved[i];
+      moved.unknown[i - fabric] += by[i];
       continue;
     }
-    ParameterSetting& setting = drawn.values.parameters.at(entry.name);
-    const double value = entry.is_log ? setting.value * std::exp(std::clamp(moved[i], -0.5, 0.5))
-                                      : setting.value + moved[i];
+    ParameterSetting& setting = moved.values.parameters.at(entry.name);
+    const double value = entry.is_log ? setting.value * std::exp(std::clamp(by[i], -0.5, 0.5))
+                                      : setting.value + by[i];
     setting.value = std::clamp(value, setting.lower, setting.upper);
   }
-  return drawn;
+  return moved;
+}
+
+// J'J with the priors of the entries.
+Eigen::MatrixXd Information(const Rows& rows) {
+  Eigen::MatrixXd information = rows.jacobian.transpose() * rows.jacobian;
+  for (Eigen::Index i = 0; i < information.rows(); ++i) {
+    const double sigma = rows.entries[static_cast<std::size_t>(i)].prior_sigma;
+    information(i, i) += 1.0 / (sigma * sigma);
+  }
+  return information;
+}
+
+// The residuals that a baseline has of a recording that was simulated, and the priors of how far it
+// moves; one parameter block, the moves of the free vector from a start.
+class RefitCost : public ceres::CostFunction {
+ public:
+  // target: residuals of the recording's own simulation.
+  RefitCost(const FittedScene& start, const RowFrames& frames,
+            const std::vector<FreeEntry>& entries, const Eigen::VectorXd& target)
+      : start_(start), frames_(frames), entries_(entries), target_(target) {
+    set_num_residuals(static_cast<int>(target.size() + Size()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(Size()));
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const Eigen::Map<const Eigen::VectorXd> by(parameters[0], Size());
+    const FittedScene moved = Moved(start_, entries_, by);
+    const bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
+    Pass pass{moved.values, false, false};
+    if (derivatives) {
+      pass = BaselinePass(moved);
+      pass.of_faults = false;
+    }
+    const std::optional<Rows> rows = EvaluateRows(moved, pass, frames_, {});
+    if (!rows) return false;
+    Eigen::Map<Eigen::VectorXd> r(residuals, num_residuals());
+    r.head(target_.size()) = rows->residuals - target_;
+    for (Eigen::Index i = 0; i < Size(); ++i) r[target_.size() + i] = by[i] * Precision(i);
+    if (!derivatives) return true;
+    Eigen::Map<RowMajorMatrix> jacobian(jacobians[0], num_residuals(), Size());
+    jacobian.topRows(target_.size()) = rows->jacobian;
+    jacobian.bottomRows(Size()).setZero();
+    for (Eigen::Index i = 0; i < Size(); ++i) jacobian(target_.size() + i, i) = Precision(i);
+    return true;
+  }
+
+ private:
+  Eigen::Index Size() const { return static_cast<Eigen::Index>(entries_.size()); }
+  double Precision(Eigen::Index i) const {
+    return 1.0 / entries_[static_cast<std::size_t>(i)].prior_sigma;
+  }
+
+  const FittedScene& start_;
+  const RowFrames& frames_;
+  const std::vector<FreeEntry>& entries_;
+  const Eigen::VectorXd& target_;
+};
+
+struct Refit {
+  Eigen::VectorXd by;    // how far the free vector went
+  Eigen::VectorXd left;  // residuals, rows
+};
+
+// Fits the baseline to a recording that was simulated: `target` are the residuals of that
+// simulation itself. Empty where it fails.
+std::optional<Refit> FitAgain(const FittedScene& start, const RowFrames& frames,
+                              const std::vector<FreeEntry>& entries, const Eigen::VectorXd& target,
+                              Eigen::VectorXd by, int iterations) {
+  RefitCost cost(start, frames, entries, target);
+  ceres::Problem::Options not_ours;
+  not_ours.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(not_ours);
+  problem.AddResidualBlock(&cost, nullptr, by.data());
+  constexpr double kEnough = 0.01;  // of the cost
+  ceres::Solver::Options options = LevenbergMarquardtOptions(iterations, kEnough);
+  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;  // of many rows
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  if (!summary.IsSolutionUsable()) return {};
+  Eigen::VectorXd residuals(cost.num_residuals());
+  const double* const at = by.data();
+  if (!cost.Evaluate(&at, residuals.data(), nullptr)) return {};
+  Eigen::VectorXd left = -residuals.head(target.size());
+  return Refit{std::move(by), std::move(left)};
 }
 
 }  // namespace
@@ -55,31 +139,40 @@ FittedScene Finer(const FittedScene& fitted, bool mesh, bool step) {
 NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrames& frames,
                                        const Rows& baseline, int draws, std::uint64_t seed) {
   NumericalErrors errors;
-  const auto zero = Eigen::VectorXd::Zero(frames.num_rows());
-  const auto difference = [&](const FittedScene& fine, const Eigen::VectorXd& coarse) {
-    const std::optional<Eigen::VectorXd> r = ResidualsOfOtherSteps(fine, fitted, frames);
-    return r ? Eigen::VectorXd(*r - coarse) : Eigen::VectorXd(zero);
+  constexpr int kIterations = 8, kMoreIterations = 4;
+  const auto n = static_cast<Eigen::Index>(baseline.entries.size());
+  // What is left of a finer simulation at `at` after a fit that begins `way` from there.
+  const auto left_of = [&](const FittedScene& at, bool mesh, bool step, int iterations,
+                           Eigen::VectorXd* way) -> std::optional<Eigen::VectorXd> {
+    const std::optional<Eigen::VectorXd> fine =
+        ResidualsOfOtherSteps(Finer(at, mesh, step), at, frames);
+    if (!fine) return {};
+    std::optional<Refit> refit = FitAgain(at, frames, baseline.entries, *fine, *way, iterations);
+    if (!refit) return {};
+    *way = std::move(refit->by);
+    return std::move(refit->left);
   };
-  errors.half_step = difference(Finer(fitted, false, true), baseline.residuals);
-  errors.finer_mesh = difference(Finer(fitted, true, false), baseline.residuals);
+  const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(n);
+  const auto zero = Eigen::VectorXd::Zero(frames.num_rows());
+  Eigen::VectorXd of_step = nowhere, of_mesh = nowhere;
+  errors.half_step = left_of(fitted, false, true, kIterations, &of_step).value_or(zero);
+  errors.finer_mesh = left_of(fitted, true, false, kIterations, &of_mesh).value_or(zero);
   // Half a posterior sigma: what is drawn should still look like the recording.
-  const Eigen::Index n = baseline.jacobian.cols();
-  Eigen::MatrixXd information = baseline.jacobian.transpose() * baseline.jacobian;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double sigma = baseline.entries[static_cast<std::size_t>(i)].prior_sigma;
-    information(i, i) += 1.0 / (sigma * sigma);
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Information(baseline));
   const Eigen::MatrixXd root =
       0.5 * eigen.eigenvectors() *
       eigen.eigenvalues().cwiseMax(1e-12).cwiseSqrt().cwiseInverse().asDiagonal();
   std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  // Mesh and step change about the same wherever they are: a later fit begins where one ended.
+  Eigen::VectorXd way = of_step + of_mesh;
   for (int k = 0; k < draws; ++k) {
-    const FittedScene drawn = DrawAround(fitted, baseline, root, &random);
-    const std::optional<Rows> coarse = EvaluateRows(drawn, {drawn.values}, frames, {});
-    const std::optional<Eigen::VectorXd> fine =
-        ResidualsOfOtherSteps(Finer(drawn, true, true), drawn, frames);
-    if (coarse && fine) errors.at_draws.push_back(*fine - coarse->residuals);
+    Eigen::VectorXd unit(root.cols());
+    for (double& u : unit) u = normal(random);
+    const FittedScene drawn = Moved(fitted, baseline.entries, root * unit);
+    const std::optional<Eigen::VectorXd> left =
+        left_of(drawn, true, true, k == 0 ? kIterations : kMoreIterations, &way);
+    if (left) errors.at_draws.push_back(*left);
   }
   return errors;
 }

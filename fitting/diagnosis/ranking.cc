@@ -11,12 +11,11 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/parameter_table.h"
-#include "fitting/diagnosis/null_residuals.h"
 
 namespace clothfit {
 namespace {
 
-constexpr int kMostRows = 30000;
+constexpr int kMostRows = 20000;
 constexpr int kMostProbes = 8;         // of a candidate, in the first round
 constexpr int kRefined = 5;            // candidates whose places and shapes are looked at again
 constexpr double kLargestFault = 2.0;  // sigmas of those that go unremarked, one sigma
@@ -31,9 +30,11 @@ struct Trial {
 // Everything that is put into the Gram matrix.
 class Ranker {
  public:
-  Ranker(const FittedScene& fitted, const DiagnosisOptions& options)
+  Ranker(const FittedScene& fitted, const DiagnosisOptions& options, const RankingStart& start)
       : fitted_(fitted),
         options_(options),
+        enough_(start.enough),
+        errors_(start.errors),
         observations_(fitted.scene, fitted.config),
         frames_(fitted.scene, observations_, kMostRows),
         faults_(ListFaults(fitted.scene, fitted.config)) {}
@@ -42,6 +43,7 @@ class Ranker {
 
  private:
   void RunBaseline();
+  void PassGate(Ranking* ranking);
   void AddNumericalErrors();
   // Simulates with one probe of each of these candidates set free.
   void AddTrials(const std::vector<std::pair<int, Probe>>& probes);
@@ -63,6 +65,8 @@ class Ranker {
 
   const FittedScene& fitted_;
   const DiagnosisOptions& options_;
+  double enough_;
+  std::shared_ptr<const NumericalErrors> errors_;
   ObservationResiduals observations_;
   RowFrames frames_;
   std::vector<Fault> faults_;
@@ -100,11 +104,13 @@ void Ranker::RunBaseline() {
 
 void Ranker::AddNumericalErrors() {
   constexpr int kDraws = 3;
-  const NumericalErrors errors = MeasureNumericalErrors(
-      fitted_, frames_, *baseline_, options_.simulate_null ? kDraws : 0, options_.seed);
-  first_numerical_ = columns_->Add(errors.half_step);
-  columns_->Add(errors.finer_mesh);
-  for (const Eigen::VectorXd& error : errors.at_draws)
+  if (!errors_ || errors_->half_step.size() != frames_.num_rows()) {
+    errors_ = std::make_shared<NumericalErrors>(MeasureNumericalErrors(
+        fitted_, frames_, *baseline_, options_.simulate_null ? kDraws : 0, options_.seed));
+  }
+  first_numerical_ = columns_->Add(errors_->half_step);
+  columns_->Add(errors_->finer_mesh);
+  for (const Eigen::VectorXd& error : errors_->at_draws)
     drawn_errors_.push_back(columns_->Add(error));
 }
 
@@ -152,11 +158,16 @@ double Ranker::Floor() const {
   const int columns = options_.project ? 2 : 0;
   nuisances.resize(nuisances.size() - static_cast<std::size_t>(columns));
   const Projection projection(gram_, nuisances);
-  const int finer_mesh = first_numerical_ + 1;
+  const auto sum_of = [&](int column) {
+    return projection.gram()(column, column) / (scale_[column] * scale_[column]);
+  };
   double sum = 0.0;
-  for (const int column : {first_numerical_, finer_mesh})
-    sum += projection.gram()(column, column) / (scale_[column] * scale_[column]);
-  return kExtrapolated * std::sqrt(std::max(0.0, sum) / std::max(1, frames_.num_rows()));
+  for (const int column : drawn_errors_)
+    sum += sum_of(column) / static_cast<double>(drawn_errors_.size());
+  if (drawn_errors_.empty()) {
+    sum = sum_of(first_numerical_) + sum_of(first_numerical_ + 1);
+  }
+  return std::sqrt(std::max(0.0, sum) / std::max(1, frames_.num_rows()));
 }
 
 std::vector<Nuisance> Ranker::Nuisances(const std::string& but_fault_group) const {
@@ -342,8 +353,7 @@ double Ranker::ExplainedTogether(const Projection& projection,
 void Ranker::DrawTheNulls() {
   std::vector<DrawnColumn> numerical, faults;
   if (options_.simulate_null) {
-    for (const int column : drawn_errors_)
-      numerical.push_back({column, kExtrapolated * AtScale(column)});
+    for (const int column : drawn_errors_) numerical.push_back({column, AtScale(column)});
     for (std::size_t i = 0; i < faults_.size(); ++i) {
       const int column = first_fault_ + static_cast<int>(i);
       faults.push_back({column, faults_[i].typical * AtScale(column)});
@@ -353,32 +363,41 @@ void Ranker::DrawTheNulls() {
       DrawNulls(gram_, frames_.num_rows(), numerical, faults, options_.num_nulls, options_.seed);
 }
 
-Ranking Ranker::Run() {
-  RunBaseline();
-  AddNumericalErrors();
-  AddFirstTrials();
-  Refine();
+// Is more left than the null leaves?
+void Ranker::PassGate(Ranking* ranking) {
   Scale();
-  const Projection projection(gram_, Nuisances("")), raw(gram_, {});
-  const double residual2 = scale_[residual_] * scale_[residual_];
-  Ranking ranking;
-  ranking.faults = faults_;
-  ranking.extent = extent_;
-  ranking.num_rows = frames_.num_rows();
   DrawTheNulls();
+  const Projection projection(gram_, Nuisances(""));
   std::vector<double> left;
   for (const NullResidual& null : nulls_)
     left.push_back(projection.Product(null.squared, null.products, null.products));
-  std::vector<Eigen::VectorXd> projected;
-  for (const NullResidual& null : nulls_) projected.push_back(projection.Products(null.products));
   null_mean_ = std::accumulate(left.begin(), left.end(), 0.0) /
                std::max(1.0, static_cast<double>(left.size()));
+  const double residual2 = scale_[residual_] * scale_[residual_];
   const double own = projection.gram()(residual_, residual_) / residual2;
-  ranking.null_mean = null_mean_;
-  ranking.gate_p_value = TailProbability(left, own);
-  ranking.unexplained = std::max(0.0, own - null_mean_);
-  ranking.residual_rms = std::sqrt(1.0 / residual2 / frames_.num_rows());
-  ranking.floor_rms = Floor();
+  ranking->num_rows = frames_.num_rows();
+  ranking->null_mean = null_mean_;
+  ranking->gate_p_value = TailProbability(left, own);
+  ranking->unexplained = std::max(0.0, own - null_mean_);
+  ranking->residual_rms = std::sqrt(1.0 / residual2 / frames_.num_rows());
+  ranking->floor_rms = Floor();
+  ranking->errors = errors_;
+}
+
+Ranking Ranker::Run() {
+  RunBaseline();
+  AddNumericalErrors();
+  Ranking ranking;
+  PassGate(&ranking);
+  if (ranking.gate_p_value > enough_) return ranking;
+  AddFirstTrials();
+  Refine();
+  PassGate(&ranking);  // the same again, by products with all columns
+  const Projection projection(gram_, Nuisances("")), raw(gram_, {});
+  ranking.faults = faults_;
+  ranking.extent = extent_;
+  std::vector<Eigen::VectorXd> projected;
+  for (const NullResidual& null : nulls_) projected.push_back(projection.Products(null.products));
   const double explainable =
       std::max(ranking.unexplained, ExplainedTogether(projection, projected));
   for (std::size_t c = 0; c < candidates_.size(); ++c) {
@@ -412,8 +431,9 @@ double Ranking::Cosine(const RankedCandidate& a, const RankedCandidate& b) const
   return are_physics ? LargestCosine(*projection, a.columns, b.columns) : 0.0;
 }
 
-Ranking RankCandidates(const FittedScene& fitted, const DiagnosisOptions& options) {
-  return Ranker(fitted, options).Run();
+Ranking RankCandidates(const FittedScene& fitted, const DiagnosisOptions& options,
+                       const RankingStart& start) {
+  return Ranker(fitted, options, start).Run();
 }
 
 }  // namespace clothfit

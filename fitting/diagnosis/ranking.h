@@ -5,10 +5,12 @@
 // terms at their off values, against a null that is simulated again.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "fitting/diagnosis/candidates.h"
 #include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/null_residuals.h"
 #include "fitting/diagnosis/rows.h"
 #include "fitting/diagnosis/score_test.h"
 
@@ -37,9 +39,19 @@ struct Ranking {
   // Cosine of two candidates' effects after projection; 0 for observation faults.
   double Cosine(const RankedCandidate& a, const RankedCandidate& b) const;
   std::optional<Projection> projection;
+  // Of the fit's mesh and step: for a later ranking or location on the same ones.
+  std::shared_ptr<const NumericalErrors> errors;
+};
+
+// What is known before a ranking, and when there is no need of one.
+struct RankingStart {
+  std::shared_ptr<const NumericalErrors> errors;  // null: measured
+  // With a gate's p-value above this no candidate is looked at.
+  double enough = 1.0;
 };
 
 // Throws std::runtime_error where the fitted scene cannot be simulated.
-Ranking RankCandidates(const FittedScene& fitted, const DiagnosisOptions& options);
+Ranking RankCandidates(const FittedScene& fitted, const DiagnosisOptions& options,
+                       const RankingStart& start = {});
 
 }  // namespace clothfit

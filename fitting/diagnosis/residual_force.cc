@@ -172,12 +172,35 @@ class Estimator {
  private:
   void Solve(const NormalSums& sums, const ForceUnknowns& at) {
     result_.system = equations_.Eliminate(sums, at);
-    const Evidence evidence = MaximiseEvidence(result_.system, result_.correlation_factor);
+    const Evidence evidence = ChoosePrior();
     result_.posterior = PosteriorForce(result_.system, result_.correlation_factor,
                                        evidence.strength, evidence.noise);
     result_.log_evidence = evidence.log_evidence;
     result_.noise_factor = evidence.noise;
     result_.prior_sigma = evidence.strength * evidence.noise;
+  }
+
+  // The strength and, the first time, the ranges that the data ask for most: a force may change
+  // from place to place and from moment to moment, or be much the same throughout.
+  Evidence ChoosePrior() {
+    if (result_.correlation_factor.size() > 0)
+      return MaximiseEvidence(result_.system, result_.correlation_factor);
+    constexpr double kThroughout = 10.0;  // times the cloth's side, or the recording's duration
+    const ForceLayout& layout = result_.layout;
+    const double side = (layout.high - layout.low).maxCoeff();
+    const double duration = layout.KnotTime(layout.num_knots - 1);
+    Evidence best;
+    for (const double length : {options_.correlation_length * side, kThroughout * side}) {
+      for (const double time : {options_.correlation_time, kThroughout * duration}) {
+        Eigen::MatrixXd factor = layout.CorrelationFactor(length, time);
+        const Evidence evidence = MaximiseEvidence(result_.system, factor);
+        const bool is_first = result_.correlation_factor.size() == 0;
+        if (!is_first && evidence.log_evidence <= best.log_evidence) continue;
+        best = evidence;
+        result_.correlation_factor = std::move(factor);
+      }
+    }
+    return best;
   }
 
   // Sum of squares with all priors, in units of the residuals' sigmas.
@@ -253,9 +276,6 @@ std::optional<MissingForce> EstimateMissingForce(const Scene& scene, const FitCo
   const int last = options.frames.empty() ? scene.last_fitted_frame : options.frames.back();
   result.layout = MakeForceLayout(scene.mesh, options.nodes, scene.recording.frame_rate, last,
                                   options.knot_spacing);
-  const double side = (result.layout.high - result.layout.low).maxCoeff();
-  result.correlation_factor =
-      result.layout.CorrelationFactor(options.correlation_length * side, options.correlation_time);
   Estimator estimator(scene, config, free, options, &result);
   const ForceUnknowns start = {theta, Eigen::VectorXd::Zero(options.fault_sigmas.size()),
                                Eigen::VectorXd::Zero(result.layout.size())};

@@ -24,7 +24,8 @@ namespace clothfit {
 struct ResidualForceOptions {
   std::array<int, 2> nodes = {4, 4};  // over the cloth
   double knot_spacing = 0.08;         // s
-  // Range over which the prior takes forces for alike: a share of the cloth's longer side, and s.
+  // Ranges over which the prior takes forces for alike, a share of the cloth's longer side, and s;
+  // instead of each, all of the cloth and all of the time where the marginal likelihood is larger.
   double correlation_length = 0.4;
   double correlation_time = 0.12;
   int iterations = 2;       // linearisations at most
