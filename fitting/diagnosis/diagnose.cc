@@ -15,6 +15,7 @@
 #include "fitting/diagnosis/held_out.h"
 #include "fitting/diagnosis/localise.h"
 #include "fitting/diagnosis/mismatch_pictures.h"
+#include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/ranking.h"
 
@@ -63,6 +64,8 @@ class Diagnoser {
   Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
   void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models, std::size_t winner,
                      const FittedScene& before);
+  // Where, when and how the physics that was named acts.
+  void MeasureWhatActs(const FittedScene& model);
   void Conclude(const FittedScene& current);
   void Say(const std::string& stage, double fraction) {
     if (options_.progress) options_.progress(stage, fraction);
@@ -89,6 +92,12 @@ void Diagnoser::Spend(const std::string& stage) {
   const auto now = std::chrono::steady_clock::now();
   diagnosis_.seconds.push_back({stage, std::chrono::duration<double>(now - mark_).count()});
   mark_ = now;
+}
+
+bool IsTerm(const std::string& name) {
+  const std::vector<TermInfo> terms = AllTerms();
+  return std::any_of(terms.begin(), terms.end(),
+                     [&](const TermInfo& term) { return term.name == name; });
 }
 
 // Would anything be held against the physics?
@@ -369,6 +378,17 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   return false;
 }
 
+void Diagnoser::MeasureWhatActs(const FittedScene& model) {
+  std::vector<std::string> terms;
+  for (const std::string& effect : diagnosis_.effects) {
+    const std::string term = effect.substr(0, effect.find('.'));
+    if (IsTerm(term)) terms.push_back(term);
+  }
+  diagnosis_.acting = MeasureActingForce(model, terms);
+  const bool acts = diagnosis_.acting && diagnosis_.acting->acts;
+  if (acts) diagnosis_.acting_class = ClassOfActing(model.scene, *diagnosis_.acting);
+}
+
 void Diagnoser::Conclude(const FittedScene& current) {
   const double excess = baseline_cost_ - 0.5 * last_ranking_.null_mean;
   const double explained = excess > 0.0 ? (baseline_cost_ - current.fit.cost_after) / excess : 0.0;
@@ -391,6 +411,7 @@ void Diagnoser::Conclude(const FittedScene& current) {
     const bool is_unexplained = diagnosis_.gate_p_value < kGate && is_above_floor_;
     diagnosis_.verdict = is_unexplained ? Verdict::kNoneOfTheAbove : Verdict::kNothingMissing;
   }
+  if (diagnosis_.verdict == Verdict::kNamed) MeasureWhatActs(current);
   diagnosis_.words = DescribeDiagnosis(diagnosis_, recording_);
 }
 

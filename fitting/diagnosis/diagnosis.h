@@ -16,6 +16,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "fitting/config.h"
+#include "fitting/diagnosis/acting_force.h"
 #include "fitting/fit.h"
 #include "fitting/scene.h"
 
@@ -122,6 +123,13 @@ struct Mismatch {
   std::string words;
 };
 
+// Of what class the terms of a named effect are, measured by their own force.
+struct ActingClass {
+  bool is_internal = false;  // no net force, no net moment
+  bool is_dissipative = false, is_driving = false;
+  std::string words;  // where, when and how they act: one or two sentences
+};
+
 // Pictures of the missing force, 8-bit BGR: its map over the cloth and time, and its arrows on the
 // cloth.
 struct MismatchPictures {
@@ -139,6 +147,9 @@ struct Diagnosis {
   std::optional<Mismatch> mismatch;
   std::optional<MismatchClass> mismatch_class;
   std::optional<MismatchPictures> mismatch_pictures;
+  // Where, when and how the physics of the answer acts: its terms' force in the fitted model.
+  std::optional<ActingForce> acting;
+  std::optional<ActingClass> acting_class;
   std::vector<Candidate> ranking;      // best first
   std::vector<Model> models;           // all that were fitted
   std::optional<Model> answer;         // the last that was kept

@@ -108,6 +108,22 @@ Json AsJson(const Mismatch& m) {
           {"words", m.words}};
 }
 
+Json AsJson(const ActingForce& a, const ActingClass& c) {
+  return {{"frames", {a.first_frame, a.last_frame}},
+          {"low_uv_m", {a.low_uv.x(), a.low_uv.y()}},
+          {"high_uv_m", {a.high_uv.x(), a.high_uv.y()}},
+          {"peak_rms_N_per_m2", OrNull(a.peak)},
+          {"mean_direction", {a.mean_direction.x(), a.mean_direction.y(), a.mean_direction.z()}},
+          {"net_force_share", OrNull(a.net_force_share)},
+          {"net_moment_share", OrNull(a.net_moment_share)},
+          {"work_in_J", OrNull(a.work_in)},
+          {"work_out_J", OrNull(a.work_out)},
+          {"internal", c.is_internal},
+          {"dissipative", c.is_dissipative},
+          {"driving", c.is_driving},
+          {"words", c.words}};
+}
+
 Json AsJson(const MismatchClass& c) {
   return {{"internal", c.is_internal_known ? Json(c.is_internal) : Json(nullptr)},
           {"dissipative", c.is_dissipative},
@@ -133,12 +149,16 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recor
         "leave as much with a probability of {:.2g}.",
         diagnosis.residual_rms, diagnosis.floor_rms, diagnosis.gate_p_value));
   }
-  if (diagnosis.mismatch && diagnosis.mismatch->is_significant)
+  // What is named says itself where it acts; the map of what the baseline cannot take for anything
+  // else is for what has no name.
+  const bool has_map = diagnosis.mismatch && diagnosis.mismatch->is_significant;
+  if (has_map && !diagnosis.acting_class) {
     sentences.push_back(diagnosis.mismatch->words);
-  if (diagnosis.mismatch_class && diagnosis.mismatch && diagnosis.mismatch->is_significant)
-    sentences.push_back(diagnosis.mismatch_class->words);
+    if (diagnosis.mismatch_class) sentences.push_back(diagnosis.mismatch_class->words);
+  }
   if (diagnosis.answer) {
     sentences.push_back(NameEffects(diagnosis));
+    if (diagnosis.acting_class) sentences.push_back(diagnosis.acting_class->words);
     sentences.push_back(SayAmbiguity(diagnosis));
     sentences.push_back(SayProof(*diagnosis.answer, is_px));
   } else if (!diagnosis.effects.empty()) {
@@ -194,6 +214,8 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
                   {"floor_rms_sigmas", OrNull(diagnosis.floor_rms)},
                   {"p_value", OrNull(diagnosis.gate_p_value)}};
   json["mismatch"] = diagnosis.mismatch ? AsJson(*diagnosis.mismatch) : Json(nullptr);
+  json["acting"] =
+      diagnosis.acting_class ? AsJson(*diagnosis.acting, *diagnosis.acting_class) : Json(nullptr);
   json["class"] = diagnosis.mismatch_class ? AsJson(*diagnosis.mismatch_class) : Json(nullptr);
   json["effects"] = diagnosis.effects;
   json["ambiguity"] = diagnosis.ambiguity;

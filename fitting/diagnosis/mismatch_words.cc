@@ -64,6 +64,38 @@ std::string MismatchWords(const Scene& scene, const ForceLayout& layout, int las
       DirectionWords(mismatch.direction), mismatch.peak, mismatch.peak_sigma);
 }
 
+ActingClass ClassOfActing(const Scene& scene, const ActingForce& force) {
+  constexpr double kNothing = 0.05;  // of the sum without signs
+  constexpr double kMostly = 0.9;    // of the work
+  constexpr double kOneWay = 0.7;    // of the force: it has a direction
+  ActingClass found;
+  found.is_internal = force.net_force_share < kNothing && force.net_moment_share < kNothing;
+  const double work = force.work_in + force.work_out;
+  found.is_dissipative = force.work_out > kMostly * work;
+  found.is_driving = force.work_in > kMostly * work;
+  const bool is_always = force.first_frame <= 1 && force.last_frame >= scene.last_fitted_frame - 1;
+  const std::string when =
+      is_always ? "all the time"
+                : fmt::format("between {:.2f} s and {:.2f} s", scene.FrameTime(force.first_frame),
+                              scene.FrameTime(force.last_frame));
+  Eigen::Vector2d low = scene.mesh.uv.front(), high = low;
+  for (const Eigen::Vector2d& uv : scene.mesh.uv) {
+    low = low.cwiseMin(uv);
+    high = high.cwiseMax(uv);
+  }
+  const double length = force.mean_direction.norm();
+  const std::string along =
+      length > kOneWay ? ", mostly along " + DirectionWords(force.mean_direction / length) : "";
+  found.words = fmt::format("It acts {} on {}, with {:.2g} N/m^2 where it is strongest{}.", when,
+                            RegionWords(low, high, force.low_uv, force.high_uv), force.peak, along);
+  found.words += found.is_internal ? " It is the cloth's own: no net force, no net moment"
+                                   : " It comes from outside the cloth";
+  if (found.is_dissipative) found.words += ", and takes energy out of the motion";
+  if (found.is_driving) found.words += ", and drives the motion";
+  found.words += ".";
+  return found;
+}
+
 std::string ClassWords(const MismatchClass& c) {
   std::vector<std::string> parts;
   if (c.is_internal_known) {

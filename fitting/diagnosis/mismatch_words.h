@@ -25,6 +25,10 @@ std::string DirectionWords(const Eigen::Vector3d& direction);
 std::string RegionWords(const Eigen::Vector2d& cloth_low, const Eigen::Vector2d& cloth_high,
                         const Eigen::Vector2d& low, const Eigen::Vector2d& high);
 
+// "It acts all the time on the whole cloth, with up to 0.4 N/m^2 along +y. It comes from outside
+// the cloth and takes energy out of the motion."
+ActingClass ClassOfActing(const Scene& scene, const ActingForce& force);
+
 // "The missing force comes from outside the cloth, takes energy out of the motion and acts for a
 // time only."
 std::string ClassWords(const MismatchClass& mismatch_class);

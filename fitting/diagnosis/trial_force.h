@@ -5,6 +5,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,17 +23,15 @@ class TrueForceMeter {
   // To be called after every step of the generator, for as long as the meter lives.
   std::function<void(const Simulation&, const State& before, const State& after)> Observer();
 
-  TrueForce Result(const ClothMesh& mesh) const;
+  ActingForce Result(const ClothMesh& mesh) const;
 
  private:
   void Add(const Simulation& simulation, const State& before, const State& after);
 
   std::vector<std::string> switches_;  // full names of what is put at its off value
   double frame_rate_;
-  std::vector<double> of_frames_;  // sum of squared forces, N^2
-  Eigen::VectorXd of_particles_;   // sum of squared forces per area, (N/m^2)^2
-  int num_steps_ = 0;
-  double work_in_ = 0.0, work_out_ = 0.0;  // J
+  int frame_count_;
+  std::optional<ForceMeter> meter_;
 };
 
 }  // namespace clothfit

@@ -11,30 +11,18 @@
 
 #include <Eigen/Core>
 
+#include "fitting/diagnosis/acting_force.h"
 #include "fitting/diagnosis/trial_plan.h"
 #include "tracking/synthetic_recording.h"
 
 namespace clothfit {
 
-// Where and when the planted effects acted, and what they did to the energy: measured on the
-// generator, as the force with them less the force without, along the true motion.
-struct TrueForce {
-  bool acts = false;
-  // Box around the particles where the force per area (rms over time) is at least half of its
-  // largest, m on the cloth.
-  Eigen::Vector2d low_uv = Eigen::Vector2d::Zero(), high_uv = Eigen::Vector2d::Zero();
-  // Frames in which the force (rms over the cloth) is at least a tenth of its largest.
-  int first_frame = 0, last_frame = 0;
-  double peak = 0.0;      // N/m^2, rms over time where it is largest
-  double work_in = 0.0;   // J, where it gave energy to the cloth
-  double work_out = 0.0;  // J, where it took some, positive
-};
-
 struct TrialTruth {
   std::vector<std::string> effects;          // terms' names
   std::string fault;                         // ToString of it; empty for none
   std::map<std::string, double> parameters;  // of the effects, full name -> value
-  TrueForce force;
+  // Of the planted effects, measured on the generator along the true motion.
+  ActingForce force;
   EffectClass effect_class;  // of the first effect
 
   // All of it but the force in one line without commas.

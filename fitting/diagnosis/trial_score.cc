@@ -135,18 +135,33 @@ void ScoreParameters(const TrialTruth& truth, const Model& answer, TrialScore* s
 }
 
 void ScoreMismatch(const TrialTruth& truth, const Diagnosis& diagnosis, TrialScore* score) {
-  if (!truth.force.acts || !diagnosis.mismatch || !diagnosis.mismatch->is_significant) return;
-  const Mismatch& found = *diagnosis.mismatch;
-  score->region_overlap =
-      BoxOverlap(truth.force.low_uv, truth.force.high_uv, found.low_uv, found.high_uv);
-  if (truth.force.first_frame >= kOnWay)
-    score->onset_error = found.first_frame - truth.force.first_frame;
+  if (!truth.force.acts) return;
+  const auto compare = [&](const auto& found) {
+    score->region_overlap =
+        BoxOverlap(truth.force.low_uv, truth.force.high_uv, found.low_uv, found.high_uv);
+    if (truth.force.first_frame >= kOnWay)
+      score->onset_error = found.first_frame - truth.force.first_frame;
+  };
+  // What is named says itself where it acts.
+  if (diagnosis.acting_class) {
+    compare(*diagnosis.acting);
+  } else if (diagnosis.mismatch && diagnosis.mismatch->is_significant) {
+    compare(*diagnosis.mismatch);
+  }
 }
 
 void ScoreClass(const TrialTruth& truth, const Diagnosis& diagnosis, TrialScore* score) {
-  if (truth.effects.empty() || !diagnosis.mismatch_class) return;
-  const MismatchClass& found = *diagnosis.mismatch_class;
+  if (truth.effects.empty()) return;
   const EffectClass& right = truth.effect_class;
+  if (diagnosis.acting_class) {
+    const ActingClass& acting = *diagnosis.acting_class;
+    score->class_right = acting.is_internal == right.is_internal &&
+                         !(right.is_dissipative && acting.is_driving) &&
+                         !(right.is_driving && acting.is_dissipative);
+    return;
+  }
+  if (!diagnosis.mismatch_class) return;
+  const MismatchClass& found = *diagnosis.mismatch_class;
   // What is neither dissipative nor driving may look like either for a while, as it stores energy.
   const bool contradicts =
       (right.is_dissipative && found.is_driving) || (right.is_driving && found.is_dissipative);

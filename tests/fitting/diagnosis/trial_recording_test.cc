@@ -106,7 +106,7 @@ TEST(TrialRecording, WritesTheTruthBeside) {
 TEST(TrueForce, OfAGustActsWhileItBlowsAndWhereItIs) {
   const std::vector<Trial> trials = SmallPlan("listed", {"gust"});
   const TrialRecording made = MakeTrialRecording(Find(trials, kSwing, TrialObservation::kTracks));
-  const TrueForce& force = made.truth.force;
+  const ActingForce& force = made.truth.force;
   ASSERT_TRUE(force.acts);
   const double rate = made.recording.frame_rate, onset = made.truth.parameters.at("gust.onset"),
                end = onset + made.truth.parameters.at("gust.duration");
@@ -122,7 +122,7 @@ TEST(TrueForce, OfAGustActsWhileItBlowsAndWhereItIs) {
 
 TEST(TrueForce, OfFrictionTakesMoreEnergyThanItGives) {
   const std::vector<Trial> trials = SmallPlan("listed", {"shear_friction"});
-  const TrueForce force =
+  const ActingForce force =
       MakeTrialRecording(Find(trials, kSwing, TrialObservation::kMixture)).truth.force;
   ASSERT_TRUE(force.acts);
   EXPECT_GT(force.work_out, force.work_in);
