@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/acting_force.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/window_simulator.h"
+
+namespace clothfit {
+
+ForceMeter::ForceMeter(std::vector<double> areas, int frame_count)
+    : areas_(std::move(areas)),
+      of_frames_(static_cast<std::size_t>(frame_count), 0.0),
+      of_particles_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(areas_.size()))) {}
+
+void ForceMeter::Add(int frame, const Eigen::VectorXd& force, const Eigen::VectorXd& x,
+                     const Eigen::VectorXd& v, double step) {
+  const Eigen::Index n = of_particles_.size();
+  const Eigen::Vector3d middle =
+      Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, n).rowwise().mean();
+  Eigen::Vector3d net = Eigen::Vector3d::Zero(), moment = net;
+  double parts = 0.0, part_moments = 0.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Vector3d f = force.segment<3>(3 * i);
+    const Eigen::Vector3d arm = x.segment<3>(3 * i) - middle;
+    const double area = areas_[static_cast<std::size_t>(i)];
+    of_particles_[i] += f.squaredNorm() / (area * area);
+    net += f;
+    moment += arm.cross(f);
+    parts += f.norm();
+    part_moments += arm.norm() * f.norm();
+  }
+  const auto last = static_cast<int>(of_frames_.size()) - 1;
+  of_frames_[static_cast<std::size_t>(std::clamp(frame, 0, last))] += force.squaredNorm();
+  net_ += net;
+  parts_ += parts;
+  net2_ += net.squaredNorm();
+  moment2_ += moment.squaredNorm();
+  parts2_ += parts * parts;
+  part_moments2_ += part_moments * part_moments;
+  const double work = force.dot(v) * step;
+  (work > 0.0 ? work_in_ : work_out_) += std::abs(work);
+  ++num_steps_;
+}
+
+ActingForce ForceMeter::Result(const ClothMesh& mesh) const {
+  ActingForce result;
+  result.work_in = work_in_;
+  result.work_out = work_out_;
+  const double most = num_steps_ > 0 ? of_particles_.maxCoeff() : 0.0;
+  if (!(most > 0.0)) return result;
+  result.acts = true;
+  result.peak = std::sqrt(most / num_steps_);
+  result.mean_direction = net_ / parts_;
+  result.net_force_share = std::sqrt(net2_ / parts2_);
+  result.net_moment_share = std::sqrt(moment2_ / std::max(1e-300, part_moments2_));
+  result.low_uv = Eigen::Vector2d::Constant(HUGE_VAL);
+  result.high_uv = -result.low_uv;
+  for (int i = 0; i < mesh.num_particles(); ++i) {
+    if (of_particles_[i] < 0.25 * most) continue;  // squares: half of the largest
+    result.low_uv = result.low_uv.cwiseMin(mesh.uv[i]);
+    result.high_uv = result.high_uv.cwiseMax(mesh.uv[i]);
+  }
+  // Frame 0 has no step of its own.
+  const double largest = *std::max_element(of_frames_.begin(), of_frames_.end());
+  const int count = static_cast<int>(of_frames_.size());
+  const auto is_on = [&](int frame) {
+    return of_frames_[static_cast<std::size_t>(frame)] >= 0.01 * largest;
+  };
+  int first = 1, last = count - 1;
+  while (first < count && !is_on(first)) ++first;
+  while (last > first && !is_on(last)) --last;
+  result.first_frame = first == 1 ? 0 : first;
+  result.last_frame = last;
+  return result;
+}
+
+Eigen::VectorXd ForceOfParameters(const ClothModel& model, const ForcePoint& at,
+                                  const std::vector<std::string>& names) {
+  Eigen::VectorXd off = at.parameters;
+  for (const std::string& name : names) {
+    const int index = FindParameter(model.parameters(), name);
+    off[index] = model.parameters()[index].parameter.off;
+  }
+  Eigen::VectorXd with, without, memory = at.memory;
+  model.Forces(at, &with, &memory);
+  memory = at.memory;
+  model.Forces({at.time, at.step, at.x, at.v, at.a, at.start, off, at.memory}, &without, &memory);
+  return with - without;
+}
+
+std::optional<ActingForce> MeasureActingForce(const FittedScene& fitted,
+                                              const std::vector<std::string>& terms) {
+  const Scene& scene = fitted.scene;
+  const FreeParameters free(fitted.values, scene, MakeParameterTable());
+  WindowSimulator simulator(scene, fitted.values, free, false, nullptr);
+  std::vector<std::string> names;
+  for (const NamedParameter& named : MakeParameterTable()) {
+    const bool is_asked = std::find(terms.begin(), terms.end(), named.term) != terms.end();
+    if (is_asked && SwitchesOff(named.parameter)) names.push_back(named.name);
+  }
+  const ClothModel& model = simulator.simulation().model();
+  ForceMeter meter(model.topology().areas, scene.last_fitted_frame + 1);
+  Eigen::VectorXd theta = free.start();
+  theta.tail(fitted.unknown.size()) = fitted.unknown;
+  const Eigen::VectorXd parameters = free.Values(theta);
+  const double frame_time = 1.0 / scene.recording.frame_rate;
+  Eigen::VectorXd v_before;
+  const auto outcome = simulator.Run(
+      simulator.FirstStart(theta), theta, scene.last_fitted_frame, false,
+      [&](int frame, const State& state, const Sensitivity*) {
+        if (v_before.size() > 0) {
+          // The memory is that after the step: what a term remembers is held for an instant.
+          const Eigen::VectorXd acceleration = (state.v - v_before) / frame_time;
+          const Eigen::VectorXd start = state.x - scene.step * state.v;
+          const ForcePoint at{state.time,   scene.step, state.x,    state.v,
+                              acceleration, start,      parameters, state.memory};
+          meter.Add(frame, ForceOfParameters(model, at, names), state.x, state.v, frame_time);
+        }
+        v_before = state.v;
+      });
+  if (outcome != WindowSimulator::Outcome::kComplete) return {};
+  return meter.Result(scene.mesh);
+}
+
+}  // namespace clothfit
