@@ -18,6 +18,7 @@
 #include "autodiff_sim/terms/gravity_tilt.h"
 #include "autodiff_sim/terms/ground_contact.h"
 #include "autodiff_sim/terms/gust.h"
+#include "autodiff_sim/terms/law.h"
 #include "autodiff_sim/terms/obstacle.h"
 #include "autodiff_sim/terms/obstacle_contact.h"
 #include "autodiff_sim/terms/orthotropy.h"
@@ -34,13 +35,13 @@
 
 namespace clothfit {
 
-using Terms =
-    TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass, GroundContact,
-             PointAttraction, RayAttraction, SelfContact, ObstacleBarrier, UniformWind, Gust,
-             BendingFriction, ShearFriction, StretchRelaxation, ShearRelaxation, BendingRelaxation,
-             Crease, StretchStiffening, StrainLimit, StretchOrthotropy, ShearOrthotropy,
-             BendingOrthotropy, Hem, HeavyPatch, StiffPatchStretch, StiffPatchBending,
-             StiffSeamStretch, StiffSeamBending, Adhesion, StickyPatch, ObstaclePlane,
-             ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor, ResidualForce>;
+using Terms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass,
+                       GroundContact, PointAttraction, RayAttraction, SelfContact, ObstacleBarrier,
+                       UniformWind, Gust, BendingFriction, ShearFriction, StretchRelaxation,
+                       ShearRelaxation, BendingRelaxation, Crease, StretchStiffening, StrainLimit,
+                       StretchOrthotropy, ShearOrthotropy, BendingOrthotropy, Hem, HeavyPatch,
+                       StiffPatchStretch, StiffPatchBending, StiffSeamStretch, StiffSeamBending,
+                       Adhesion, StickyPatch, ObstaclePlane, ObstacleSphere, ObstacleCapsule,
+                       GravityTilt, Attractor, LawField, LawAir, LawTension, ResidualForce>;
 
 }  // namespace clothfit

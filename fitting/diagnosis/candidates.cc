@@ -109,23 +109,27 @@ CandidateTerm MakeCandidate(const std::string& name, const std::string& term,
 
 }  // namespace
 
+bool IsLaw(const std::string& term) { return term.rfind("law_", 0) == 0; }
+
 bool CanBeMissing(const std::string& term) {
-  static const std::set<std::string> kNever = {"attraction_point", "attraction_ray",
-                                               "residual_force",   "contact",
-                                               "obstacle",         "strain_limit"};
+  if (IsLaw(term)) return false;
+  static const std::set<std::string> kNever = {
+      "attraction_point", "attraction_ray", "residual_force", "contact",     "law_field",
+      "law_air",          "law_tension",    "obstacle",       "strain_limit"};
   return kNever.count(term) == 0;
 }
 
 std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& scene,
                                           const Extent& extent,
-                                          const std::vector<std::string>& excluded,
-                                          int most_probes) {
+                                          const std::vector<std::string>& excluded, int most_probes,
+                                          CandidateSet set) {
   const std::vector<NamedParameter> table = MakeParameterTable();
   std::vector<CandidateTerm> candidates;
   for (const TermInfo& term : AllTerms()) {
     const bool is_excluded =
         std::find(excluded.begin(), excluded.end(), term.name) != excluded.end();
-    if (is_excluded || !CanBeMissing(term.name)) continue;
+    const bool is_asked = set == CandidateSet::kLaws ? IsLaw(term.name) : CanBeMissing(term.name);
+    if (is_excluded || !is_asked) continue;
     if (NeedsGround(term.name) && !scene.world.ground_height) continue;
     std::vector<const NamedParameter*> off, on;
     for (const NamedParameter& named : table) {
@@ -134,6 +138,15 @@ std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& 
     }
     if (off.empty()) continue;
     const std::vector<const NamedParameter*> shapes = Shapes(table, term.name);
+    if (set == CandidateSet::kLaws) {
+      if (!on.empty()) continue;  // learned already
+      constexpr double kMiddle = 0.5;
+      Probe middle;
+      for (const NamedParameter* shape : shapes)
+        middle[shape->name] = Resolve(shape->parameter, kMiddle, extent);
+      candidates.push_back(MakeCandidate(term.name, term.name, off, {middle}));
+      continue;
+    }
     if (on.empty()) {
       candidates.push_back(
           MakeCandidate(term.name, term.name, off, Combinations(shapes, extent, most_probes)));

@@ -37,12 +37,20 @@ struct Extent {
 // stretch_stiffening).
 bool CanBeMissing(const std::string& term);
 
+// Features of which a law is learned, see learn_law.h.
+bool IsLaw(const std::string& term);
+
+enum class CandidateSet {
+  kCatalogue,  // what can be missing
+  kLaws,       // with one probe each: the middle of what was recorded
+};
+
 // The candidates of a fitted config, and at most `most_probes` probes each: all combinations where
 // they are fewer, else a fixed choice of them spread over all values.
 std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& scene,
                                           const Extent& extent,
-                                          const std::vector<std::string>& excluded,
-                                          int most_probes);
+                                          const std::vector<std::string>& excluded, int most_probes,
+                                          CandidateSet set = CandidateSet::kCatalogue);
 
 // Probes beside one: each of its shape parameters by itself set to its other values, and to values
 // halfway to them.

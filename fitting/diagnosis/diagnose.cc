@@ -13,11 +13,13 @@
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/held_out.h"
+#include "fitting/diagnosis/learn_law.h"
 #include "fitting/diagnosis/localise.h"
 #include "fitting/diagnosis/mismatch_pictures.h"
 #include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/ranking.h"
+#include "tracking/text.h"
 
 namespace clothfit {
 namespace {
@@ -64,6 +66,8 @@ class Diagnoser {
   Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
   void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models, std::size_t winner,
                      const FittedScene& before);
+  // A law instead of names, where those explain too little and it explains more.
+  void LearnInstead(FittedScene* current);
   // Where, when and how the physics that was named acts.
   void MeasureWhatActs(const FittedScene& model);
   void Conclude(const FittedScene& current);
@@ -84,6 +88,9 @@ class Diagnoser {
   std::vector<std::string> kept_parameters_;
   double baseline_cost_ = 0.0;
   bool is_above_floor_ = false;
+  std::optional<FittedScene> first_scene_;  // the baseline that was ranked first
+  std::optional<Ranking> first_ranking_;
+  HeldOutErrors first_errors_;
   double first_unexplained_ = 0.0;  // sum of squares
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
@@ -261,11 +268,10 @@ Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
   const double sigma = model.scene.scene.markers.empty() ? model.scene.scene.track_sigma
                                                          : model.scene.scene.marker_sigma;
   const double dimensions = model.scene.scene.markers.empty() ? 2.0 : 3.0;
-  const double floor = sigma * std::sqrt(dimensions) *
-                       std::sqrt(1.0 + last_ranking_.floor_rms * last_ranking_.floor_rms);
+  const double numerical = last_ranking_.errors ? last_ranking_.errors->held_out_rms : 0.0;
   described.proof =
-      Prove(errors, model.errors, static_cast<int>(std::lround(kBlockSeconds * frame_rate)), floor,
-            options_.seed);
+      Prove(errors, model.errors, static_cast<int>(std::lround(kBlockSeconds * frame_rate)),
+            {sigma * std::sqrt(dimensions), numerical}, options_.seed);
   return described;
 }
 
@@ -351,6 +357,9 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     diagnosis_.floor_rms = ranking.floor_rms;
     first_unexplained_ = ranking.unexplained;
     is_above_floor_ = !MeshMatters(ranking);
+    first_scene_ = *current;
+    first_ranking_ = ranking;
+    first_errors_ = *errors;
     for (const RankedCandidate& candidate : ranking.candidates)
       diagnosis_.ranking.push_back(candidate.summary);
   }
@@ -378,9 +387,39 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   return false;
 }
 
+void Diagnoser::LearnInstead(FittedScene* current) {
+  constexpr double kEnough = 0.8;  // of the excess: what is named will do
+  constexpr double kBetter = 0.1;  // share of the excess that a law has to explain more
+  if (!first_ranking_ || Stopped() || first_ranking_->gate_p_value >= kGate || !is_above_floor_)
+    return;
+  const double excess = baseline_cost_ - 0.5 * first_ranking_->null_mean;
+  const double explained = (baseline_cost_ - current->fit.cost_after) / excess;
+  if (!(excess > 0.0) || explained > kEnough) return;
+  Say("learning a law", 0.85);
+  std::optional<LearnedFit> fit = LearnLaw(*first_scene_, *first_ranking_, options_);
+  Spend("learning a law");
+  if (!fit) return;
+  Fitted model{{}, fit->scene, MeasureHeldOut(fit->scene)};
+  model.candidate.names = fit->names;
+  last_ranking_ = *first_ranking_;
+  kept_parameters_.clear();
+  Law law{Describe(model, *first_scene_, first_errors_), LawFormula(*fit, first_ranking_->extent)};
+  law.model.effects = fit->terms;
+  law.model.is_kept = !options_.prove || law.model.proof.is_proven;
+  Log(fmt::format("a law of {}: cost {:.6g} -> {:.6g}; {}", JoinNames(fit->terms), baseline_cost_,
+                  fit->scene.fit.cost_after, law.formula));
+  diagnosis_.models.push_back(law.model);
+  if (!law.model.is_kept || law.model.explained < explained + kBetter) return;
+  diagnosis_.answer = law.model;
+  diagnosis_.effects.clear();
+  diagnosis_.ambiguity.clear();
+  diagnosis_.law = std::move(law);
+  *current = fit->scene;
+}
+
 void Diagnoser::MeasureWhatActs(const FittedScene& model) {
   std::vector<std::string> terms;
-  for (const std::string& effect : diagnosis_.effects) {
+  for (const std::string& effect : diagnosis_.answer->effects) {
     const std::string term = effect.substr(0, effect.find('.'));
     if (IsTerm(term)) terms.push_back(term);
   }
@@ -402,6 +441,8 @@ void Diagnoser::Conclude(const FittedScene& current) {
   constexpr double kMostOfIt = 0.5;
   if (Stopped()) {
     diagnosis_.verdict = Verdict::kInterrupted;
+  } else if (diagnosis_.law) {
+    diagnosis_.verdict = Verdict::kNoneOfTheAbove;
   } else if (is_physics) {
     diagnosis_.verdict = explained >= kMostOfIt ? Verdict::kNamed : Verdict::kNoneOfTheAbove;
   } else if (is_fault) {
@@ -411,7 +452,7 @@ void Diagnoser::Conclude(const FittedScene& current) {
     const bool is_unexplained = diagnosis_.gate_p_value < kGate && is_above_floor_;
     diagnosis_.verdict = is_unexplained ? Verdict::kNoneOfTheAbove : Verdict::kNothingMissing;
   }
-  if (diagnosis_.verdict == Verdict::kNamed) MeasureWhatActs(current);
+  if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law) MeasureWhatActs(current);
   diagnosis_.words = DescribeDiagnosis(diagnosis_, recording_);
 }
 
@@ -424,6 +465,7 @@ Diagnosis Diagnoser::Run() {
   for (int k = 0; k < options_.max_effects && !Stopped(); ++k) {
     if (!AddEffect(&current, &errors)) break;
   }
+  LearnInstead(&current);
   Conclude(current);
   return diagnosis_;
 }

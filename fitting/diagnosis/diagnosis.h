@@ -112,6 +112,12 @@ struct MismatchClass {
   std::string words;    // one sentence
 };
 
+// What was learned where no effect explains what is missing.
+struct Law {
+  Model model;          // with its coefficients as parameters
+  std::string formula;  // with units and range
+};
+
 // Where and when a force is missing.
 struct Mismatch {
   bool is_significant = false;  // against the re-simulated null
@@ -152,7 +158,8 @@ struct Diagnosis {
   std::optional<ActingClass> acting_class;
   std::vector<Candidate> ranking;      // best first
   std::vector<Model> models;           // all that were fitted
-  std::optional<Model> answer;         // the last that was kept
+  std::optional<Model> answer;         // the last that was kept, or the law's
+  std::optional<Law> law;              // where one was learned and proven
   std::vector<std::string> effects;    // of the answer, and faults named
   std::vector<std::string> ambiguity;  // what cannot be told from the first effect, itself included
   std::vector<std::pair<std::string, double>> seconds;  // where the time went

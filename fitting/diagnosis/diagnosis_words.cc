@@ -156,7 +156,15 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recor
     sentences.push_back(diagnosis.mismatch->words);
     if (diagnosis.mismatch_class) sentences.push_back(diagnosis.mismatch_class->words);
   }
-  if (diagnosis.answer) {
+  if (diagnosis.law) {
+    const Model& model = diagnosis.law->model;
+    sentences.push_back(fmt::format(
+        "Something is missing that no effect of the catalogue explains. A law learned from it "
+        "explains {:.0f} %: {}.",
+        100.0 * model.explained, diagnosis.law->formula));
+    if (diagnosis.acting_class) sentences.push_back(diagnosis.acting_class->words);
+    sentences.push_back(SayProof(model, is_px));
+  } else if (diagnosis.answer) {
     sentences.push_back(NameEffects(diagnosis));
     if (diagnosis.acting_class) sentences.push_back(diagnosis.acting_class->words);
     sentences.push_back(SayAmbiguity(diagnosis));
@@ -166,7 +174,7 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recor
   }
   if (diagnosis.verdict == Verdict::kObservationFault)
     sentences.push_back("That is a fault of the observation, not of the physics.");
-  if (diagnosis.verdict == Verdict::kNoneOfTheAbove) {
+  if (diagnosis.verdict == Verdict::kNoneOfTheAbove && !diagnosis.law) {
     sentences.push_back(
         diagnosis.answer ? "Most of the mismatch remains: no effect in the catalogue explains it."
                          : "Something is missing, and no effect in the catalogue predicts "
@@ -220,6 +228,9 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
   json["effects"] = diagnosis.effects;
   json["ambiguity"] = diagnosis.ambiguity;
   json["answer"] = diagnosis.answer ? AsJson(*diagnosis.answer) : Json(nullptr);
+  json["law"] = nullptr;
+  if (diagnosis.law)
+    json["law"] = {{"formula", diagnosis.law->formula}, {"model", AsJson(diagnosis.law->model)}};
   json["ranking"] = Json::array();
   for (const Candidate& c : diagnosis.ranking) json["ranking"].push_back(AsJson(c));
   json["models"] = Json::array();

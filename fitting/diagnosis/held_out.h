@@ -25,11 +25,21 @@ struct HeldOutErrors {
 // One open-loop simulation at what was fitted, through all frames.
 HeldOutErrors MeasureHeldOut(const FittedScene& fitted);
 
+// How far apart two models have what is seen in held-out frames, root mean square: markers (m)
+// where there are any, else tracks (px), else 0. Both of one recording. Infinite where one of them
+// fails before the last frame.
+double HeldOutDistance(const FittedScene& a, const FittedScene& b);
+
+// Errors that no model of the physics takes away, in the unit of the errors.
+struct HeldOutFloor {
+  double noise = 0.0, numerical = 0.0;  // of the observations; of mesh and step
+};
 // By how much the root mean square is lower, and the lower end of its one-sided 95 % interval, by
-// a moving-block bootstrap (Kuensch 1989) of the frames with blocks of this many. `floor`: what is
-// left of errors in any case; the improvement has to be above a twentieth of it too.
-HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int block, double floor,
-                   std::uint64_t seed);
+// a moving-block bootstrap (Kuensch 1989) of the frames with blocks of this many. Proven is what
+// lies above a twentieth of the noise, and whose squares fall by more than those of the numerical
+// floor.
+HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int block,
+                   const HeldOutFloor& floor, std::uint64_t seed);
 
 // Holds out the last share of the frames where the recording holds none out.
 Recording WithHeldOutFrames(const Recording& recording, double share);

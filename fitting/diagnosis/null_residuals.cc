@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 #include <ceres/ceres.h>
 
+#include "fitting/diagnosis/held_out.h"
 #include "fitting/levenberg_marquardt.h"
 
 namespace clothfit {
@@ -152,6 +153,7 @@ NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrame
     *way = std::move(refit->by);
     return std::move(refit->left);
   };
+  double held_out = 0.0;
   const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(n);
   const auto zero = Eigen::VectorXd::Zero(frames.num_rows());
   Eigen::VectorXd of_step = nowhere, of_mesh = nowhere;
@@ -172,8 +174,14 @@ NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrame
     const FittedScene drawn = Moved(fitted, baseline.entries, root * unit);
     const std::optional<Eigen::VectorXd> left =
         left_of(drawn, true, true, k == 0 ? kIterations : kMoreIterations, &way);
-    if (left) errors.at_draws.push_back(*left);
+    if (!left) continue;
+    errors.at_draws.push_back(*left);
+    const double rms =
+        HeldOutDistance(Finer(drawn, true, true), Moved(drawn, baseline.entries, way));
+    held_out += rms * rms;
   }
+  if (!errors.at_draws.empty())
+    errors.held_out_rms = std::sqrt(held_out / static_cast<double>(errors.at_draws.size()));
   return errors;
 }
 

@@ -35,6 +35,7 @@ class Ranker {
         options_(options),
         enough_(start.enough),
         errors_(start.errors),
+        set_(start.set),
         observations_(fitted.scene, fitted.config),
         frames_(fitted.scene, observations_, kMostRows),
         faults_(ListFaults(fitted.scene, fitted.config)) {}
@@ -67,6 +68,7 @@ class Ranker {
   const DiagnosisOptions& options_;
   double enough_;
   std::shared_ptr<const NumericalErrors> errors_;
+  CandidateSet set_;
   ObservationResiduals observations_;
   RowFrames frames_;
   std::vector<Fault> faults_;
@@ -134,7 +136,7 @@ void Ranker::AddTrials(const std::vector<std::pair<int, Probe>>& probes) {
 
 void Ranker::AddFirstTrials() {
   candidates_ =
-      ListCandidates(fitted_.values, fitted_.scene, extent_, options_.excluded, kMostProbes);
+      ListCandidates(fitted_.values, fitted_.scene, extent_, options_.excluded, kMostProbes, set_);
   for (std::size_t round = 0; round < kMostProbes; ++round) {
     std::vector<std::pair<int, Probe>> probes;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
@@ -391,7 +393,7 @@ Ranking Ranker::Run() {
   PassGate(&ranking);
   if (ranking.gate_p_value > enough_) return ranking;
   AddFirstTrials();
-  Refine();
+  if (set_ == CandidateSet::kCatalogue) Refine();
   PassGate(&ranking);  // the same again, by products with all columns
   const Projection projection(gram_, Nuisances("")), raw(gram_, {});
   ranking.faults = faults_;

@@ -48,6 +48,7 @@ struct RankingStart {
   std::shared_ptr<const NumericalErrors> errors;  // null: measured
   // With a gate's p-value above this no candidate is looked at.
   double enough = 1.0;
+  CandidateSet set = CandidateSet::kCatalogue;
 };
 
 // Throws std::runtime_error where the fitted scene cannot be simulated.

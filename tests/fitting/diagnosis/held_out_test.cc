@@ -21,7 +21,8 @@ HeldOutErrors Errors(double rms, double spread, unsigned seed, int frames = 60) 
 }
 
 TEST(HeldOut, AClearImprovementIsProven) {
-  const HeldOutProof proof = Prove(Errors(0.030, 0.1, 1), Errors(0.009, 0.1, 2), 6, 0.008, 1);
+  const HeldOutProof proof =
+      Prove(Errors(0.030, 0.1, 1), Errors(0.009, 0.1, 2), 6, {0.008, 0.0}, 1);
   EXPECT_TRUE(proof.is_proven);
   EXPECT_NEAR(proof.before - proof.after, 0.021, 0.002);
   EXPECT_LT(proof.improvement_lower95, proof.before - proof.after);
@@ -32,21 +33,28 @@ TEST(HeldOut, ChanceIsNoProof) {
   int proven = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     proven +=
-        Prove(Errors(0.01, 0.5, 2 * seed), Errors(0.01, 0.5, 2 * seed + 1), 1, 0.0, 1).is_proven;
+        Prove(Errors(0.01, 0.5, 2 * seed), Errors(0.01, 0.5, 2 * seed + 1), 1, {}, 1).is_proven;
   }
   EXPECT_LE(proven, 6);  // 2 are expected of a test at 95 %
 }
 
 TEST(HeldOut, AnImprovementFarBelowTheFloorIsNoProof) {
-  const HeldOutErrors before = Errors(0.0101, 0.0, 1), after = Errors(0.0100, 0.0, 1);
-  EXPECT_TRUE(Prove(before, after, 6, 0.0, 1).is_proven);
-  EXPECT_FALSE(Prove(before, after, 6, 0.01, 1).is_proven);
+  const HeldOutErrors before = Errors(0.0101, {}, 1), after = Errors(0.0100, 0.0, 1);
+  EXPECT_TRUE(Prove(before, after, 6, {}, 1).is_proven);
+  EXPECT_FALSE(Prove(before, after, 6, {0.01, 0.0}, 1).is_proven);
+}
+
+TEST(HeldOut, AnImprovementBelowTheNumericalFloorIsNoProof) {
+  const HeldOutErrors before = Errors(0.010, 0.0, 1),
+                      after = Errors(0.008, 0.0, 1);  // 6 mm squared
+  EXPECT_TRUE(Prove(before, after, 6, {0.002, 0.005}, 1).is_proven);
+  EXPECT_FALSE(Prove(before, after, 6, {0.002, 0.007}, 1).is_proven);
 }
 
 TEST(HeldOut, ASimulationThatDoesNotGetThereProvesNothing) {
-  HeldOutErrors after = Errors(0.001, 0.0, 1);
+  HeldOutErrors after = Errors(0.001, {}, 1);
   after.is_complete = false;
-  EXPECT_FALSE(Prove(Errors(0.03, 0.0, 1), after, 6, 0.0, 1).is_proven);
+  EXPECT_FALSE(Prove(Errors(0.03, 0.0, 1), after, 6, {}, 1).is_proven);
 }
 
 TEST(HeldOut, FramesAreHeldOutWhereNoneAre) {
