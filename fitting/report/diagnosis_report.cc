@@ -40,15 +40,6 @@ std::string HeadlineOf(const DiagnosisRecord& record) {
   return "Something is missing, and nothing in the catalogue explains it.";
 }
 
-// With signs that a plain text has no letters for.
-std::string Typeset(std::string text) {
-  for (const auto& [plain, sign] : {std::pair{"^2", "²"}, std::pair{"+-", "±"}}) {
-    for (std::size_t at = text.find(plain); at != std::string::npos; at = text.find(plain, at))
-      text.replace(at, 2, sign);
-  }
-  return text;
-}
-
 // "One. Two." as its sentences: a full stop within a number is followed by no blank. What the
 // headline says is not said again.
 std::vector<std::string> Sentences(const std::string& words, const std::string& effects) {
@@ -56,7 +47,7 @@ std::vector<std::string> Sentences(const std::string& words, const std::string& 
   for (std::size_t begin = 0; begin < words.size();) {
     const std::size_t stop = words.find(". ", begin);
     const std::size_t end = stop == std::string::npos ? words.size() : stop + 1;
-    const std::string sentence = Typeset(words.substr(begin, end - begin));
+    const std::string sentence = words.substr(begin, end - begin);
     if (effects.empty() || sentence != "What was left out: " + effects + ".")
       sentences.push_back(sentence);
     begin = end + 1;

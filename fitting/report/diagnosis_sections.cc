@@ -273,12 +273,10 @@ ReportJson NullSection(const DiagnosisRecord& record) {
   blocks.push_back({{"kind", "bars"},
                     {"title", "Residuals, root mean square"},
                     {"unit", "sigmas"},
-                    {"narrow", true},
                     {"items", sigmas}});
   blocks.push_back({{"kind", "bars"},
                     {"title", "How rarely the null scores as much, powers of ten"},
                     {"unit", ""},
-                    {"narrow", true},
                     {"items", chances}});
   ReportJson section =
       SectionOf("nulls", "Against recordings in which nothing is missing", blocks, "Null");
