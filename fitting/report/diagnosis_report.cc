@@ -84,7 +84,8 @@ std::vector<ErrorChange> ErrorsOf(const ReportScene& report,
   for (const auto& [kind, unit, member] : kinds) {
     for (const bool held_out : {false, true}) {
       const auto before = OverFrames(report.scene(), misfits.front(), member, held_out);
-      const auto after = OverFrames(report.scene(), misfits.back(), member, held_out);
+      std::optional<double> after;  // there is none where nothing was found
+      if (misfits.size() > 1) after = OverFrames(report.scene(), misfits.back(), member, held_out);
       if (before || after) errors.push_back({kind, held_out, unit, before, after});
     }
   }

@@ -214,7 +214,8 @@ ReportJson AnswerSection(const ReportScene& report, const DiagnosisRecord& recor
   const ReportJson answer = record.json.value("answer", ReportJson());
   const std::vector<NamedParameter> table = MakeParameterTable();
   constexpr double kUnbounded = 1e300;
-  for (const ReportJson& p : answer.value("parameters", ReportJson::array())) {
+  const ReportJson found = answer.is_object() ? answer.at("parameters") : ReportJson::array();
+  for (const ReportJson& p : found) {
     const std::string name = p.at("name");
     const int index = FindParameter(table, name);
     ReportJson item = {{"name", name},

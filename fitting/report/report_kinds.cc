@@ -6,6 +6,7 @@
 #include <string>
 
 #include "autodiff_sim/error.h"
+#include "fitting/report/report_blobs.h"
 
 namespace clothfit {
 namespace {
@@ -57,8 +58,10 @@ FolderKind KindOfFolder(const fs::path& folder) {
                    std::string("is not the folder of a run or a study; ") + kExpected);
 }
 
-ReportPage MakeReport(const fs::path& folder, const ReportAssets& assets,
-                      const ReportOptions& options) {
+namespace {
+
+ReportPage MakeReportOfKind(const fs::path& folder, const ReportAssets& assets,
+                            const ReportOptions& options) {
   switch (KindOfFolder(folder)) {
     case FolderKind::kDiagnosis:
       return MakeDiagnosisReport(folder, assets, options);
@@ -70,6 +73,18 @@ ReportPage MakeReport(const fs::path& folder, const ReportAssets& assets,
       break;
   }
   return MakeReport(RunFolder::Open(folder), assets, options);
+}
+
+}  // namespace
+
+ReportPage MakeReport(const fs::path& folder, const ReportAssets& assets,
+                      const ReportOptions& options) {
+  try {
+    return MakeReportOfKind(folder, assets, options);
+  } catch (const ReportBlobs::Json::exception& error) {
+    throw InputError(folder.string(),
+                     std::string("is damaged, or of another version of clothfit: ") + error.what());
+  }
 }
 
 }  // namespace clothfit

@@ -133,5 +133,23 @@ TEST_F(DiagnosisReport, RefusesAnotherVersion) {
   EXPECT_THAT(ErrorOf(), HasSubstr("is damaged; expected a JSON object"));
 }
 
+TEST_F(DiagnosisReport, OfOneThatFoundNothingShowsTheBaselineAlone) {
+  const fs::path file = folder_ / "diagnosis.json";
+  json record = json::parse(ReadTextFile(file));
+  record["verdict"] = "nothing is missing";
+  record["effects"] = record["ambiguity"] = record["models"] = json::array();
+  for (const char* key : {"answer", "mismatch", "class"}) record[key] = nullptr;
+  WriteWholeFile(file, record.dump());
+  for (const char* name : {"model.npy", "missing-force.npy"}) fs::remove(folder_ / name);
+  const std::string html = MakeReport(folder_, kAssets).html;
+  const json data = DataOfPage(html);
+  EXPECT_THAT(html, HasSubstr("<h1>Nothing is missing from the simulation.</h1>"));
+  EXPECT_EQ(data.at("motions").size(), 1u);
+  EXPECT_TRUE(data.at("errors")[0].at("after").is_null());
+  record["gate"] = nullptr;
+  WriteWholeFile(file, record.dump());
+  EXPECT_THAT(ErrorOf(), HasSubstr("is damaged, or of another version of clothfit"));
+}
+
 }  // namespace
 }  // namespace clothfit

@@ -41,11 +41,15 @@ function hatch(clock) {
   };
 }
 
-function namedTicks(splits) {
-  const decades = Math.log10(splits[splits.length - 1] / splits[0]);
-  const digits = decades > 3 ? [1] : decades > 1.2 ? [1, 2, 5] : [1, 2, 3, 5, 7];
-  const leading = (value) => Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9));
-  return splits.map((value) => (value && digits.includes(leading(value)) ? value : null));
+// Of a logarithmic axis: powers of ten, and of a short one some multiples of them too.
+function logTicks(_, __, low, high) {
+  const decades = Math.log10(high / low);
+  const digits = decades > 3 ? [1] : decades > 1.2 ? [1, 2, 5] : [1, 1.5, 2, 3, 5, 7];
+  const ticks = [];
+  for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); ++power) {
+    for (const digit of digits) ticks.push(Number(`${digit}e${power}`));
+  }
+  return ticks.filter((tick) => tick >= low * (1 - 1e-9) && tick <= high * (1 + 1e-9));
 }
 
 function axis(title, unit, isSide, isLog) {
@@ -57,10 +61,9 @@ function axis(title, unit, isSide, isLog) {
     stroke: () => colour('--ink-soft'),
     grid: { stroke: () => colour('--grid-soft'), width: 1 },
     ticks: { stroke: () => colour('--grid-soft'), width: 1 },
-    size: isSide ? 52 : 34,
+    size: isSide ? (isLog ? 66 : 52) : 34,
     values: (_, values) => values.map((value) => (value === null ? '' : number(value, 4))),
-    // Of a logarithmic axis the powers of ten have names; of a short one 2 and 5 times them too.
-    filter: isLog ? (_, splits) => namedTicks(splits) : undefined,
+    ...(isLog ? { splits: logTicks, filter: (_, ticks) => ticks } : {}),
   };
 }
 
