@@ -61,13 +61,13 @@ Verdict VerdictOf(const Comparison& comparison, const std::vector<ContenderStand
   for (const ContenderStanding& standing : standings) {
     if (standing.name != opponent) verdict.sentences.push_back(LeadSentence(standing, opponent));
   }
+  const int starts = standings.front().runs;
   verdict.sentences.push_back(
-      fmt::format("{}: {} frames, {} particles, {} unknowns, {} starts; medians over the starts.",
-                  comparison.recording, comparison.frames, comparison.particles,
-                  comparison.unknowns, standings.front().runs));
-  const bool is_whole = std::all_of(standings.begin(), standings.end(), [&](const auto& s) {
-    return s.runs == standings.front().runs && s.runs > 0;
-  });
+      fmt::format("{}: {} frames, {} particles, {} unknowns; {}.", comparison.recording,
+                  comparison.frames, comparison.particles, comparison.unknowns,
+                  starts == 1 ? "one start" : fmt::format("medians over {} starts", starts)));
+  const bool is_whole = std::all_of(standings.begin(), standings.end(),
+                                    [&](const auto& s) { return s.runs == starts; });
   if (!is_whole) {
     verdict.grade = Verdict::Grade::kPartial;
     verdict.sentences.emplace_back("Some contenders have fewer starts: it was interrupted.");
