@@ -88,7 +88,9 @@ FitResult FitWithDisplay(const Scene& scene, const FitConfig& config, const RunF
   FitCallbacks callbacks;
   callbacks.stop = StopOnInterrupt();
   if (!options.quiet) {
-    callbacks.progress = [&display](const FitProgress& progress) { display.Show(progress); };
+    callbacks.progress = [&display, &scene](const FitProgress& progress) {
+      display.Show(progress, scene.recording.frame_count);
+    };
   }
   FitResult result = FitIntoRun(scene, config, run, callbacks, options.resume);
   display.Finish();

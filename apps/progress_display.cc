@@ -35,9 +35,12 @@ std::string TimeLeft(double seconds, double fraction) {
   return fmt::format(", {} left", Minutes(seconds * (1.0 - fraction) / fraction));
 }
 
-std::string Describe(const FitProgress& progress) {
+// The stage names the frames or the window.
+std::string Describe(const FitProgress& progress, int recorded_frames) {
   if (!progress.detail.empty()) return progress.detail;
-  return fmt::format("iteration {}, residuals {:.3g} sigma", progress.iteration, progress.rms);
+  return fmt::format("iteration {}, cost {:.5g}, error {:.3g} sigma, {:.0f} simulations",
+                     progress.iteration, progress.cost, progress.rms,
+                     progress.simulated_frames / std::max(1, recorded_frames));
 }
 
 std::string Bar(double fraction) {
@@ -50,8 +53,8 @@ std::string Bar(double fraction) {
 
 ProgressDisplay::ProgressDisplay() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
 
-void ProgressDisplay::Show(const FitProgress& progress) {
-  Show(progress.stage, Describe(progress), progress.fraction);
+void ProgressDisplay::Show(const FitProgress& progress, int recorded_frames) {
+  Show(progress.stage, Describe(progress, recorded_frames), progress.fraction);
 }
 
 void ProgressDisplay::Show(const std::string& stage, const std::string& state, double fraction) {
@@ -59,8 +62,9 @@ void ProgressDisplay::Show(const std::string& stage, const std::string& state, d
   const std::string text = fmt::format("{:3.0f} %{}  {}, {}", 100.0 * done,
                                        TimeLeft(SecondsSince(start_), done), stage, state);
   if (is_terminal_) {
-    std::string line = Bar(done) + " " + text;
     const size_t width = TerminalWidth() - 1;
+    std::string line = Bar(done) + " " + text;
+    if (line.size() > width) line = text;  // numbers say more than a bar
     if (line.size() > width) line.resize(width);
     std::fprintf(stderr, "\r\x1b[K%s", line.c_str());  // erase to the end of the line
     std::fflush(stderr);

@@ -15,7 +15,8 @@ namespace clothfit {
 class ProgressDisplay {
  public:
   ProgressDisplay();
-  void Show(const FitProgress& progress);
+  // Stage with its frames, cost, error, simulations of the whole recording, time left.
+  void Show(const FitProgress& progress, int recorded_frames);
   // `fraction` of the whole is done; plain lines of one stage come at intervals.
   void Show(const std::string& stage, const std::string& state, double fraction);
   // Shows where it ended and leaves the bar's line; nothing is shown afterwards.

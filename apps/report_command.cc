@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// clothfit report: a run as one page to open in a browser.
+// clothfit report: a run, a diagnosis, a comparison or a study as one page to open in a browser.
 #include <filesystem>
 #include <memory>
 
@@ -16,19 +16,19 @@ namespace clothfit {
 namespace {
 
 struct ReportCommandOptions {
-  std::string run, output;  // output empty: RUN/report.html
+  std::string folder, output;  // output empty: FOLDER/report.html
   ReportOptions report;
   bool force = false;
 };
 
 int RunReportCommand(const ReportCommandOptions& options) {
-  const RunFolder run = RunFolder::Open(options.run);
+  const std::filesystem::path folder = options.folder;
   const std::filesystem::path file =
-      options.output.empty() ? run.path() / "report.html" : std::filesystem::path(options.output);
+      options.output.empty() ? folder / "report.html" : std::filesystem::path(options.output);
   if (std::filesystem::exists(file) && !options.force) {
     throw InputError(file.string(), "exists already; --force replaces it");
   }
-  const ReportPage page = MakeReport(run, PageAssets(), options.report);
+  const ReportPage page = MakeReport(folder, PageAssets(), options.report);
   WriteWholeFile(file, page.html);
   fmt::print("{}\n", page.verdict.headline);
   for (const std::string& sentence : page.verdict.sentences) fmt::print("  {}\n", sentence);
@@ -41,10 +41,14 @@ int RunReportCommand(const ReportCommandOptions& options) {
 }  // namespace
 
 void AddReportCommand(CLI::App* app, Action* action) {
-  CLI::App* const command = app->add_subcommand("report", "a run as one page to open in a browser");
+  CLI::App* const command = app->add_subcommand(
+      "report", "a run, diagnosis, comparison or study as one page to open in a browser");
   const auto options = std::make_shared<ReportCommandOptions>();
-  command->add_option("RUN", options->run, "folder of the run")->required();
-  command->add_option("-o,--output", options->output, "page to write; RUN/report.html if left out")
+  command
+      ->add_option("FOLDER", options->folder, "what fit, diagnose, compare, study or trials wrote")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output, "page to write; FOLDER/report.html if left out")
       ->type_name("FILE.html");
   command
       ->add_option("--pictures", options->report.pictures,

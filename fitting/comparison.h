@@ -70,6 +70,17 @@ struct ComparisonCallbacks {
 Comparison Compare(const Scene& scene, const FitConfig& config, const ComparisonOptions& options,
                    const Comparison* done_before, const ComparisonCallbacks& callbacks);
 
+// One contender over its starts, medians.
+struct ContenderStanding {
+  std::string name;
+  int runs = 0, reached = 0;  // starts, and of those that came as low as the last contender
+  double error = 0.0;
+  // How many times less it had spent by then; above 1 is better. Only where reached.
+  double simulations_lead = 0.0, seconds_lead = 0.0;
+};
+// Those that have ended a run, least error first.
+std::vector<ContenderStanding> Standings(const Comparison& comparison);
+
 // The table: medians and ranges over the starts, and how much sooner each contender had reached the
 // final error of the last one.
 std::string ComparisonAsMarkdown(const Comparison& comparison);

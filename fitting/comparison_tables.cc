@@ -134,6 +134,23 @@ ComparedRun RunFrom(const Json& json) {
 
 }  // namespace
 
+std::vector<ContenderStanding> Standings(const Comparison& comparison) {
+  const auto opponents = RunsOf(comparison, comparison.contenders.back());
+  std::vector<ContenderStanding> standings;
+  for (const std::string& contender : comparison.contenders) {
+    const std::vector<const ComparedRun*> runs = RunsOf(comparison, contender);
+    if (runs.empty()) continue;
+    const Spread fewer = Ratio(runs, opponents, [](const SearchPoint& p) { return p.simulations; });
+    const Spread sooner = Ratio(runs, opponents, [](const SearchPoint& p) { return p.seconds; });
+    standings.push_back({contender, static_cast<int>(runs.size()), fewer.count,
+                         Over(runs, [](const ComparedRun& r) { return r.error; }).median,
+                         fewer.median, sooner.median});
+  }
+  std::stable_sort(standings.begin(), standings.end(),
+                   [](const auto& a, const auto& b) { return a.error < b.error; });
+  return standings;
+}
+
 std::string ComparisonAsMarkdown(const Comparison& comparison) {
   std::string text = fmt::format(
       "{}: {} frames, {} particles, {} unknowns of which {} are the fabric's. A simulation with "

@@ -339,6 +339,7 @@ void Diagnoser::LocateMismatch(const FittedScene& fitted) {
   if (!found->location.mismatch.is_significant) return;
   // What is one source's has no class.
   if (found->Blamed() == nullptr) diagnosis_.mismatch_class = found->report.mismatch_class;
+  diagnosis_.motions.missing_force = ForceOnParticles(fitted.scene.mesh, found->missing);
   const Scene& scene = found->fitted.scene;
   diagnosis_.mismatch_pictures = {DrawForceMap(scene, found->missing, found->location),
                                   DrawForceArrows(scene, found->missing, found->location)};
@@ -362,6 +363,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     first_errors_ = *errors;
     for (const RankedCandidate& candidate : ranking.candidates)
       diagnosis_.ranking.push_back(candidate.summary);
+    diagnosis_.motions.baseline = SimulateFitted(*current);
   }
   last_ranking_ = ranking;
   if (is_first && IsSuspicious(ranking)) LocateMismatch(*current);
@@ -466,6 +468,10 @@ Diagnosis Diagnoser::Run() {
     if (!AddEffect(&current, &errors)) break;
   }
   LearnInstead(&current);
+  diagnosis_.motions.resolution = current.scene.mesh.grid;
+  diagnosis_.motions.held_out = recording_.splits.held_out_frames;
+  if (diagnosis_.answer || !diagnosis_.effects.empty())
+    diagnosis_.motions.answer = SimulateFitted(current);
   Conclude(current);
   return diagnosis_;
 }

@@ -17,6 +17,7 @@
 
 #include "fitting/config.h"
 #include "fitting/diagnosis/acting_force.h"
+#include "fitting/diagnosis/diagnosis_motions.h"
 #include "fitting/fit.h"
 #include "fitting/scene.h"
 
@@ -163,6 +164,7 @@ struct Diagnosis {
   std::vector<std::string> effects;    // of the answer, and faults named
   std::vector<std::string> ambiguity;  // what cannot be told from the first effect, itself included
   std::vector<std::pair<std::string, double>> seconds;  // where the time went
+  DiagnosisMotions motions;                             // for pages and pictures
 };
 
 // Fits the baseline and goes through the eight steps. Throws InputError where the recording cannot

@@ -4,6 +4,7 @@
 
 #include "autodiff_sim/error.h"
 #include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/npy_file.h"
 #include "fitting/whole_file.h"
 #include "tracking/picture_writer.h"
 
@@ -13,6 +14,13 @@ namespace {
 
 constexpr const char* kMap = "missing-force.png";
 constexpr const char* kCloth = "missing-force-cloth.png";
+constexpr const char* kBaseline = "baseline.npy";
+constexpr const char* kAnswer = "model.npy";
+constexpr const char* kForce = "missing-force.npy";
+
+void WritePoints(const std::vector<Eigen::VectorXd>& frames, const fs::path& file) {
+  if (!frames.empty()) WriteWholeFile(file, PointsAsNpy(frames));
+}
 
 }  // namespace
 
@@ -27,7 +35,8 @@ DiagnosisFolder::DiagnosisFolder(const fs::path& folder, bool replace) : path_(f
   std::error_code error;
   fs::create_directories(folder, error);
   WriteWholeFile(folder / "log.txt", "clothfit diagnose\n");
-  for (const char* name : {"diagnosis.json", "diagnosis.md", "config.yaml", kMap, kCloth})
+  for (const char* name : {"diagnosis.json", "diagnosis.md", "config.yaml", kMap, kCloth, kBaseline,
+                           kAnswer, kForce, "report.html"})
     fs::remove(folder / name, error);
 }
 
@@ -40,6 +49,9 @@ void DiagnosisFolder::Write(const Diagnosis& diagnosis) const {
   WriteWholeFile(path_ / "config.yaml", ConfigToYaml(config));
   WriteWholeFile(path_ / "diagnosis.md", DiagnosisAsMarkdown(diagnosis));
   WriteWholeFile(path_ / "diagnosis.json", DiagnosisAsJson(diagnosis));
+  WritePoints(diagnosis.motions.baseline, path_ / kBaseline);
+  WritePoints(diagnosis.motions.answer, path_ / kAnswer);
+  WritePoints(diagnosis.motions.missing_force, path_ / kForce);
   if (!diagnosis.mismatch_pictures) return;
   WritePicture(diagnosis.mismatch_pictures->map, path_ / kMap);
   WritePicture(diagnosis.mismatch_pictures->cloth, path_ / kCloth);

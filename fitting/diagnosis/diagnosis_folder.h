@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A diagnosis on disk: diagnosis.json, diagnosis.md, config.yaml (the answer's, else the
-// baseline's), log.txt; where a force is missing, missing-force.png and missing-force-cloth.png.
+// baseline's), log.txt; the cloth without and with what was found, baseline.npy and model.npy;
+// where a force is missing, missing-force.npy, missing-force.png and missing-force-cloth.png.
 #pragma once
 
 #include <filesystem>

@@ -221,6 +221,9 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
   json["gate"] = {{"residual_rms_sigmas", OrNull(diagnosis.residual_rms)},
                   {"floor_rms_sigmas", OrNull(diagnosis.floor_rms)},
                   {"p_value", OrNull(diagnosis.gate_p_value)}};
+  const std::optional<Splits::FrameRange>& held_out = diagnosis.motions.held_out;
+  json["held_out_frames"] = held_out ? Json({held_out->first, held_out->last}) : Json(nullptr);
+  json["resolution"] = diagnosis.motions.resolution;
   json["mismatch"] = diagnosis.mismatch ? AsJson(*diagnosis.mismatch) : Json(nullptr);
   json["acting"] =
       diagnosis.acting_class ? AsJson(*diagnosis.acting, *diagnosis.acting_class) : Json(nullptr);

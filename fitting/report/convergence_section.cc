@@ -107,7 +107,7 @@ ReportJson TimeSection(const ReportScene& report) {
   if (!items.empty()) {
     blocks.push_back({{"kind", "bars"}, {"title", "Seconds"}, {"unit", "s"}, {"items", items}});
   }
-  return SectionOf("time", "Where the time went", blocks);
+  return SectionOf("time", "Where the time went", blocks, "Time");
 }
 
 ReportJson ConfigurationSection(const ReportScene& report) {

@@ -82,14 +82,17 @@ ReportJson TextBlock(const std::vector<std::string>& paragraphs) {
   return {{"kind", "text"}, {"paragraphs", paragraphs}};
 }
 
-ReportJson SectionOf(const std::string& id, const std::string& title, ReportJson blocks) {
-  return {{"id", id}, {"title", title}, {"blocks", std::move(blocks)}};
+ReportJson SectionOf(const std::string& id, const std::string& title, ReportJson blocks,
+                     const std::string& brief) {
+  ReportJson section = {{"id", id}, {"title", title}, {"blocks", std::move(blocks)}};
+  if (!brief.empty()) section["short"] = brief;
+  return section;
 }
 
 ReportJson CameraSection(const ReportScene& report) {
   ReportJson blocks = ReportJson::array();
   if (!report.scene().recording.cameras.empty()) blocks.push_back({{"kind", "cameras"}});
-  ReportJson section = SectionOf("cameras", "Through the cameras", blocks);
+  ReportJson section = SectionOf("cameras", "Through the cameras", blocks, "Cameras");
   section["lead"] = "The outline of the simulated cloth over what each camera saw, in step.";
   return section;
 }
@@ -104,7 +107,7 @@ ReportJson ErrorSection(const ReportScene& report,
   add(&FrameMisfit::tracks, "Tracks", "px", 1.0);
   add(&FrameMisfit::silhouettes, "Silhouettes, pixels that differ", "px", 1.0);
   add(&FrameMisfit::truth, "Distance from the truth", "mm", 1e3);
-  ReportJson section = SectionOf("errors", "Error over time", blocks);
+  ReportJson section = SectionOf("errors", "Error over time", blocks, "Errors");
   section["lead"] =
       "Root mean square in each frame, silhouettes as the mean over the cameras. Hatched frames "
       "were held out. Click to go to a frame.";
@@ -124,7 +127,7 @@ ReportJson ClothMapSection(const ReportScene& report, const std::vector<ScalarFi
     own.erase("group");
     blocks.push_back(own);
   }
-  ReportJson section = SectionOf("cloth-map", "Where on the cloth", blocks);
+  ReportJson section = SectionOf("cloth-map", "Where on the cloth", blocks, "Cloth");
   section["lead"] = field.title + ", root mean square over all frames, in the material.";
   return section;
 }

@@ -96,4 +96,10 @@ std::vector<FrameMisfit> MeasureFrames(const ReportScene& report, const Motion& 
   return frames;
 }
 
+std::vector<std::vector<FrameMisfit>> MeasureMotions(const ReportScene& report) {
+  std::vector<std::vector<FrameMisfit>> misfits;
+  for (const Motion& motion : report.motions) misfits.push_back(MeasureFrames(report, motion));
+  return misfits;
+}
+
 }  // namespace clothfit

@@ -21,5 +21,7 @@ struct FrameMisfit {
 
 // One a frame of the recording; held-out frames and cameras count as the others.
 std::vector<FrameMisfit> MeasureFrames(const ReportScene& report, const Motion& motion);
+// One list a motion, in their order.
+std::vector<std::vector<FrameMisfit>> MeasureMotions(const ReportScene& report);
 
 }  // namespace clothfit

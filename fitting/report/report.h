@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A run as one page that any browser opens from disk, without a network.
+// A run, a diagnosis, a comparison or a study as one page that any browser opens from disk, without
+// a network.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +31,12 @@ struct ReportPage {
   std::vector<std::string> notes;  // what the page says about itself, one sentence each
 };
 
-// Throws InputError where the run is incomplete or damaged, or its recording cannot be read.
+// The page of any folder that clothfit writes results into. Throws InputError where it is none, or
+// is incomplete, damaged or of another version.
+ReportPage MakeReport(const std::filesystem::path& folder, const ReportAssets& assets,
+                      const ReportOptions& options = {});
+// The page of a fit. Throws InputError where the run is incomplete or damaged, or its recording
+// cannot be read.
 ReportPage MakeReport(const RunFolder& run, const ReportAssets& assets,
                       const ReportOptions& options = {});
 

@@ -34,6 +34,8 @@ std::string ErrorCell(const Json& error) {
         "</span><span class=\"is\" style=\"width: {:.1f}%\"></span></span>",
         100.0 * before / largest, 100.0 * after / largest);
   }
+  if (error.at("after").is_null())
+    return fmt::format("<strong>{}</strong>", EscapeHtml(in_words("before")));
   return fmt::format("<span class=\"was\">{}</span> → <strong>{}</strong>{}",
                      EscapeHtml(in_words("before")), EscapeHtml(in_words("after")), gauge);
 }
@@ -56,6 +58,16 @@ std::string ErrorTable(const Json& errors) {
   return rows;
 }
 
+// Before and after, where the page has errors to show.
+std::string ErrorNumbers(const Json& json) {
+  if (!json.contains("errors") || json.at("errors").empty()) return "";
+  return fmt::format(
+      "<div class=\"verdict-numbers\"><table class=\"errors\"><caption>{}</caption>\n"
+      "<tr><td></td><th scope=\"col\">fitted</th><th scope=\"col\">held out</th></tr>\n"
+      "{}</table></div>\n",
+      EscapeHtml(json.at("errors_title").get<std::string>()), ErrorTable(json.at("errors")));
+}
+
 std::string Hero(const Json& json, const Verdict& verdict) {
   std::string sentences;
   for (const std::string& sentence : verdict.sentences) {
@@ -65,17 +77,12 @@ std::string Hero(const Json& json, const Verdict& verdict) {
       "<header class=\"bar\"><span class=\"brand\">clothfit</span>"
       "<span class=\"recording\">{}</span><span id=\"bar-tools\"></span></header>\n"
       "<main>\n<section class=\"verdict\" id=\"verdict\" data-grade=\"{}\">\n"
-      "<div class=\"verdict-words\"><h1>{}</h1>\n<ul>\n{}</ul></div>\n"
-      "<div class=\"verdict-numbers\"><table class=\"errors\"><caption>Error at the start → after "
-      "the "
-      "fit</caption>\n<tr><td></td><th scope=\"col\">fitted</th><th scope=\"col\">held "
-      "out</th></tr>\n"
-      "{}</table></div>\n</section>\n"
+      "<div class=\"verdict-words\"><h1>{}</h1>\n<ul>\n{}</ul></div>\n{}</section>\n"
       "<section id=\"stage\" aria-label=\"The cloth beside the recording\">"
       "<noscript><p>The moving pictures and the charts of this page need scripts.</p></noscript>"
       "</section>\n<div id=\"sections\"></div>\n</main>\n",
       EscapeHtml(json.at("title").get<std::string>()), ToString(verdict.grade),
-      EscapeHtml(verdict.headline), sentences, ErrorTable(json.at("errors")));
+      EscapeHtml(verdict.headline), sentences, ErrorNumbers(json));
 }
 
 // JSON in a script element must not hold "</script" or "<!--".

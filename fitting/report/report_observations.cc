@@ -93,7 +93,7 @@ Json HandlesAsJson(const ReportScene& report, ReportBlobs* blobs) {
   const Scene& scene = report.scene();
   for (const SceneHandle& handle : scene.handles) {
     std::vector<Eigen::VectorXd> places;
-    for (const Eigen::VectorXd& x : report.record.trajectory) {
+    for (const Eigen::VectorXd& x : report.motions.back().positions) {
       places.emplace_back(handle.on_cloth.At(x));
     }
     const bool to_the_end = std::isinf(handle.released_after);

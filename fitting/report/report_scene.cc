@@ -25,20 +25,6 @@ std::vector<Eigen::VectorXd> SimulateStart(const FittedRun& fitted) {
   return positions;
 }
 
-void CheckTrajectory(const RunFolder& run, const Scene& scene,
-                     const std::vector<Eigen::VectorXd>& trajectory) {
-  const std::string file = (run.path() / "trajectory.npy").string();
-  if (trajectory.empty()) throw InputError(file, "holds no frame");
-  const auto particles = static_cast<int>(trajectory.front().size() / 3);
-  if (particles != scene.mesh.num_particles() ||
-      static_cast<int>(trajectory.size()) > scene.recording.frame_count) {
-    throw InputError(file, fmt::format("has {} frames of {} particles; expected at most {} of {}: "
-                                       "was the recording changed since?",
-                                       trajectory.size(), particles, scene.recording.frame_count,
-                                       scene.mesh.num_particles()));
-  }
-}
-
 std::shared_ptr<const Silhouettes> LoadAllMasks(const Recording& recording) {
   if (!HasMasks(recording)) return nullptr;
   return std::make_shared<const Silhouettes>(
@@ -47,11 +33,23 @@ std::shared_ptr<const Silhouettes> LoadAllMasks(const Recording& recording) {
 
 }  // namespace
 
-ReportScene GatherReportScene(const RunFolder& run, const fs::path& pictures) {
-  RunRecord record = ReadRunRecord(run);
-  ReportScene report{std::move(record), ReadFittedRun(run), {}, nullptr, {}, {}, {}};
+void CheckTrajectory(const fs::path& file, const Scene& scene,
+                     const std::vector<Eigen::VectorXd>& trajectory) {
+  if (trajectory.empty()) throw InputError(file.string(), "holds no frame");
+  const auto particles = static_cast<int>(trajectory.front().size() / 3);
+  if (particles != scene.mesh.num_particles() ||
+      static_cast<int>(trajectory.size()) > scene.recording.frame_count) {
+    throw InputError(file.string(),
+                     fmt::format("has {} frames of {} particles; expected at most "
+                                 "{} of {}: was the recording changed since?",
+                                 trajectory.size(), particles, scene.recording.frame_count,
+                                 scene.mesh.num_particles()));
+  }
+}
+
+ReportScene GatherReportScene(FittedRun fitted, const fs::path& pictures) {
+  ReportScene report{{}, std::move(fitted), {}, nullptr, {}, {}, {}};
   const Scene& scene = report.fitted.scene;
-  CheckTrajectory(run, scene, report.record.trajectory);
   RunPictures found = FindPictures(scene.recording, pictures);
   if (found.are_lost) {
     report.notes.emplace_back(
@@ -65,6 +63,15 @@ ReportScene GatherReportScene(const RunFolder& run, const fs::path& pictures) {
     if (folder.empty() || !report.truth.empty() || !HasTruthPoints(folder)) continue;
     report.truth = ReadTruthPoints(folder);
   }
+  return report;
+}
+
+ReportScene GatherReportScene(const RunFolder& run, const fs::path& pictures) {
+  RunRecord record = ReadRunRecord(run);
+  FittedRun fitted = ReadFittedRun(run);
+  CheckTrajectory(run.path() / "trajectory.npy", fitted.scene, record.trajectory);
+  ReportScene report = GatherReportScene(std::move(fitted), pictures);
+  report.record = std::move(record);
   report.motions = {{"before", "Start", SimulateStart(report.fitted)},
                     {"after", "Fit", report.record.trajectory}};
   if (report.motions[0].positions.size() < report.motions[1].positions.size()) {

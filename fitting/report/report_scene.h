@@ -21,12 +21,12 @@ namespace clothfit {
 // One simulation of the recording, open loop from frame 0.
 struct Motion {
   std::string name;                        // "before", "after"
-  std::string title;                       // "Start", "Fit"
+  std::string title;                       // "Start", "Fit", "Baseline", "With wind"
   std::vector<Eigen::VectorXd> positions;  // 3N, m, one a frame that it reached
 };
 
 struct ReportScene {
-  RunRecord record;
+  RunRecord record;  // of a fit's run; empty for other folders
   FittedRun fitted;
   std::vector<Motion> motions;
   // Masks of all frames and cameras; null where there are none.
@@ -37,6 +37,13 @@ struct ReportScene {
 
   const Scene& scene() const { return fitted.scene; }
 };
+
+// A scene whose motions are still to be filled in. Throws InputError as ReadRecording does.
+ReportScene GatherReportScene(FittedRun fitted, const std::filesystem::path& pictures);
+
+// Throws InputError, naming the file, where these are not positions of the scene's particles.
+void CheckTrajectory(const std::filesystem::path& file, const Scene& scene,
+                     const std::vector<Eigen::VectorXd>& trajectory);
 
 // `pictures`: a recording's folder; empty: where the run's recording, or its origin, has them.
 // Throws InputError as ReadRunRecord and ReadRecording do.

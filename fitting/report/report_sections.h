@@ -6,6 +6,7 @@
 // and nothing in the page.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,12 @@ namespace clothfit {
 using ReportJson = ReportBlobs::Json;
 
 ReportJson TextBlock(const std::vector<std::string>& paragraphs);
-ReportJson SectionOf(const std::string& id, const std::string& title, ReportJson blocks);
+// A file in SVG or PNG, as it is.
+ReportJson PictureBlock(const std::filesystem::path& file, const std::string& title,
+                        ReportBlobs* blobs);
+// `brief`: the title where there is little room.
+ReportJson SectionOf(const std::string& id, const std::string& title, ReportJson blocks,
+                     const std::string& brief = "");
 
 // Every camera's pictures with the outlines over them. Empty blocks where there is no camera.
 ReportJson CameraSection(const ReportScene& report);

@@ -4,10 +4,12 @@
 
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/npy_file.h"
-#include "fitting/version.h"
+#include "fitting/report/record_file.h"
 #include "tracking/csv.h"
 #include "tracking/text.h"
 
@@ -17,26 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-fs::path RequireFile(const RunFolder& run, const char* name) {
-  fs::path file = run.path() / name;
-  if (fs::exists(file)) return file;
-  throw InputError(file.string(), "is missing; expected the run of a fit that has ended");
-}
-
 Json ReadSummary(const fs::path& file) {
-  Json summary = Json::parse(ReadTextFile(file), nullptr, false);
-  if (!summary.is_object()) throw InputError(file.string(), "is damaged; expected a JSON object");
-  const std::string version = summary.value("clothfit", "");
-  if (version != Version()) {
-    throw InputError(file.string(), "was written by clothfit " +
-                                        (version.empty() ? "of no known version" : version) +
-                                        "; expected " + Version() + ", so fit again");
-  }
+  Json summary = ReadRecordFile(file, "so fit again");
   for (const char* key : {"status", "fit", "held_out", "before", "frames", "parameters"}) {
     if (!summary.contains(key)) {
-      throw InputError(file.string(), std::string(key) +
-                                          " is missing; expected what 'clothfit fit'"
-                                          " writes");
+      throw InputError(file.string(),
+                       fmt::format("{} is missing; expected what 'clothfit fit' writes", key));
     }
   }
   return summary;
@@ -74,13 +62,16 @@ void AddErrors(const Json& summary, bool held_out, std::vector<ErrorChange>* err
 }  // namespace
 
 RunRecord ReadRunRecord(const RunFolder& run) {
+  const auto require = [&run](const char* name) {
+    return RequireFile(run.path() / name, "the run of a fit that has ended");
+  };
   RunRecord record;
-  record.summary = ReadSummary(RequireFile(run, "summary.json"));
-  record.config = ReadTextFile(RequireFile(run, "config.yaml"));
-  RequireFile(run, "parameters.yaml");
-  record.log = ReadTextFile(RequireFile(run, "log.txt"));
+  record.summary = ReadSummary(require("summary.json"));
+  record.config = ReadTextFile(require("config.yaml"));
+  require("parameters.yaml");
+  record.log = ReadTextFile(require("log.txt"));
   record.progress = ReadProgress(run.path() / "progress.csv");
-  record.trajectory = ReadPointsNpy(RequireFile(run, "trajectory.npy"));
+  record.trajectory = ReadPointsNpy(require("trajectory.npy"));
   return record;
 }
 

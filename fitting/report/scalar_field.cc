@@ -134,6 +134,7 @@ std::vector<ScalarField> TruthField(const ReportScene& report) {
 
 std::vector<ScalarField> CommonFields(const ReportScene& report) {
   std::vector<ScalarField> fields = ResidualField(report);
+  for (ScalarField& field : OutlineField(report)) fields.push_back(std::move(field));
   for (ScalarField& field : TruthField(report)) fields.push_back(std::move(field));
   fields.push_back(StrainField(report));
   fields.push_back(SpeedField(report));

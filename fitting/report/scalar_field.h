@@ -24,6 +24,9 @@ struct ScalarField {
 // Distance from the observations: from markers and from the rays of tracks, spread over the mesh
 // between them; far from any it is not known. Empty without either.
 std::vector<ScalarField> ResidualField(const ReportScene& report);
+// Distance of the simulated outline from the measured one, all cameras together, along the outlines
+// and a little inwards; elsewhere it is not known. Empty without masks.
+std::vector<ScalarField> OutlineField(const ReportScene& report);
 // Largest principal strain of the triangles around each particle.
 ScalarField StrainField(const ReportScene& report);
 // Speed, by differences of the positions.

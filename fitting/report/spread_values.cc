@@ -14,18 +14,19 @@ namespace {
 constexpr int kMostRounds = 24;
 
 // So that a weight reaches particles about as far as the points are apart.
-int NumRounds(int points, Eigen::Index particles) {
+int NumRounds(int points, Eigen::Index particles, int least) {
   const double cells = static_cast<double>(particles) / std::max(1, points);
-  return std::clamp(static_cast<int>(std::ceil(cells)), 1, kMostRounds);
+  return std::clamp(static_cast<int>(std::ceil(cells)), least, kMostRounds);
 }
 
 }  // namespace
 
-SpreadValues::SpreadValues(const ClothMesh& mesh, std::size_t num_frames)
+SpreadValues::SpreadValues(const ClothMesh& mesh, std::size_t num_frames, int least_rounds)
     : degree_(Eigen::VectorXd::Zero(mesh.num_particles())),
       sums_(num_frames, Eigen::VectorXd::Zero(mesh.num_particles())),
       weights_(sums_),
-      counts_(num_frames, 0) {
+      counts_(num_frames, 0),
+      least_rounds_(least_rounds) {
   for (const MeshEdge& edge : FindEdges(mesh.triangles)) {
     edges_.push_back(edge.nodes);
     for (const int node : edge.nodes) degree_[node] += 1.0;
@@ -57,7 +58,7 @@ std::vector<Eigen::VectorXd> SpreadValues::Values() const {
   std::vector<Eigen::VectorXd> values;
   for (std::size_t f = 0; f < sums_.size(); ++f) {
     Eigen::VectorXd sum = sums_[f], weight = weights_[f];
-    const int rounds = counts_[f] > 0 ? NumRounds(counts_[f], sum.size()) : 0;
+    const int rounds = counts_[f] > 0 ? NumRounds(counts_[f], sum.size(), least_rounds_) : 0;
     for (int round = 0; round < rounds; ++round) {
       Diffuse(&sum);
       Diffuse(&weight);

@@ -16,8 +16,10 @@ namespace clothfit {
 
 class SpreadValues {
  public:
-  SpreadValues(const ClothMesh& mesh, std::size_t num_frames);
+  // `least_rounds`: of spreading, each about half an edge further.
+  SpreadValues(const ClothMesh& mesh, std::size_t num_frames, int least_rounds = 1);
 
+  // Calls for different frames may run at the same time.
   void Add(std::size_t frame, const SurfacePoint& point, double value);
 
   // One number a particle: the mean of the values around it, by weights that diffuse along the
@@ -31,6 +33,7 @@ class SpreadValues {
   Eigen::VectorXd degree_;  // edges at each particle
   std::vector<Eigen::VectorXd> sums_, weights_;
   std::vector<int> counts_;
+  int least_rounds_;
 };
 
 }  // namespace clothfit

@@ -63,6 +63,9 @@ CommandResult* FitCommand::result_ = nullptr;
 
 TEST_F(FitCommand, RecoversTheParametersThatMadeTheRecording) {
   ASSERT_EQ(result_->status, 0) << result_->err;
+  // what a person who waits wants to know
+  for (const char* word : {"left", "frames", "iteration", "cost", "error", "simulations"})
+    EXPECT_THAT(result_->err, HasSubstr(word));
   const json summary = Summary("run");
   EXPECT_EQ(summary.at("status"), "converged");
   const json& drag = summary.at("parameters").at("air_drag.normal");

@@ -37,7 +37,7 @@ TEST_F(ReportCommand, WritesAPageIntoTheRun) {
 }
 
 TEST_F(ReportCommand, SaysInOneLineWhatIsWrong) {
-  EXPECT_THAT(BadInputLine(Run({"report", "rec"})), HasSubstr("is not the folder of a run"));
+  EXPECT_THAT(BadInputLine(Run({"report", "rec"})), HasSubstr("is the folder of a recording"));
   EXPECT_THAT(BadInputLine(Run({"report", "run", "--pictures", "none"})), HasSubstr("none"));
   EXPECT_THAT(BadInputLine(Run({"report", "run", "-o", "none/a.html"})),
               HasSubstr("cannot be written"));

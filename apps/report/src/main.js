@@ -51,22 +51,27 @@ async function makeStage(report, player, stage) {
   return { viewPanel, pictures, picturePanel };
 }
 
+// A comparison or a study has no clock and nothing that moves.
+const kStill = { frames: 1, rate: 1, held_out: [], last_fitted: 0 };
+
 async function start() {
   const report = readReport();
-  const player = new Player(report.clock);
+  const hasMotion = Boolean(report.motions?.length);
+  const clock = report.clock ?? kStill;
+  const player = new Player(clock);
   document.getElementById('bar-tools').append(makeLinks(report.sections), makeThemeButton());
-  document.body.append(makeTransport(player, report.clock));
   const stage = document.getElementById('stage');
-  const parts = await makeStage(report, player, stage);
+  if (hasMotion) document.body.append(makeTransport(player, clock)); else stage.hidden = true;
+  const parts = hasMotion ? await makeStage(report, player, stage) : {};
   if (report.notes.length) {
     stage.after(h('aside', { class: 'notes' }, report.notes.map((note) => h('p', {}, note))));
   }
-  const context = { report, player, clock: report.clock, ...parts };
+  const context = { report, player, clock, ...parts };
   const sections = document.getElementById('sections');
   for (const section of report.sections) sections.append(makeSection(section, context));
   document.documentElement.dataset.ready = 'true';
   window.clothfit = { player, ...parts };  // for the console, and for tests
-  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
+  if (hasMotion && !matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
 }
 
 start();

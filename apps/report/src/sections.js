@@ -7,12 +7,16 @@ import { barsBlock } from './blocks/bars.js';
 import { heatmapBlock } from './blocks/heatmap.js';
 import { intervalsBlock } from './blocks/intervals.js';
 import { linesBlock } from './blocks/lines.js';
-import { codeBlock, tableBlock, textBlock } from './blocks/text.js';
+import { pictureBlock } from './blocks/picture.js';
+import { tableBlock } from './blocks/table.js';
+import { codeBlock, headingBlock, textBlock } from './blocks/text.js';
 import { h } from './dom.js';
 import { cameraGrid } from './pictures/picture_panel.js';
 
 const kBlocks = {
   text: textBlock,
+  heading: headingBlock,
+  picture: pictureBlock,
   table: tableBlock,
   code: codeBlock,
   lines: linesBlock,
@@ -39,11 +43,11 @@ export function makeSection(section, context) {
   return h('section', { class: 'card', id: section.id, 'aria-labelledby': `${section.id}-title` },
     h('h2', { id: `${section.id}-title` }, section.title),
     section.lead ? h('p', { class: 'lead' }, section.lead) : null,
-    h('div', { class: section.blocks.every(isMap) ? 'blocks maps' : 'blocks' },
+    h('div', { class: section.blocks.filter(isMap).length > 2 ? 'blocks maps' : 'blocks' },
       section.blocks.map((block) => makeBlock(block, { ...context, section }))));
 }
 
 export function makeLinks(sections) {
   return h('nav', { 'aria-label': 'Sections' },
-    sections.map((section) => h('a', { href: `#${section.id}` }, section.title)));
+    sections.map((section) => h('a', { href: `#${section.id}` }, section.short ?? section.title)));
 }

@@ -38,7 +38,11 @@ struct Case {
                         {"heavy_patch.u", 0.3},
                         {"heavy_patch.v", 0.35},
                         {"heavy_patch.radius", 0.1}};
-    truth.force = {true, {0.25, 0.25}, {0.5, 0.5}, 5, 20, 1.0, 1.0, 1.0};
+    truth.force.acts = true;
+    truth.force.low_uv = {0.25, 0.25};
+    truth.force.high_uv = {0.5, 0.5};
+    truth.force.first_frame = 5;
+    truth.force.last_frame = 20;
     diagnosis.verdict = Verdict::kNamed;
     diagnosis.effects = {"heavy_patch"};
     diagnosis.ambiguity = {"heavy_patch", "hem"};

@@ -85,12 +85,26 @@ TEST_F(Report, HasFieldsForEveryParticleAndFrame) {
       EXPECT_EQ(field.at("values").at(motion).at("shape"), (json{12, 25, 1})) << names.back();
     }
   }
-  EXPECT_THAT(names, testing::ElementsAre("residual", "strain", "speed"));
+  EXPECT_THAT(names, testing::ElementsAre("residual", "outline", "strain", "speed"));
   // The residual of the fit is small where it is known at all, and markers are everywhere.
   for (const double value :
        NumbersOfBlock(page_->html, data.at("fields")[0].at("values").at("after"))) {
     EXPECT_LT(value, 0.1);  // m, a quarter of the cloth
   }
+}
+
+// The masks of the small recording are a square that has nothing to do with the cloth, 1.5 m away.
+TEST_F(Report, ColoursByTheDistanceOfTheOutlines) {
+  const json data = DataOfPage(page_->html);
+  int known = 0;
+  for (const double value :
+       NumbersOfBlock(page_->html, data.at("fields")[1].at("values").at("after"))) {
+    if (std::isnan(value)) continue;
+    EXPECT_GE(value, 0.0);
+    EXPECT_LT(value, 1.5);  // m; the picture is 1.6 m wide there
+    ++known;
+  }
+  EXPECT_GT(known, 100);  // of 300
 }
 
 TEST_F(Report, HasEveryCameraWithPicturesAndOutlines) {

@@ -19,7 +19,7 @@ function row(item, block, [low, high]) {
   const whisker = Number.isFinite(lower) && Number.isFinite(upper)
     ? h('span', { class: 'whisker', style: `left: ${share(lower)}; width: ${width(lower, upper)}` })
     : null;
-  return h('div', { class: `bar-row ${item.muted ? 'muted' : ''}`, role: 'listitem' },
+  return h('div', { class: `bar-row ${item.muted ? 'muted' : ''} ${item.marked ? 'marked' : ''}`, role: 'listitem' },
     h('span', { class: 'bar-name' }, item.name),
     h('span', { class: 'bar-track' },
       h('span', { class: 'bar', style: `left: ${left}; width: ${width(0, item.value)}` }), whisker),

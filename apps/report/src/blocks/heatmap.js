@@ -60,7 +60,7 @@ export function heatmapBlock(block, { player, section }) {
   canvas.addEventListener('pointerleave', () => { readout.textContent = '\u00a0'; });
   const draw = (frame) => paint(canvas, frameOf(block, frame), range, block.diverging);
   const size = (axis) => axis.range[1] - axis.range[0] || 1;
-  canvas.style.aspectRatio = `${Math.max(0.4, Math.min(2.5, size(block.u) / size(block.v)))}`;
+  canvas.style.aspectRatio = block.stretch ? '1' : `${Math.max(0.4, Math.min(2.5, size(block.u) / size(block.v)))}`;
   const element = h('figure', { class: 'chart heatmap' },
     h('figcaption', {}, block.title, readout),
     h('div', { class: 'heat-body' },

@@ -63,7 +63,9 @@ function row(item) {
 
 export function intervalsBlock(block) {
   const hasTruth = block.items.some((item) => Number.isFinite(item.truth));
-  const key = [['prior', 'before the fit'], ['posterior', 'after it'], ['start', 'start'],
+  const hasPrior = block.items.some((item) => item.prior);
+  const key = [...(hasPrior ? [['prior', 'before the fit']] : []),
+    ['posterior', hasPrior ? 'after it' : 'interval'], ['start', block.start ?? 'start'],
     ['value', 'value'], ...(hasTruth ? [['truth', 'truth']] : [])];
   return h('figure', { class: 'intervals' },
     h('figcaption', { class: 'key' }, key.map(([kind, title]) =>

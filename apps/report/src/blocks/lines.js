@@ -9,10 +9,11 @@ import { number, unitText } from '../format.js';
 import { colour, onTheme } from '../theme.js';
 
 const kHeight = 210;
+const kTall = 320;
 
 function seriesColour(series, index) {
   const named = { before: '--before', after: '--after' }[series.role];
-  return colour(named ?? `--series-${(index % 6) + 1}`);
+  return colour(named ?? `--series-${((series.colour ?? index) % 6) + 1}`);
 }
 
 // Hatches held-out frames behind the curves.
@@ -40,7 +41,18 @@ function hatch(clock) {
   };
 }
 
-function axis(title, unit, isSide) {
+// Of a logarithmic axis: powers of ten, and of a short one some multiples of them too.
+function logTicks(_, __, low, high) {
+  const decades = Math.log10(high / low);
+  const digits = decades > 3 ? [1] : decades > 1.2 ? [1, 2, 5] : [1, 1.5, 2, 3, 5, 7];
+  const ticks = [];
+  for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); ++power) {
+    for (const digit of digits) ticks.push(Number(`${digit}e${power}`));
+  }
+  return ticks.filter((tick) => tick >= low * (1 - 1e-9) && tick <= high * (1 + 1e-9));
+}
+
+function axis(title, unit, isSide, isLog) {
   return {
     label: unit ? `${title}, ${unitText(unit)}` : title,
     labelSize: 22,
@@ -49,36 +61,49 @@ function axis(title, unit, isSide) {
     stroke: () => colour('--ink-soft'),
     grid: { stroke: () => colour('--grid-soft'), width: 1 },
     ticks: { stroke: () => colour('--grid-soft'), width: 1 },
-    size: isSide ? 52 : 34,
+    size: isSide ? (isLog ? 66 : 52) : 34,
     values: (_, values) => values.map((value) => (value === null ? '' : number(value, 4))),
+    ...(isLog ? { splits: logTicks, filter: (_, ticks) => ticks } : {}),
   };
 }
+
+// uPlot's own range of a logarithm is whole decades, which may leave most of the chart empty.
+function rangeOf(y) {
+  if (y.from_zero) return (_, __, high) => [0, (high || 1) * 1.08];
+  if (y.log) return (_, low, high) => [(low || 1) / 1.12, (high || 1) * 1.12];
+  return undefined;
+}
+
+const heightOf = (block) => (block.tall ? kTall : kHeight);
 
 function optionsOf(block, clock, width) {
   const isLinked = Boolean(block.frames);
   const x = isLinked ? { title: 'time', unit: 's' } : block.x;
   return {
     width,
-    height: kHeight,
+    height: heightOf(block),
     cursor: { points: { size: 7 }, drag: { x: false, y: false } },
     legend: { live: true },
     scales: {
-      x: { time: false },
+      x: { time: false, distr: block.x?.log ? 3 : 1 },
       y: {
         distr: block.y.log ? 3 : 1,
-        range: block.y.from_zero ? (_, __, high) => [0, (high || 1) * 1.08] : undefined,
+        range: rangeOf(block.y),
       },
     },
-    axes: [axis(x.title, x.unit, false), axis(unitText(block.y.unit) || block.y.title, '', true)],
+    axes: [axis(x.title, x.unit, false, x.log),
+      axis(unitText(block.y.unit) || block.y.title, '', true, block.y.log)],
     series: [
       {
         label: x.title,
-        value: (_, value) => (value === null ? '–' : `${number(value, 4)} ${x.unit}`),
+        value: (_, value) => (value === null ? '–' : `${number(value, 4)} ${unitText(x.unit)}`),
       },
       ...block.series.map((series, index) => ({
         label: series.name,
         stroke: () => seriesColour(series, index),
         width: 2,
+        spanGaps: Boolean(series.steps),
+        paths: series.steps ? uPlot.paths.stepped({ align: 1 }) : undefined,
         dash: series.role === 'before' ? [6, 4] : undefined,
         points: { show: Boolean(series.points), size: 6, fill: () => seriesColour(series, index) },
         value: (_, value) => (value === null ? '–' : `${number(value, 3)} ${unitText(block.y.unit)}`),
@@ -111,7 +136,7 @@ function link(plot, player, clock) {
 }
 
 export function linesBlock(block, { player, clock }) {
-  const body = h('div', { class: 'plot', style: `min-height: ${kHeight + 30}px` });
+  const body = h('div', { class: 'plot', style: `min-height: ${heightOf(block) + 30}px` });
   const element = h('figure', { class: 'chart' }, h('figcaption', {}, block.title), body);
   const x = block.frames
     ? Array.from({ length: clock.frames }, (_, frame) => frame / clock.rate) : block.x.values;
@@ -121,7 +146,7 @@ export function linesBlock(block, { player, clock }) {
     const linked = block.frames ? link(plot, player, clock) : null;
     new ResizeObserver(() => {
       if (Math.abs(body.clientWidth - plot.width) < 2 || body.clientWidth === 0) return;
-      plot.setSize({ width: body.clientWidth, height: kHeight });
+      plot.setSize({ width: body.clientWidth, height: heightOf(block) });
       linked?.show(player.frame);
     }).observe(body);
     const redraw = () => plot.redraw(false);

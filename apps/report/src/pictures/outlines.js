@@ -70,8 +70,7 @@ export class ClothPath {
       const [second, third] = area > 0 ? [b, c] : [c, b];
       path.moveTo(pixels[2 * a], pixels[2 * a + 1]);
       path.lineTo(pixels[2 * second], pixels[2 * second + 1]);
-      path.lineTo(pixels[2 * third], pixels[2 * third + 1]);
-      path.closePath();
+      path.lineTo(pixels[2 * third], pixels[2 * third + 1]);  // filling closes it
     }
     return path;
   }

@@ -91,6 +91,7 @@ export class ViewPanel {
     onPick(this.viewer, (particle) => this.choose(particle));
     this.showMotions(this.first);
     this.showField(report.fields[0]?.name ?? '');
+    player.onState(() => this.viewer.play(player.isPlaying, player.rate * player.speed));
     player.onFrame((frame) => {
       this.viewer.setFrame(frame);
       this.updateProbe();

@@ -8,6 +8,7 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 import { colour, onTheme } from '../theme.js';
+import { Pace } from './pace.js';
 
 // Everything that one motion of the cloth comes with.
 export class Pane {
@@ -65,6 +66,7 @@ export class Viewer {
     this.panes = panes;
     this.shown = panes.slice(-1);
     this.mostPixels = isSoftware() ? 1 : 2;  // per CSS pixel
+    this.pace = new Pace(this.mostPixels > 1 ? 1 : 0.75);
     this.renderer = new WebGLRenderer({
       antialias: this.mostPixels > 1, powerPreference: 'low-power',
     });
@@ -76,6 +78,8 @@ export class Viewer {
     this.light = new DirectionalLight(0xffffff, 1.6);
     this.controls = new OrbitControls(this.eye, this.canvas);
     this.controls.addEventListener('change', () => this.invalidate());
+    this.controls.addEventListener('start', () => { if (!this.isPlaying) this.move(true, 1 / 30); });
+    this.controls.addEventListener('end', () => { if (!this.isPlaying) this.move(false, 0); });
     this.home = { up, box };
     this.lookHome();
     new ResizeObserver(() => this.resize()).observe(container);
@@ -147,10 +151,22 @@ export class Viewer {
     this.invalidate();
   }
 
+  // While the clock runs. `rate`: Hz, at which pictures are wanted.
+  play(isPlaying, rate) {
+    this.isPlaying = isPlaying;
+    this.move(isPlaying, 1 / rate);
+  }
+
+  move(isMoving, wanted) {
+    this.pace.move(isMoving, wanted);
+    this.resize();
+  }
+
   resize() {
     const { clientWidth: width, clientHeight: height } = this.container;
     if (!width || !height) return;
-    this.renderer.setPixelRatio(Math.min(this.mostPixels, window.devicePixelRatio));
+    const ratio = this.pace.now * Math.min(this.mostPixels, window.devicePixelRatio);
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     for (const pane of this.panes) {
       for (const layer of pane.layers.values()) {
@@ -189,5 +205,6 @@ export class Viewer {
       this.renderer.render(pane.scene, this.eye);
     });
     ++this.frames;
+    if (this.pace.drawn(performance.now())) this.resize();
   }
 }

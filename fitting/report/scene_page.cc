@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/report/report.h"
+#include "fitting/report/scene_page.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "fitting/report/report_extras.h"
 #include "fitting/report/report_html.h"
 #include "fitting/report/report_observations.h"
 #include "fitting/version.h"
@@ -35,9 +34,6 @@ Json SceneAsJson(const Scene& scene) {
   const Recording& recording = scene.recording;
   const Eigen::Vector3d& gravity = recording.gravity;
   Json json;
-  json["format"] = "clothfit-report/1";
-  json["version"] = Version();
-  json["title"] = recording.name;
   json["clock"] = ClockAsJson(scene);
   json["size"] = {recording.cloth.size.x(), recording.cloth.size.y()};
   json["gravity"] = {gravity.x(), gravity.y(), gravity.z()};
@@ -55,9 +51,9 @@ Json ObstaclesAsJson(const std::vector<ReportObstacle>& obstacles, ReportBlobs* 
   return json;
 }
 
-Json ErrorsAsJson(const VerdictFacts& facts) {
+Json ErrorsAsJson(const std::vector<ErrorChange>& changes) {
   Json errors = Json::array();
-  for (const ErrorChange& error : facts.errors) {
+  for (const ErrorChange& error : changes) {
     errors.push_back({{"kind", error.kind},
                       {"held_out", error.held_out},
                       {"unit", error.unit},
@@ -111,19 +107,11 @@ Json MotionsAsJson(const ReportScene& report, ReportBlobs* blobs) {
   return motions;
 }
 
-Json SectionsAsJson(const ReportScene& report, const std::vector<ScalarField>& fields,
-                    const std::vector<Json>& extras) {
-  std::vector<std::vector<FrameMisfit>> misfits;
-  for (const Motion& motion : report.motions) misfits.push_back(MeasureFrames(report, motion));
-  std::vector<Json> sections = {CameraSection(report), ErrorSection(report, misfits),
-                                ClothMapSection(report, fields), ParameterSection(report)};
-  sections.insert(sections.end(), extras.begin(), extras.end());
-  sections.push_back(ConvergenceSection(report));
-  sections.push_back(TimeSection(report));
-  sections.push_back(ConfigurationSection(report));
+// Sections in which nothing stands are left out.
+Json SectionsThatSay(const std::vector<Json>& sections) {
   Json json = Json::array();
-  for (Json& section : sections) {
-    if (!section.at("blocks").empty()) json.push_back(std::move(section));
+  for (const Json& section : sections) {
+    if (!section.at("blocks").empty()) json.push_back(section);
   }
   return json;
 }
@@ -143,37 +131,39 @@ void AddPicturesThatFit(const ReportScene& report, const ReportAssets& assets,
 
 }  // namespace
 
-ReportPage MakeReport(const RunFolder& run, const ReportAssets& assets,
-                      const ReportOptions& options) {
-  const ReportScene report = GatherReportScene(run, options.pictures);
-  const Scene& scene = report.scene();
-  const ReportExtras extras = ReadReportExtras(run.path(), report);
-  std::vector<ScalarField> fields = CommonFields(report);
-  const VerdictFacts facts = FactsOf(report.record);
-  ReportPage page;
-  page.verdict = JudgeFit(facts);
-  page.notes = report.notes;
+ReportPage AsReportPage(ReportJson json, const Verdict& verdict, const ReportBlobs& blobs,
+                        const ReportAssets& assets) {
+  json["format"] = "clothfit-report/1";
+  json["version"] = Version();
+  if (!json.contains("notes")) json["notes"] = Json::array();
+  return {ReportAsHtml(json, verdict, blobs, assets), verdict, json.at("notes")};
+}
 
-  ReportBlobs blobs;
+ReportPage MakeScenePage(const ScenePage& content, const ReportAssets& assets,
+                         const ReportOptions& options) {
+  const ReportScene& report = content.report;
+  const Scene& scene = report.scene();
+  std::vector<std::string> notes = report.notes;
+  ReportBlobs blobs = content.blobs;
   Json json = SceneAsJson(scene);
-  json["errors"] = ErrorsAsJson(facts);
-  json["obstacles"] = ObstaclesAsJson(extras.obstacles, &blobs);
+  json["title"] = content.title;
+  json["errors_title"] = content.errors_title;
+  json["errors"] = ErrorsAsJson(content.errors);
+  json["obstacles"] = ObstaclesAsJson(content.obstacles, &blobs);
   json["mesh"] = MeshAsJson(scene.mesh, &blobs);
   json["motions"] = MotionsAsJson(report, &blobs);
-  json["sections"] = SectionsAsJson(report, fields, extras.sections);
-  fields.insert(fields.end(), extras.fields.begin(), extras.fields.end());
+  json["sections"] = SectionsThatSay(content.sections);
   json["fields"] = Json::array();
-  for (const ScalarField& field : fields) {
+  for (const ScalarField& field : content.fields) {
     json["fields"].push_back(FieldAsJson(field, report.motions.back().name, &blobs));
   }
-  json["observations"] = ObservationsAsJson(scene, &blobs, &page.notes);
+  json["observations"] = ObservationsAsJson(scene, &blobs, &notes);
   json["handles"] = HandlesAsJson(report, &blobs);
   Json cameras = CamerasAsJson(report, &blobs);
-  AddPicturesThatFit(report, assets, options, json.dump().size(), &blobs, &cameras, &page.notes);
+  AddPicturesThatFit(report, assets, options, json.dump().size(), &blobs, &cameras, &notes);
   json["cameras"] = std::move(cameras);
-  json["notes"] = page.notes;
-  page.html = ReportAsHtml(json, page.verdict, blobs, assets);
-  return page;
+  json["notes"] = notes;
+  return AsReportPage(std::move(json), content.verdict, blobs, assets);
 }
 
 }  // namespace clothfit

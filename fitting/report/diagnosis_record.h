@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a diagnosis left in its folder, checked to be complete.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+#include "tracking/recording.h"
+
+namespace clothfit {
+
+struct DiagnosisRecord {
+  std::filesystem::path folder;
+  nlohmann::ordered_json json;  // diagnosis.json
+  std::string verdict, words;
+  std::vector<std::string> effects;  // that were found, faults of the observation among them
+  std::vector<std::string> ambiguity;
+  std::array<int, 2> resolution = {0, 0};  // particles of the motions; 0 where there is no grid
+  std::optional<Splits::FrameRange> held_out;
+  std::string config, log;             // the files' text
+  std::vector<Eigen::VectorXd> force;  // N/m^2 by frame: normal, warp, weft of each particle
+};
+
+// Throws InputError, one line, where a file is missing, damaged or of another version of clothfit.
+DiagnosisRecord ReadDiagnosisRecord(const std::filesystem::path& folder);
+
+}  // namespace clothfit

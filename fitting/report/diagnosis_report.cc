@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The page of a diagnosis: the baseline beside the model with what was found.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/error.h"
+#include "fitting/npy_file.h"
+#include "fitting/report/diagnosis_record.h"
+#include "fitting/report/diagnosis_sections.h"
+#include "fitting/report/report_kinds.h"
+#include "fitting/report/scene_page.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Grade = Verdict::Grade;
+
+Grade GradeOf(const std::string& verdict) {
+  if (verdict == "nothing is missing" || verdict == "named") return Grade::kGood;
+  return verdict == "observation fault" ? Grade::kPartial : Grade::kPoor;
+}
+
+std::string HeadlineOf(const DiagnosisRecord& record) {
+  const std::string effects = JoinNames(record.effects);
+  if (record.verdict == "nothing is missing") return "Nothing is missing from the simulation.";
+  if (record.verdict == "named") return "What the simulation lacked: " + effects + ".";
+  if (record.verdict == "observation fault") {
+    return "The observation is at fault, not the physics: " + effects + ".";
+  }
+  if (record.verdict == "interrupted") return "The diagnosis was interrupted.";
+  if (!effects.empty()) return "Something is missing; " + effects + " is only a part of it.";
+  return "Something is missing, and nothing in the catalogue explains it.";
+}
+
+// "One. Two." as its sentences: a full stop within a number is followed by no blank. What the
+// headline says is not said again.
+std::vector<std::string> Sentences(const std::string& words, const std::string& effects) {
+  std::vector<std::string> sentences;
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t stop = words.find(". ", begin);
+    const std::size_t end = stop == std::string::npos ? words.size() : stop + 1;
+    const std::string sentence = words.substr(begin, end - begin);
+    if (effects.empty() || sentence != "What was left out: " + effects + ".")
+      sentences.push_back(sentence);
+    begin = end + 1;
+  }
+  return sentences;
+}
+
+using Member = std::optional<double> FrameMisfit::*;
+
+// Root mean square over the frames that are held out, or over those that are fitted.
+std::optional<double> OverFrames(const Scene& scene, const std::vector<FrameMisfit>& frames,
+                                 Member member, bool held_out) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const std::optional<double>& value = frames[f].*member;
+    if (!value || scene.IsHeldOut(static_cast<int>(f)) != held_out) continue;
+    sum += *value * *value;
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return std::sqrt(sum / count);
+}
+
+std::vector<ErrorChange> ErrorsOf(const ReportScene& report,
+                                  const std::vector<std::vector<FrameMisfit>>& misfits) {
+  const struct {
+    const char *kind, *unit;
+    Member member;
+  } kinds[] = {{"markers", "m", &FrameMisfit::markers},
+               {"tracks", "px", &FrameMisfit::tracks},
+               {"silhouettes", "px", &FrameMisfit::silhouettes}};
+  std::vector<ErrorChange> errors;
+  for (const auto& [kind, unit, member] : kinds) {
+    for (const bool held_out : {false, true}) {
+      const auto before = OverFrames(report.scene(), misfits.front(), member, held_out);
+      std::optional<double> after;  // there is none where nothing was found
+      if (misfits.size() > 1) after = OverFrames(report.scene(), misfits.back(), member, held_out);
+      if (before || after) errors.push_back({kind, held_out, unit, before, after});
+    }
+  }
+  return errors;
+}
+
+FittedRun ReadModel(const DiagnosisRecord& record) {
+  const fs::path file = record.folder / "config.yaml";
+  const std::string folder = ReadConfigRecording(file);
+  if (folder.empty()) throw InputError(file.string(), "names no recording");
+  Recording recording = ReadRecording(folder);
+  if (record.held_out) recording.splits.held_out_frames = record.held_out;
+  FitConfig config = DefaultConfig(recording);
+  ReadConfig(file, &config);
+  config.resolution = record.resolution;
+  Scene scene = MakeScene(recording, config);
+  return {std::move(config), std::move(scene)};
+}
+
+ReportScene SceneOf(const DiagnosisRecord& record, const ReportOptions& options) {
+  ReportScene report = GatherReportScene(ReadModel(record), options.pictures);
+  const auto add = [&](const char* file, const char* name, const std::string& title) {
+    std::vector<Eigen::VectorXd> positions = ReadPointsNpy(record.folder / file);
+    CheckTrajectory(record.folder / file, report.scene(), positions);
+    report.motions.push_back({name, title, std::move(positions)});
+  };
+  add("baseline.npy", "before", "Baseline");
+  if (!record.effects.empty()) add("model.npy", "after", "With " + JoinNames(record.effects));
+  return report;
+}
+
+// What the baseline lacks, on every motion; not known beyond the last frame it was looked for in.
+std::vector<ScalarField> ForceFields(const ReportScene& report,
+                                     const std::vector<Eigen::VectorXd>& force) {
+  if (force.empty()) return {};
+  ScalarField size{"missing_force", "Missing force", "N/m^2", false, {}};
+  ScalarField normal{"missing_force_normal", "Missing force, normal", "N/m^2", true, {}};
+  const Eigen::VectorXd unknown =
+      Eigen::VectorXd::Constant(force[0].size() / 3, std::numeric_limits<double>::quiet_NaN());
+  for (const Motion& motion : report.motions) {
+    for (std::size_t f = 0; f < motion.positions.size(); ++f) {
+      const bool is_known = f < force.size();
+      const Eigen::VectorXd& numbers = force[std::min(f, force.size() - 1)];
+      const Eigen::Map<const Eigen::Matrix3Xd> vectors(numbers.data(), 3, numbers.size() / 3);
+      size.values[motion.name].emplace_back(
+          is_known ? Eigen::VectorXd(vectors.colwise().norm().transpose()) : unknown);
+      normal.values[motion.name].emplace_back(is_known ? Eigen::VectorXd(vectors.row(0).transpose())
+                                                       : unknown);
+    }
+  }
+  return {std::move(size), std::move(normal)};
+}
+
+}  // namespace
+
+ReportPage MakeDiagnosisReport(const fs::path& folder, const ReportAssets& assets,
+                               const ReportOptions& options) {
+  const DiagnosisRecord record = ReadDiagnosisRecord(folder);
+  const ReportScene report = SceneOf(record, options);
+  const std::vector<std::vector<FrameMisfit>> misfits = MeasureMotions(report);
+  std::vector<ScalarField> fields = CommonFields(report);
+  std::vector<ScalarField> forces = ForceFields(report, record.force);
+  ReportBlobs blobs;
+  std::vector<ReportJson> sections = {CameraSection(report),
+                                      RankingSection(record),
+                                      LocationSection(report, record, &blobs),
+                                      ClassSection(record),
+                                      ProofSection(report, record),
+                                      AnswerSection(report, record),
+                                      NullSection(record),
+                                      ErrorSection(report, misfits),
+                                      ClothMapSection(report, fields),
+                                      DiagnosisTimeSection(record),
+                                      DiagnosisFilesSection(report, record)};
+  fields.insert(fields.begin() + 1, std::make_move_iterator(forces.begin()),
+                std::make_move_iterator(forces.end()));
+  const ReportExtras extras = ReadReportExtras(folder, report);
+  return MakeScenePage({report,
+                        {GradeOf(record.verdict), HeadlineOf(record),
+                         Sentences(record.words, JoinNames(record.effects))},
+                        "Diagnosis of " + report.scene().recording.name,
+                        record.effects.empty() ? "Error of the baseline"
+                                               : "Error of the baseline → with what was found",
+                        ErrorsOf(report, misfits),
+                        std::move(fields),
+                        extras.obstacles,
+                        std::move(sections),
+                        std::move(blobs)},
+                       assets, options);
+}
+
+}  // namespace clothfit

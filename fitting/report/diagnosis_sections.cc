@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/report/diagnosis_sections.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/report/verdict.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+constexpr std::size_t kMostBars = 12;  // of candidates; the table has all
+
+bool IsAmong(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Why a candidate stands where it does.
+std::string Standing(const DiagnosisRecord& record, const ReportJson& candidate) {
+  const std::string name = candidate.at("name");
+  if (IsAmong(record.effects, name)) return "named";
+  if (IsAmong(record.ambiguity, name)) return "cannot be told from " + record.ambiguity.front();
+  if (candidate.at("short_listed") == true) return "short-listed";
+  return candidate.at("why_not").get<std::string>();
+}
+
+ReportJson RankingBars(const DiagnosisRecord& record, const char* key, const char* title) {
+  ReportJson items = ReportJson::array();
+  for (const ReportJson& candidate : record.json.at("ranking")) {
+    if (items.size() == kMostBars) break;
+    const std::string name = candidate.at("name");
+    const bool is_set = IsAmong(record.effects, name) || IsAmong(record.ambiguity, name);
+    if (!candidate.at(key).is_number()) continue;
+    items.push_back({{"name", name},
+                     {"value", candidate.at(key)},
+                     {"note", ""},
+                     {"marked", is_set},
+                     {"muted", !is_set && candidate.at("short_listed") != true}});
+  }
+  return {{"kind", "bars"}, {"title", title}, {"unit", ""}, {"narrow", true}, {"items", items}};
+}
+
+ReportJson Column(const char* title, bool is_number = true) {
+  return {{"title", title}, {"number", is_number}};
+}
+
+ReportJson RankingTable(const DiagnosisRecord& record) {
+  ReportJson rows = ReportJson::array();
+  for (const ReportJson& c : record.json.at("ranking")) {
+    const ReportJson& parameters = c.at("parameters");
+    const std::string unit = parameters.empty() ? "" : parameters[0].value("unit", "");
+    const ReportJson share =
+        c.at("share").is_number() ? ReportJson(100.0 * c.at("share").get<double>()) : ReportJson();
+    rows.push_back({c.at("name"), c.at("kind"), share, c.at("score"),
+                    c.at("score_without_projection"), c.at("p_value"), c.at("false_discovery_rate"),
+                    c.at("detection_limit"), unit == "1" ? "" : unit, Standing(record, c)});
+  }
+  return {{"kind", "table"},
+          {"title", fmt::format("All {} candidates", rows.size())},
+          {"folded", true},
+          {"columns",
+           {{{"title", "candidate"}, {"code", true}},
+            Column("kind", false),
+            Column("explains, %"),
+            Column("score"),
+            Column("without projection"),
+            Column("p"),
+            Column("false discovery"),
+            Column("detection limit"),
+            Column("unit", false),
+            Column("", false)}},
+          {"rows", rows}};
+}
+
+std::string SayAmbiguity(const DiagnosisRecord& record) {
+  if (record.effects.empty()) return "Nothing is named.";
+  if (record.ambiguity.size() < 2) {
+    return fmt::format("Nothing else does nearly what {} does in this recording.",
+                       record.effects.front());
+  }
+  return fmt::format("This recording cannot tell these apart: {}.", JoinNames(record.ambiguity));
+}
+
+ReportJson Percent(const ReportJson& share) {
+  return share.is_number() ? ReportJson(100.0 * share.get<double>()) : ReportJson();
+}
+
+// A bar for each of the held-out errors of the answer, and a table of all models.
+ReportJson ProofBars(const ReportJson& model) {
+  const ReportJson& proof = model.at("held_out");
+  ReportJson items = ReportJson::array();
+  const auto add = [&](const char* name, const char* key, bool is_muted) {
+    if (!proof.at(key).is_number()) return;
+    items.push_back({{"name", name}, {"value", proof.at(key)}, {"note", ""}, {"muted", is_muted}});
+  };
+  add("baseline", "before", false);
+  add("with what was found", "after", false);
+  add("noise alone", "floor", true);
+  return {{"kind", "bars"},
+          {"title", "Error on held-out frames"},
+          {"unit", "length"},
+          {"items", items}};
+}
+
+ReportJson ModelTable(const ReportJson& models, double factor, const std::string& unit) {
+  ReportJson rows = ReportJson::array();
+  for (const ReportJson& m : models) {
+    const ReportJson& proof = m.at("held_out");
+    const auto length = [&](const char* key) {
+      return proof.at(key).is_number() ? ReportJson(factor * proof.at(key).get<double>())
+                                       : ReportJson();
+    };
+    rows.push_back({JoinNames(m.at("effects").get<std::vector<std::string>>()), m.at("cost"),
+                    Percent(m.at("explained")), length("before"), length("after"),
+                    length("improvement_lower95"), length("floor"),
+                    proof.at("proven") == true ? "proven" : "",
+                    m.at("kept") == true ? "kept" : ""});
+  }
+  const auto with_unit = [&](const char* title) {
+    return ReportJson{{"title", title}, {"unit", unit}, {"number", true}};
+  };
+  return {{"kind", "table"},
+          {"title", "Every model that was fitted"},
+          {"columns",
+           {{{"title", "effects"}, {"code", true}},
+            Column("cost"),
+            Column("explains, %"),
+            with_unit("before"),
+            with_unit("after"),
+            with_unit("better by at least"),
+            with_unit("noise"),
+            Column("", false),
+            Column("", false)}},
+          {"rows", rows}};
+}
+
+}  // namespace
+
+ReportJson RankingSection(const DiagnosisRecord& record) {
+  ReportJson blocks = ReportJson::array();
+  if (!record.json.at("ranking").empty()) {
+    blocks.push_back(TextBlock({SayAmbiguity(record)}));
+    blocks.push_back(RankingBars(record, "score", "Score"));
+    blocks.push_back(
+        RankingBars(record, "score_without_projection", "Score with nothing projected out"));
+    blocks.push_back(RankingTable(record));
+  }
+  ReportJson section = SectionOf("ranking", "What could be missing", blocks, "Ranking");
+  section["lead"] =
+      "The score is the fall of the sum of squares, in sigmas, that a candidate promises after the "
+      "baseline and the observation's own faults took their part; beside it, without that. "
+      "Strong bars are named or cannot be told from what is named; pale ones passed no test.";
+  return section;
+}
+
+ReportJson ClassSection(const DiagnosisRecord& record) {
+  ReportJson blocks = ReportJson::array();
+  const ReportJson found = record.json.value("class", ReportJson());
+  if (!found.is_object()) return SectionOf("class", "Of what class it is", blocks, "Class");
+  const auto yes_no = [](const ReportJson& value) {
+    return value.is_null() ? "cannot be told" : value == true ? "yes" : "no";
+  };
+  const std::string tied_to = found.value("tied_to", "");
+  ReportJson rows = ReportJson::array();
+  rows.push_back({"comes from within the cloth", yes_no(found.at("internal"))});
+  rows.push_back({"takes energy out", yes_no(found.at("dissipative"))});
+  rows.push_back({"puts energy in", yes_no(found.at("driving"))});
+  rows.push_back({"tied to", tied_to.empty() ? "cannot be told" : tied_to});
+  const auto number = [&](const char* key) {
+    return found.at(key).is_number() ? fmt::format("{:.3g}", found.at(key).get<double>()) : "–";
+  };
+  rows.push_back({"net force, sigmas from nothing", number("net_force_sigmas")});
+  rows.push_back({"net moment, sigmas from nothing", number("net_moment_sigmas")});
+  rows.push_back({"mean power", number("power_W") + " ± " + number("power_sigma_W") + " W"});
+  blocks.push_back(TextBlock({found.at("words").get<std::string>()}));
+  blocks.push_back(
+      {{"kind", "table"}, {"columns", {{{"title", ""}}, {{"title", ""}}}}, {"rows", rows}});
+  return SectionOf("class", "Of what class it is", blocks, "Class");
+}
+
+ReportJson ProofSection(const ReportScene& report, const DiagnosisRecord& record) {
+  ReportJson blocks = ReportJson::array();
+  const ReportJson& models = record.json.at("models");
+  const ReportJson answer = record.json.value("answer", ReportJson());
+  const bool is_px = report.scene().markers.empty();
+  if (answer.is_object()) {
+    ReportJson bars = ProofBars(answer);
+    bars["unit"] = is_px ? "px" : "mm";
+    for (ReportJson& item : bars["items"])
+      item["value"] = (is_px ? 1.0 : 1e3) * item["value"].get<double>();
+    blocks.push_back(bars);
+    const ReportJson& bound = answer.at("held_out").at("improvement_lower95");
+    if (bound.is_number()) {
+      blocks.push_back(
+          TextBlock({fmt::format("By at least {} with a probability of 95 %.",
+                                 QuantityInWords(bound.get<double>(), is_px ? "px" : "m"))}));
+    }
+  }
+  if (!models.empty()) blocks.push_back(ModelTable(models, is_px ? 1.0 : 1e3, is_px ? "px" : "mm"));
+  ReportJson section = SectionOf("proof", "Proof on frames that no fit has seen", blocks, "Proof");
+  section["lead"] =
+      "Every model predicts the held-out frames open loop. It is proven where the lower end of the "
+      "95 % interval of its improvement lies above a twentieth of the noise.";
+  return section;
+}
+
+ReportJson AnswerSection(const ReportScene& report, const DiagnosisRecord& record) {
+  ReportJson items = ReportJson::array();
+  const ReportJson answer = record.json.value("answer", ReportJson());
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  constexpr double kUnbounded = 1e300;
+  const ReportJson found = answer.is_object() ? answer.at("parameters") : ReportJson::array();
+  for (const ReportJson& p : found) {
+    const std::string name = p.at("name");
+    const int index = FindParameter(table, name);
+    ReportJson item = {{"name", name},
+                       {"doc", index < 0 ? "" : table[index].parameter.doc},
+                       {"unit", p.at("unit")},
+                       {"scale", "linear"},
+                       {"bounds", {-kUnbounded, kUnbounded}},
+                       {"start", nullptr},
+                       {"value", p.at("value")},
+                       {"interval", p.at("interval90")},
+                       {"truth", nullptr},
+                       {"note", ""}};
+    if (index >= 0) {
+      const ParameterSetting& setting = report.fitted.config.parameters.at(name);
+      item["bounds"] = {setting.lower, setting.upper};
+      const double off = table[index].parameter.off;
+      if (std::isfinite(off)) item["start"] = off;
+    }
+    items.push_back(item);
+  }
+  ReportJson blocks = ReportJson::array();
+  if (!items.empty()) {
+    blocks.push_back({{"kind", "intervals"}, {"start", "off"}, {"items", items}});
+  }
+  ReportJson section = SectionOf("parameters", "How much of it", blocks, "Parameters");
+  section["lead"] =
+      "Parameters of what was found, with 90 % intervals; \"off\" is where the term "
+      "does nothing.";
+  return section;
+}
+
+ReportJson NullSection(const DiagnosisRecord& record) {
+  const ReportJson& gate = record.json.at("gate");
+  ReportJson sigmas = ReportJson::array(), chances = ReportJson::array();
+  const auto add = [&](const char* name, const char* key, bool is_muted) {
+    if (!gate.at(key).is_number()) return;
+    sigmas.push_back({{"name", name}, {"value", gate.at(key)}, {"note", ""}, {"muted", is_muted}});
+  };
+  add("the baseline leaves", "residual_rms_sigmas", false);
+  add("mesh and time step make", "floor_rms_sigmas", true);
+  for (const ReportJson& c : record.json.at("ranking")) {
+    if (chances.size() == kMostBars) break;
+    if (!c.at("p_value").is_number()) continue;
+    const double p = std::max(1e-300, c.at("p_value").get<double>());
+    chances.push_back({{"name", c.at("name")},
+                       {"value", -std::log10(p)},
+                       {"note", fmt::format("p = {:.2g}", p)},
+                       {"muted", c.at("short_listed") != true}});
+  }
+  ReportJson blocks = ReportJson::array();
+  if (gate.at("p_value").is_number()) {
+    blocks.push_back(TextBlock({fmt::format(
+        "A recording of nothing but the baseline would leave as much with a probability of {:.2g}.",
+        gate.at("p_value").get<double>())}));
+  }
+  blocks.push_back({{"kind", "bars"},
+                    {"title", "Residuals, root mean square"},
+                    {"unit", "sigmas"},
+                    {"items", sigmas}});
+  blocks.push_back({{"kind", "bars"},
+                    {"title", "How rarely the null scores as much, powers of ten"},
+                    {"unit", ""},
+                    {"items", chances}});
+  ReportJson section =
+      SectionOf("nulls", "Against recordings in which nothing is missing", blocks, "Null");
+  section["lead"] =
+      "The null is simulated again: noise, what mesh and step leave, and cameras and markers off "
+      "as "
+      "well-made ones are.";
+  return section;
+}
+
+ReportJson DiagnosisTimeSection(const DiagnosisRecord& record) {
+  ReportJson items = ReportJson::array();
+  for (const auto& [stage, seconds] : record.json.at("seconds").items())
+    items.push_back({{"name", stage}, {"value", seconds}, {"note", ""}});
+  ReportJson blocks = ReportJson::array();
+  if (!items.empty()) {
+    blocks.push_back({{"kind", "bars"}, {"title", "Seconds"}, {"unit", "s"}, {"items", items}});
+  }
+  return SectionOf("time", "Where the time went", blocks, "Time");
+}
+
+ReportJson DiagnosisFilesSection(const ReportScene& report, const DiagnosisRecord& record) {
+  const auto file = [](const char* title, const std::string& text) {
+    return ReportJson{{"kind", "code"}, {"title", title}, {"folded", true}, {"text", text}};
+  };
+  return SectionOf(
+      "configuration", "Configuration",
+      {TextBlock(
+           {fmt::format("Made by clothfit {}. The config holds the model with what was found: "
+                        "fit, simulate and predict take it as it is.",
+                        record.json.value("clothfit", "")),
+            "Recording: " + report.scene().recording.path.string()}),
+       file("config.yaml", record.config), file("log.txt", record.log)});
+}
+
+}  // namespace clothfit

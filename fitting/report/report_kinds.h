@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The folders that a report can be made of, and the page of each kind.
+#pragma once
+
+#include <filesystem>
+
+#include "fitting/report/report.h"
+
+namespace clothfit {
+
+enum class FolderKind { kRun, kDiagnosis, kComparison, kStudy };
+
+// Known by the files that each kind of folder begins with, whether it is complete or not. Throws
+// InputError, one line, where it is none of them, saying what it is instead.
+FolderKind KindOfFolder(const std::filesystem::path& folder);
+
+// What 'clothfit diagnose' wrote. Each of these throws InputError where a file is missing, damaged
+// or of another version.
+ReportPage MakeDiagnosisReport(const std::filesystem::path& folder, const ReportAssets& assets,
+                               const ReportOptions& options);
+// What 'clothfit compare' wrote.
+ReportPage MakeComparisonReport(const std::filesystem::path& folder, const ReportAssets& assets);
+// What 'clothfit study' and 'clothfit trials' wrote, or any folder of NAME.md beside tables (.csv)
+// and pictures (.svg, .png).
+ReportPage MakeStudyReport(const std::filesystem::path& folder, const ReportAssets& assets);
+
+}  // namespace clothfit

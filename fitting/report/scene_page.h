@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A page about one recording and what was simulated of it: verdict, moving cloth, sections.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fitting/report/report.h"
+#include "fitting/report/report_extras.h"
+
+namespace clothfit {
+
+struct ScenePage {
+  const ReportScene& report;
+  Verdict verdict;
+  std::string title;         // of the recording
+  std::string errors_title;  // what before and after mean in `errors`
+  std::vector<ErrorChange> errors;
+  std::vector<ScalarField> fields;  // the most telling first; at least one
+  std::vector<ReportObstacle> obstacles;
+  std::vector<ReportJson> sections;  // those without blocks are left out
+  ReportBlobs blobs;                 // that the sections name
+};
+ReportPage MakeScenePage(const ScenePage& content, const ReportAssets& assets,
+                         const ReportOptions& options);
+
+// A page of any data. `json`: title, sections and what else docs/report.md lists.
+ReportPage AsReportPage(ReportJson json, const Verdict& verdict, const ReportBlobs& blobs,
+                        const ReportAssets& assets);
+
+}  // namespace clothfit

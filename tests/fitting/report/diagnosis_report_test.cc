@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A diagnosis becomes a page: the baseline beside the model, and every step of the answer.
+#include <cmath>
+
+#include "fitting/report/report.h"
+#include "fitting/whole_file.h"
+#include "tests/support/report_blocks.h"
+#include "tests/support/small_diagnosis.h"
+#include "tests/tracking/test_folder.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr ReportAssets kAssets{"/* script */", "/* style */"};
+
+class DiagnosisReport : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    made_ = new TestFolder;
+    MakeSmallDiagnosis(made_->path());
+    html_ = new std::string(MakeReport(made_->path() / "diagnosis", kAssets).html);
+  }
+  static void TearDownTestSuite() {
+    delete html_;
+    delete made_;
+  }
+  // A copy that may be spoilt; its recording stays where it is.
+  DiagnosisReport() { fs::copy(made_->path() / "diagnosis", folder_, fs::copy_options::recursive); }
+  std::string ErrorOf() const {
+    return InputErrorOf([this] { MakeReport(folder_, kAssets); });
+  }
+  static json SectionNamed(const std::string& id) {
+    const json data = DataOfPage(*html_);
+    for (const json& section : data.at("sections")) {
+      if (section.at("id") == id) return section;
+    }
+    ADD_FAILURE() << "no section " << id;
+    return {};
+  }
+
+  static TestFolder* made_;
+  static std::string* html_;
+  TestFolder spoilt_;
+  fs::path folder_ = spoilt_.path() / "diagnosis";
+};
+TestFolder* DiagnosisReport::made_ = nullptr;
+std::string* DiagnosisReport::html_ = nullptr;
+
+TEST_F(DiagnosisReport, SaysTheAnswerFirst) {
+  EXPECT_THAT(*html_, HasSubstr("<h1>What the simulation lacked: wind.</h1>"));
+  EXPECT_THAT(*html_, HasSubstr("<li>It explains 80 % of what the baseline cannot.</li>"));
+  EXPECT_THAT(*html_, Not(HasSubstr("<li>What was left out")));  // the headline says it
+  EXPECT_THAT(*html_, HasSubstr("Error of the baseline"));
+}
+
+TEST_F(DiagnosisReport, ShowsTheBaselineAndTheModel) {
+  const json data = DataOfPage(*html_);
+  ASSERT_EQ(data.at("motions").size(), 2u);
+  EXPECT_EQ(data.at("motions")[0].at("title"), "Baseline");
+  EXPECT_EQ(data.at("motions")[1].at("title"), "With wind");
+  EXPECT_EQ(data.at("clock").at("held_out"), (json::array({json::array({8, 11})})));
+  int checked = 0;
+  for (const json& error : data.at("errors")) {
+    if (error.at("kind") != "markers") continue;
+    EXPECT_GT(error.at("before"), error.at("after"));  // the baseline is 17 mm beside
+    ++checked;
+  }
+  EXPECT_EQ(checked, 2);
+}
+
+TEST_F(DiagnosisReport, ColoursByTheMissingForceWhereItIsKnown) {
+  const json fields = DataOfPage(*html_).at("fields");
+  ASSERT_GE(fields.size(), 3u);
+  EXPECT_EQ(fields[0].at("name"), "residual");
+  EXPECT_EQ(fields[1].at("name"), "missing_force");
+  const std::vector<double> values = NumbersOfBlock(*html_, fields[1].at("values").at("before"));
+  ASSERT_EQ(values.size(), 12u * 25u);
+  EXPECT_NEAR(values[0], std::sqrt(3.0) * 0.1, 1e-4);  // three components of 0.1; 16 bits
+  EXPECT_TRUE(std::isfinite(values[9 * 25 - 1]));
+  EXPECT_TRUE(std::isnan(values[9 * 25]));  // beyond the frames that it was looked for in
+}
+
+TEST_F(DiagnosisReport, HasEveryStepOfTheAnswer) {
+  std::vector<std::string> ids;
+  const json data = DataOfPage(*html_);
+  for (const json& section : data.at("sections")) ids.push_back(section.at("id"));
+  EXPECT_THAT(ids,
+              testing::ElementsAre("cameras", "ranking", "location", "class", "proof", "parameters",
+                                   "nulls", "errors", "cloth-map", "time", "configuration"));
+}
+
+TEST_F(DiagnosisReport, MarksWhatCannotBeToldApart) {
+  const json bars = SectionNamed("ranking").at("blocks")[1].at("items");
+  ASSERT_EQ(bars.size(), 3u);
+  EXPECT_EQ(bars[0].at("marked"), true);
+  EXPECT_EQ(bars[1].at("marked"), true);  // gust
+  EXPECT_EQ(bars[2].at("marked"), false);
+  EXPECT_EQ(bars[2].at("muted"), true);
+}
+
+TEST_F(DiagnosisReport, NamesWhatIsMissing) {
+  int checked = 0;
+  for (const char* name :
+       {"diagnosis.json", "config.yaml", "log.txt", "baseline.npy", "model.npy"}) {
+    fs::rename(folder_ / name, spoilt_.path() / "away");
+    EXPECT_THAT(ErrorOf(), HasSubstr(std::string(name) + ": is missing; expected a diagnosis"));
+    fs::rename(spoilt_.path() / "away", folder_ / name);
+    ++checked;
+  }
+  EXPECT_EQ(checked, 5);
+}
+
+TEST_F(DiagnosisReport, RefusesAnotherVersion) {
+  const fs::path file = folder_ / "diagnosis.json";
+  json record = json::parse(ReadTextFile(file));
+  record["clothfit"] = "0.0.1";
+  WriteWholeFile(file, record.dump());
+  EXPECT_THAT(ErrorOf(), HasSubstr("was written by clothfit 0.0.1"));
+  record["clothfit"] = CLOTHFIT_VERSION;
+  record.erase("resolution");
+  WriteWholeFile(file, record.dump());
+  EXPECT_THAT(ErrorOf(), HasSubstr("is no diagnosis that can be shown"));
+  WriteWholeFile(file, "[]");
+  EXPECT_THAT(ErrorOf(), HasSubstr("is damaged; expected a JSON object"));
+}
+
+TEST_F(DiagnosisReport, OfOneThatFoundNothingShowsTheBaselineAlone) {
+  const fs::path file = folder_ / "diagnosis.json";
+  json record = json::parse(ReadTextFile(file));
+  record["verdict"] = "nothing is missing";
+  record["effects"] = record["ambiguity"] = record["models"] = json::array();
+  for (const char* key : {"answer", "mismatch", "class"}) record[key] = nullptr;
+  WriteWholeFile(file, record.dump());
+  for (const char* name : {"model.npy", "missing-force.npy"}) fs::remove(folder_ / name);
+  const std::string html = MakeReport(folder_, kAssets).html;
+  const json data = DataOfPage(html);
+  EXPECT_THAT(html, HasSubstr("<h1>Nothing is missing from the simulation.</h1>"));
+  EXPECT_EQ(data.at("motions").size(), 1u);
+  EXPECT_TRUE(data.at("errors")[0].at("after").is_null());
+  record["gate"] = nullptr;
+  WriteWholeFile(file, record.dump());
+  EXPECT_THAT(ErrorOf(), HasSubstr("is damaged, or of another version of clothfit"));
+}
+
+}  // namespace
+}  // namespace clothfit
