@@ -29,7 +29,7 @@ constexpr int kLongestSide = 13;         // particles; physics does not need a f
 constexpr int kFinestSide = 13;          // particles, where the mesh turns out to matter
 constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
 constexpr int kModelIterations = 12;     // a model starts near its end
-constexpr int kFirstIterations = 4;      // enough to see which models are worth more
+constexpr int kFirstIterations = 5;      // enough to see which models are worth more
 constexpr double kStillInRace = 0.5;     // of what the best has gained by then
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
 constexpr double kBlockSeconds = 0.2;    // of the bootstrap
@@ -146,8 +146,6 @@ FittedScene Diagnoser::FitBaseline() {
   // Nobody lays out a cloth exactly: the start is free, up to bilinear offsets.
   config.initial_order = std::max(config.initial_order, 1);
   config.resolution = WorkingResolution(recording_, config);
-  constexpr int kMostIterations = 15;
-  config.max_iterations = std::min(config.max_iterations, kMostIterations);
   config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
   Scene scene = MakeScene(recording_, config);
   const FitConfig quick = config;

@@ -38,7 +38,9 @@ Eigen::MatrixXd MapStatistics(const MissingForce& missing, const Eigen::MatrixXd
 double MapPValue(const MissingForce& missing) {
   const Eigen::Index nulls = missing.null_forces.cols();
   Eigen::MatrixXd forces(missing.force.size(), 1 + nulls);
-  forces << missing.force, missing.null_forces;
+  // The linear estimate, as those of the null are: a simulation that cannot follow it all the way
+  // would hold a large force for a small one.
+  forces << missing.posterior.Mean(missing.system.data.leftCols(1)), missing.null_forces;
   const Eigen::MatrixXd all = MapStatistics(missing, forces);
   if (nulls == 0) {
     const double each = ChiSquared3Tail(std::pow(all.maxCoeff(), 2));
