@@ -28,6 +28,9 @@ struct SearchOptions {
   Eigen::VectorXd start;     // a free vector; empty: the config's
   bool fabric_only = false;  // of a joint search: the rest stays as it starts
   double step_scale = 1.0;   // of first steps
+  // Fitted markers and rays pull at the cloth in all that is simulated and judged, see
+  // AddAttractionTargets. Not for the joint search by Levenberg-Marquardt.
+  bool attract = false;
   Budget budget;  // evaluations: simulations of the whole recording, those with derivatives at cost
   unsigned seed = 1;
   int num_threads = 1;  // of pattern search
