@@ -44,15 +44,15 @@ void CheckJobOptions(const JobOptions& options) {
 StudyRunOptions MakeRunOptions(const JobOptions& options, ProgressDisplay* display,
                                std::string* stage) {
   StudyRunOptions run;
-  run.ranks = FindRanks();
-  run.force = options.force;
-  run.resume = options.resume;
+  run.folder.ranks = FindRanks();
+  run.folder.force = options.force;
+  run.folder.resume = options.resume;
   run.jobs.folder = options.output;
-  run.jobs.num_threads = options.threads == 0 && run.ranks.size > 1 ? 1 : options.threads;
+  run.jobs.num_threads = options.threads == 0 && run.folder.ranks.size > 1 ? 1 : options.threads;
   run.jobs.patience = options.patience;
   run.jobs.stop = StopOnInterrupt();
   run.stage = [stage](const std::string& name) { *stage = name; };
-  if (options.quiet || run.ranks.rank > 0) return run;
+  if (options.quiet || run.folder.ranks.rank > 0) return run;
   run.jobs.progress = [display, stage](int done, int total) {
     display->Show(*stage, fmt::format("{} of {}", done, total),
                   total > 0 ? static_cast<double>(done) / total : 1.0);
@@ -61,7 +61,7 @@ StudyRunOptions MakeRunOptions(const JobOptions& options, ProgressDisplay* displ
 }
 
 int FinishJobs(const StudyRun& run, const JobOptions& options, const StudyRunOptions& run_options) {
-  const bool is_first = run_options.ranks.rank == 0;
+  const bool is_first = run_options.folder.ranks.rank == 0;
   if (is_first && !options.quiet && !run.table.empty())
     fmt::print("{}\n{}\n", run.table, options.output);
   int status = kExitSuccess;

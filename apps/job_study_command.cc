@@ -14,7 +14,7 @@ namespace {
 struct JobStudyOptions {
   JobOptions jobs;
   std::string recordings;  // empty: FOLDER/recordings
-  bool full = false;
+  bool full = false, share_search = false;
   std::optional<std::vector<std::string>> experiments, fabric;
   std::optional<std::vector<double>> values;
   std::optional<int> frames, generator, picture, particles, points, starts;
@@ -31,6 +31,7 @@ void Take(const std::optional<Value>& given, Value* value) {
 // The reduced or the full size, with what the command line changes.
 StudyOptions SizeOf(const JobStudyOptions& given) {
   StudyOptions options = given.full ? FullSize() : StudyOptions();
+  options.share_search = given.share_search;
   Take(given.experiments, &options.experiments);
   Take(given.fabric, &options.fabric);
   Take(given.values, &options.values);
@@ -96,6 +97,8 @@ void AddFitOptions(CLI::App* command, const Study& study, JobStudyOptions* optio
       ->add_option("--points", options->points,
                    "markers a frame, and tracks a camera and frame, at most")
       ->type_name("N");
+  command->add_flag("--share-search", options->share_search,
+                    "all processes do the outer pattern search of one fit together, fit after fit");
   command->add_option("--starts", options->starts, "of each search that is compared")
       ->type_name("N");
 }

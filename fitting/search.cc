@@ -163,7 +163,8 @@ Minimum Searcher::MinimiseOver(
   settings.improved = [&](const Eigen::VectorXd& x, double error, int) {
     if (ledger_.Improve(error) && options_.improved) options_.improved(whole(x));
   };
-  Minimum minimum = Minimise(optimiser, objective, settings);
+  Minimum minimum = options_.minimise ? options_.minimise(objective, settings)
+                                      : Minimise(optimiser, objective, settings);
   minimum.x = whole(minimum.x);
   return minimum;
 }
@@ -229,6 +230,10 @@ SearchResult Searcher::TwoLoops() {
                               : fabric.size() > 1       ? "bobyqa"
                                                         : "sbplx";
   const Minimum minimum = MinimiseOver(fabric, outside, value);
+  if (options_.minimise && !stop_) {  // the best pass may have been another process's
+    result.error = kInfinity;
+    value(minimum.x, 0);
+  }
   result.converged = minimum.converged;
   result.reason = minimum.reason;
   return result;

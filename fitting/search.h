@@ -37,6 +37,8 @@ struct SearchOptions {
   // What a simulation with derivatives along all of the free vector costs, in simulations without.
   double derivative_cost = 2.0;
   const std::atomic<bool>* stop = nullptr;
+  // Minimises in place of Minimise: by many processes, say. Not of the inner loop, nor of "lm".
+  std::function<Minimum(const Objective& objective, const OptimiserOptions& options)> minimise;
   // What has been spent and the best error so far, after every evaluation; one call at a time.
   std::function<void(const SearchPoint&)> progress;
   std::function<void(const Eigen::VectorXd& theta)> improved;  // of joint searches

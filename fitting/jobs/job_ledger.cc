@@ -178,7 +178,7 @@ void JobLedger::Record(const JobResult& result) {
 void JobLedger::Clear(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder)) return;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     const bool is_lease = name.find(".lease") != std::string::npos;
     if (is_lease || entry.path().extension() == ".lost" || name.rfind("clock-", 0) == 0)

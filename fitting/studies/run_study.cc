@@ -2,43 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/studies/run_study.h"
 
-#include <chrono>
-#include <thread>
-
-#include <fmt/format.h>
-
-#include "autodiff_sim/error.h"
 #include "fitting/jobs/job_ledger.h"
 #include "fitting/studies/study_recording.h"
 #include "fitting/version.h"
 #include "fitting/whole_file.h"
-#include "tracking/text.h"
 
 namespace clothfit {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kLongestWait = 120.0;  // s, for the first of the processes
-
-fs::path ReadyFile(const fs::path& folder, const Ranks& ranks) {
-  return folder / "jobs" / ("ready-" + ranks.launch);
-}
-
-void WaitForFirst(const fs::path& folder, const Ranks& ranks) {
-  for (double waited = 0.0; waited < kLongestWait; waited += 0.02) {
-    if (fs::exists(ReadyFile(folder, ranks))) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  throw InputError(folder.string(),
-                   "the first of the processes has not prepared it; do all of "
-                   "them see the same folder?");
-}
-
-void RequireSame(const fs::path& file, const std::string& description) {
-  if (fs::exists(file) && ReadTextFile(file) == description) return;
-  throw InputError("--resume", "the options differ from those in " + file.string());
-}
 
 std::string Description(const Study& study, const StudyOptions& options) {
   const nlohmann::json json = {
@@ -72,6 +44,36 @@ JobRunResult DoJobs(const Study& study, const StudyOptions& options, const Study
   return RunJobs(jobs, work, job_options);
 }
 
+// Fit after fit, each by all processes together.
+JobRunResult DoJobsTogether(const StudyOptions& options, const StudyPlace& place,
+                            const std::vector<Job>& jobs, const StudyRunOptions& run) {
+  const fs::path folder = place.folder / "jobs";
+  JobLedger ledger(folder, run.jobs.patience, 0);
+  JobContext context;
+  context.stop = run.jobs.stop;
+  context.alive = [] {};
+  const auto is_stopped = [&] { return run.jobs.stop != nullptr && *run.jobs.stop; };
+  JobRunResult result;
+  for (const Job& job : jobs) {
+    if (!ledger.HasResult(job.name)) {
+      JobResult one{job.name, nullptr, "", 0.0};
+      try {
+        one.output =
+            RunStudyFit(place.recordings, options, job, context, folder / (job.name + ".search"));
+      } catch (const std::exception& error) {
+        one.problem = error.what();
+      }
+      if (is_stopped()) return result;
+      ledger.Record(one);
+    }
+    result.results.push_back(*ledger.Read(job.name));
+    if (run.jobs.progress)
+      run.jobs.progress(static_cast<int>(result.results.size()), static_cast<int>(jobs.size()));
+  }
+  result.complete = true;
+  return result;
+}
+
 // By one of the processes, whichever: it is a job like the others.
 JobRunResult Report(const Study& study, const StudyOptions& options, const StudyPlace& place,
                     const std::vector<Job>& jobs, const std::vector<JobResult>& results,
@@ -101,31 +103,10 @@ void Take(const JobRunResult& result, StudyRun* run) {
 
 }  // namespace
 
-void PrepareJobFolder(const fs::path& folder, const std::string& file,
-                      const std::string& description, const StudyRunOptions& run) {
-  if (run.ranks.rank > 0) {
-    WaitForFirst(folder, run.ranks);
-    RequireSame(folder / file, description);
-    return;
-  }
-  const bool exists = fs::exists(folder / file) || fs::exists(folder / "jobs");
-  if (exists && !run.force && !run.resume) {
-    throw InputError(folder.string(),
-                     "already holds results; --force replaces them, --resume goes on with them");
-  }
-  if (run.resume) RequireSame(folder / file, description);
-  if (run.force) fs::remove_all(folder / "jobs");
-  fs::create_directories(folder / "jobs");
-  JobLedger::Clear(folder / "jobs");
-  fs::remove(folder / "jobs" / "report.json");
-  WriteWholeFile(folder / file, description);
-  if (run.ranks.size > 1) WriteWholeFile(ReadyFile(folder, run.ranks), "");
-}
-
 StudyRun RunStudy(const Study& study, const StudyOptions& options, const StudyPlace& place,
                   const StudyRunOptions& run) {
   options.Check();
-  PrepareJobFolder(place.folder, "study.json", Description(study, options), run);
+  PrepareJobFolder(place.folder, "study.json", Description(study, options), run.folder);
   const auto tell = [&](const char* stage) {
     if (run.stage) run.stage(stage);
   };
@@ -137,7 +118,9 @@ StudyRun RunStudy(const Study& study, const StudyOptions& options, const StudyPl
   }
   tell("fits");
   const std::vector<Job> jobs = study.jobs(options);
-  const JobRunResult done = DoJobs(study, options, place, jobs, run);
+  const JobRunResult done = options.share_search && !study.work
+                                ? DoJobsTogether(options, place, jobs, run)
+                                : DoJobs(study, options, place, jobs, run);
   Take(done, &result);
   if (!done.complete || result.num_problems == static_cast<int>(jobs.size())) return result;
   tell("report");

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "fitting/jobs/ranks.h"
+#include "fitting/jobs/job_folder.h"
 #include "fitting/jobs/run_jobs.h"
 #include "fitting/studies/study.h"
 
@@ -14,8 +14,7 @@ namespace clothfit {
 
 struct StudyRunOptions {
   JobRunOptions jobs;  // the folder is the study's own
-  Ranks ranks;
-  bool force = false, resume = false;
+  JobFolderOptions folder;
   std::function<void(const std::string& stage)> stage;  // what is being done now
 };
 
@@ -33,10 +32,5 @@ struct StudyRun {
 // gone on with (resume, of the same options).
 StudyRun RunStudy(const Study& study, const StudyOptions& options, const StudyPlace& place,
                   const StudyRunOptions& run);
-
-// What a list of jobs in a folder begins with, done by the first of many processes while the others
-// wait: `description` is written as `file` into the folder, or compared with what is there.
-void PrepareJobFolder(const std::filesystem::path& folder, const std::string& file,
-                      const std::string& description, const StudyRunOptions& run);
 
 }  // namespace clothfit

@@ -37,7 +37,11 @@ void StudyOptions::Check() const {
   ExpectInteger("--points", points, 1, 100000);
   ExpectInteger("--starts", starts, 1, 1000);
   Expect(simulations > 0.0, "--simulations", FormatNumber(simulations), "a number above 0");
-  ParseContender("--search", search);
+  const Contender contender = ParseContender("--search", search);
+  const bool is_shared =
+      contender.optimiser == "pattern" && contender.strategy != Strategy::kOneLoop;
+  Expect(!share_search || is_shared, "--share-search", search,
+         "pattern/two-loop or pattern/joint as --search");
   const std::vector<NamedParameter> table = MakeParameterTable();
   std::vector<std::string> names;
   for (const NamedParameter& named : table) names.push_back(named.name);
@@ -78,7 +82,8 @@ nlohmann::json ToJson(const StudyOptions& options) {
           {"points", options.points},
           {"starts", options.starts},
           {"seed", options.seed},
-          {"full", options.full}};
+          {"full", options.full},
+          {"share_search", options.share_search}};
 }
 
 }  // namespace clothfit

@@ -31,6 +31,9 @@ struct StudyOptions {
   int starts = 1;
   unsigned seed = 1;
   bool full = false;
+  // The outer pattern search of each fit is done by all workers together, fit after fit, as Kolda
+  // 2005 runs it; else each fit by one of them, which is the better use where there are many.
+  bool share_search = false;
 
   // Throws InputError where a value is of no use.
   void Check() const;

@@ -18,28 +18,12 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // Seconds: 5 frames, 3 x 3 particles.
-std::vector<std::string> TinyStudy(const std::string& output) {
-  return {"study",
-          "cameras",
-          "-o",
-          output,
-          "--experiments",
-          "experiment-1",
-          "--frames",
-          "5",
-          "--particles",
-          "3",
-          "--generator",
-          "5",
-          "--picture",
-          "96",
-          "--values",
-          "1,2,3,4,5,6,7",
-          "--recordings",
-          "recordings",
-          "--simulations",
-          "6",
-          "--quiet"};
+std::vector<std::string> TinyStudy(const std::string& output,
+                                   const std::string& values = "1,2,3,4,5,6,7") {
+  return {"study",         "cameras", "-o",          output, "--experiments", "experiment-1",
+          "--frames",      "5",       "--particles", "3",    "--generator",   "5",
+          "--picture",     "96",      "--values",    values, "--recordings",  "recordings",
+          "--simulations", "6",       "--quiet"};
 }
 
 // With mpirun before it; the shell's status.
@@ -96,6 +80,22 @@ TEST(StudyCommand, GivesTheSameNumbersWhoeverDoesTheWork) {
   EXPECT_GT(victim, 0);
   EXPECT_EQ(status, 0) << ReadTextFile(folder.path() / "out.txt");
   EXPECT_EQ(ReadTextFile(folder.path() / "three" / "cameras.csv"), table);
+}
+
+TEST(StudyCommand, SearchesTogetherAsOneAlone) {
+  if (!HasMpirun()) GTEST_SKIP() << "no mpirun";
+  const TestFolder folder;
+  const auto study = [](const std::string& output) {
+    std::vector<std::string> words = TinyStudy(output, "3");
+    words.emplace_back("--share-search");
+    return words;
+  };
+  const CommandResult done = RunCommand(study("alone"), folder.path());
+  ASSERT_EQ(done.status, 0) << done.err;
+  ASSERT_EQ(RunByThree(study("three"), folder.path()), 0)
+      << ReadTextFile(folder.path() / "out.txt");
+  EXPECT_EQ(ReadTextFile(folder.path() / "three" / "cameras.csv"),
+            ReadTextFile(folder.path() / "alone" / "cameras.csv"));
 }
 
 TEST(StudyCommand, SaysInOneLineWhatIsWrong) {

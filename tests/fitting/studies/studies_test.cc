@@ -171,7 +171,7 @@ TEST(RunStudy, ReportsWhatIsDoneAndWhatFailed) {
   EXPECT_EQ(ReadTextFile(place.folder / "squares.md"), done.table);
   EXPECT_THAT(InputErrorOf([&] { RunStudy(Squares(), StudyOptions(), place, run); }),
               HasSubstr("--force"));
-  run.resume = true;
+  run.folder.resume = true;
   EXPECT_EQ(RunStudy(Squares(), StudyOptions(), place, run).table, "results: 1");
   EXPECT_THAT(InputErrorOf([&] { RunStudy(Squares(), FullSize(), place, run); }),
               HasSubstr("--resume"));
