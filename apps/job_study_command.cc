@@ -91,7 +91,7 @@ void AddFitOptions(CLI::App* command, const Study& study, JobStudyOptions* optio
       ->type_name("NAME");
   command
       ->add_option("--simulations", options->simulations,
-                   "of the whole recording, at most, each fit")
+                   "of the whole recording; a fit ends with the pass that reaches as many")
       ->type_name("N");
   command
       ->add_option("--points", options->points,

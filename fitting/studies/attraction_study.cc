@@ -68,8 +68,8 @@ std::string Rows(const std::vector<DoneFit>& fits, bool markdown) {
     text += fmt::format(
         markdown ? "| {} | {} | {} | {} | {:.0f} | {:.3f} | {:.1f} | {:.3f} | {:.0f} | {} |\n"
                  : "{},{},{},{},{},{},{},{},{},{}\n",
-        fit.experiment, Tracking(fit), Law(fit), Stiffness(fit), result.error, normalised,
-        result.truth_rms, result.roughness / result.true_roughness, result.simulations,
+        fit.experiment, Tracking(fit), Law(fit), fmt::format("{:g}", Stiffness(fit)), result.error,
+        normalised, result.truth_rms, result.roughness / result.true_roughness, result.simulations,
         result.converged);
   }
   return text;

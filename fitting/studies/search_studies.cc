@@ -94,7 +94,8 @@ std::string LocalOverTwoLoops(const std::vector<DoneFit>& fits) {
 std::string Work(const StudyOptions& options) {
   return fmt::format(
       "\nOne fit: {} frames of 7 cameras of {} x {} px, {} x {} particles, 4 steps a frame, {} "
-      "parameters of the fabric, all paths of handles unknown, one core; at most {} simulations. "
+      "parameters of the fabric, all paths of handles unknown, one core; ended by the pass that "
+      "reached {} simulations. "
       "Hasler et al. 2007: more than 410 frames of 7 cameras, 10 to 30 h on 7 Opterons of "
       "2.2 GHz, 70 to 210 h of one.\n",
       options.frames, options.picture, 3 * options.picture / 4, options.particles,

@@ -25,7 +25,7 @@ struct StudyOptions {
   int particles = 7;  // a side
   std::vector<std::string> fabric = {"stretch.stiffness", "bending.stiffness", "air_drag.normal"};
   std::string search = "pattern/two-loop";  // optimiser/strategy, where the study has no own
-  // Of the whole recording, each fit; a fit that comes to its end sooner stops. Never a time.
+  // Of the whole recording; a fit ends with the pass that reaches as many. Never a time.
   double simulations = 250.0;
   int points = 40;  // markers a frame, and tracks a camera and frame, at most
   int starts = 1;
