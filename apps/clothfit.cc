@@ -41,6 +41,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
       "  clothfit predict runs/demo --at points.csv -o predicted.csv\n"
       "'clothfit COMMAND --help' tells more. Exit status: 0 done, 1 failed, 2 bad input.");
   AddFitCommand(app, action);
+  AddBatchCommand(app, action);
   AddTrackCommand(app, action);
   AddSimulateCommand(app, action);
   AddPredictCommand(app, action);

@@ -38,5 +38,6 @@ void AddTrialsCommand(CLI::App* app, Action* action);
 void AddExportCommand(CLI::App* app, Action* action);
 void AddReportCommand(CLI::App* app, Action* action);
 void AddImportCommand(CLI::App* app, Action* action);
+void AddBatchCommand(CLI::App* app, Action* action);
 
 }  // namespace clothfit

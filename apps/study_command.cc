@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/study_commands.h"
 #include "apps/tracking_options.h"
 #include "autodiff_sim/error.h"
 #include "fitting/chaos_study.h"
@@ -196,6 +197,7 @@ void AddStudyCommand(CLI::App* app, Action* action) {
   AddRecoveryStudy(study, action);
   AddTrackingStudy(study, action);
   AddChaosStudy(study, action);
+  AddJobStudies(study, action);
 }
 
 }  // namespace clothfit

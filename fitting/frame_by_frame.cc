@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fitting/attraction_targets.h"
 #include "fitting/window_simulator.h"
 
 namespace clothfit {
@@ -53,6 +54,7 @@ StepInputs FrameByFrame::Inputs(double time, const Eigen::VectorXd& unknowns,
     }
     inputs.handles.push_back({handle.on_cloth, position});
   }
+  if (options_.attract) AddAttractionTargets(scene_, frame_, &inputs);
   if (with_directions && !moved.empty()) {
     inputs.directions.setZero(inputs.num_rows(), unknowns.size());
     for (const auto& [row, unknown] : moved) {

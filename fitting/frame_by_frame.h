@@ -28,6 +28,7 @@ struct FrameByFrameOptions {
   bool fabric = false;                // the free parameters are unknowns of each frame too
   double tolerance = 0.05;            // of derivative-free optimisers, in first steps
   int max_evaluations = 200;          // of one frame
+  bool attract = false;  // fitted markers and rays pull at the cloth, see AddAttractionTargets
 };
 
 // What a pass through the recording found.

@@ -52,7 +52,7 @@ class Searcher {
         options_(options),
         free_(config, scene, MakeParameterTable()),
         error_(scene, config),
-        judge_(scene, config, free_, false, nullptr),
+        judge_(scene, config, free_, options.attract, nullptr),
         ledger_(scene, options),
         start_(options.start.size() > 0 ? options.start : free_.start()) {}
 
@@ -89,6 +89,7 @@ class Searcher {
     FrameByFrameOptions options;
     options.optimiser = config_.optimiser;
     options.fabric = fabric;
+    options.attract = options_.attract;
     return options;
   }
   void Spend(const FrameByFrameResult& pass) {
@@ -162,7 +163,8 @@ Minimum Searcher::MinimiseOver(
   settings.improved = [&](const Eigen::VectorXd& x, double error, int) {
     if (ledger_.Improve(error) && options_.improved) options_.improved(whole(x));
   };
-  Minimum minimum = Minimise(optimiser, objective, settings);
+  Minimum minimum = options_.minimise ? options_.minimise(objective, settings)
+                                      : Minimise(optimiser, objective, settings);
   minimum.x = whole(minimum.x);
   return minimum;
 }
@@ -170,7 +172,8 @@ Minimum Searcher::MinimiseOver(
 SearchResult Searcher::Joint() {
   std::vector<std::unique_ptr<WindowSimulator>> simulators;
   for (int w = 0; w < NumWorkers(); ++w) {
-    simulators.push_back(std::make_unique<WindowSimulator>(scene_, config_, free_, false, nullptr));
+    simulators.push_back(
+        std::make_unique<WindowSimulator>(scene_, config_, free_, options_.attract, nullptr));
   }
   const auto value = [&](const Eigen::VectorXd& theta, int worker) {
     WindowSimulator& simulator = *simulators[static_cast<std::size_t>(worker)];
@@ -227,6 +230,10 @@ SearchResult Searcher::TwoLoops() {
                               : fabric.size() > 1       ? "bobyqa"
                                                         : "sbplx";
   const Minimum minimum = MinimiseOver(fabric, outside, value);
+  if (options_.minimise && !stop_) {  // the best pass may have been another process's
+    result.error = kInfinity;
+    value(minimum.x, 0);
+  }
   result.converged = minimum.converged;
   result.reason = minimum.reason;
   return result;

@@ -28,12 +28,17 @@ struct SearchOptions {
   Eigen::VectorXd start;     // a free vector; empty: the config's
   bool fabric_only = false;  // of a joint search: the rest stays as it starts
   double step_scale = 1.0;   // of first steps
+  // Fitted markers and rays pull at the cloth in all that is simulated and judged, see
+  // AddAttractionTargets. Not for the joint search by Levenberg-Marquardt.
+  bool attract = false;
   Budget budget;  // evaluations: simulations of the whole recording, those with derivatives at cost
   unsigned seed = 1;
   int num_threads = 1;  // of pattern search
   // What a simulation with derivatives along all of the free vector costs, in simulations without.
   double derivative_cost = 2.0;
   const std::atomic<bool>* stop = nullptr;
+  // Minimises in place of Minimise: by many processes, say. Not of the inner loop, nor of "lm".
+  std::function<Minimum(const Objective& objective, const OptimiserOptions& options)> minimise;
   // What has been spent and the best error so far, after every evaluation; one call at a time.
   std::function<void(const SearchPoint&)> progress;
   std::function<void(const Eigen::VectorXd& theta)> improved;  // of joint searches

@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting/attraction_targets.h"
+
 namespace clothfit {
+
 SimulationOptions StepOptions(const FitConfig& config) {
   SimulationOptions options;
   options.integrator = config.integrator;
@@ -52,20 +55,8 @@ StepInputs WindowSimulator::Inputs(double time, bool with_directions) const {
     held.push_back(static_cast<int>(h));
   }
   if (attract_) {
-    const int frame = static_cast<int>(std::ceil(time * scene_.recording.frame_rate - 1e-6));
-    const auto by_frame = [](const MarkerObservation& m, int f) { return m.frame < f; };
-    auto marker = std::lower_bound(scene_.markers.begin(), scene_.markers.end(), frame, by_frame);
-    for (; marker != scene_.markers.end() && marker->frame == frame && scene_.is_fitted[frame];
-         ++marker) {
-      inputs.points.push_back({marker->on_cloth, marker->position});
-    }
-    const auto track_by_frame = [](const TrackObservation& t, int f) { return t.frame < f; };
-    auto track =
-        std::lower_bound(scene_.tracks.begin(), scene_.tracks.end(), frame, track_by_frame);
-    for (; track != scene_.tracks.end() && track->frame == frame; ++track) {
-      if (scene_.IsFitted(*track) && track->ray)
-        inputs.rays.push_back({track->on_cloth, track->ray->direction, track->ray->moment});
-    }
+    AddAttractionTargets(
+        scene_, static_cast<int>(std::ceil(time * scene_.recording.frame_rate - 1e-6)), &inputs);
   }
   if (with_directions) {
     bool any = false;

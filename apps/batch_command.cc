@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit batch: many recordings, one table.
+#include <memory>
+
+#include "apps/commands.h"
+#include "apps/progress_display.h"
+#include "apps/study_commands.h"
+#include "fitting/batch/batch.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+struct BatchOptions {
+  JobOptions jobs;
+  std::string list;
+};
+
+// What decides the results: the list, and the files of settings that it names.
+std::string Description(const std::string& list, const std::vector<BatchFit>& fits) {
+  std::string text = ReadTextFile(list);
+  for (const BatchFit& fit : fits) {
+    text += "\n# " + fit.name + ": " + fit.recording.string() + "\n";
+    for (const std::filesystem::path& config : fit.configs) text += ReadTextFile(config);
+  }
+  return text;
+}
+
+// The table, by one of the processes.
+std::string WriteTables(const std::filesystem::path& folder, const JobRunOptions& options,
+                        const std::vector<JobResult>& results) {
+  JobRunOptions report = options;
+  report.num_threads = 1;
+  report.progress = nullptr;
+  const JobRunResult written = RunJobs(
+      {{"report", nullptr}},
+      [=](const Job&, const JobContext&) -> nlohmann::json {
+        return WriteBatchTables(folder, results);
+      },
+      report);
+  if (!written.complete) return "";
+  if (!written.results[0].IsDone()) throw std::runtime_error(written.FirstProblem());
+  return written.results[0].output.get<std::string>();
+}
+
+int RunBatchCommand(const BatchOptions& options) {
+  CheckJobOptions(options.jobs);
+  const std::vector<BatchFit> fits = ReadBatchList(options.list);
+  const std::filesystem::path folder = options.jobs.output;
+  ProgressDisplay display;
+  std::string stage = "fits";
+  StudyRunOptions run = MakeRunOptions(options.jobs, &display, &stage);
+  PrepareJobFolder(folder, "batch.yaml", Description(options.list, fits), run.folder);
+  run.jobs.folder = folder / "jobs";
+  const JobRunResult done = RunJobs(
+      BatchJobs(fits),
+      [fits, folder](const Job& job, const JobContext& context) {
+        for (const BatchFit& fit : fits) {
+          if (fit.name == job.name) return RunBatchFit(folder, fit, context);
+        }
+        throw std::logic_error("no such fit");
+      },
+      run.jobs);
+  display.Finish();
+  StudyRun result;
+  result.num_problems = done.CountProblems();
+  result.first_problem = done.FirstProblem();
+  result.num_hanging = done.num_hanging;
+  if (done.complete) result.table = WriteTables(folder, run.jobs, done.results);
+  return FinishJobs(result, options.jobs, run);
+}
+
+}  // namespace
+
+void AddBatchCommand(CLI::App* app, Action* action) {
+  CLI::App* const command = app->add_subcommand("batch", "fit many recordings, into one table");
+  const auto options = std::make_shared<BatchOptions>();
+  command->add_option("LIST", options->list, "YAML file of recordings and what differs")
+      ->type_name("FILE")
+      ->required();
+  AddJobOptions(command, &options->jobs);
+  command->footer(
+      "LIST has under `fits` a list of maps with the keys recording, name, config, set, free and\n"
+      "fix, and may name a config for all; docs/cluster.md has an example. Runs go to\n"
+      "FOLDER/runs/NAME.\n\n"
+      "Examples:\n"
+      "  clothfit batch takes.yaml -o batches/takes\n"
+      "  mpirun --enable-recovery -n 64 clothfit batch takes.yaml -o batches/takes");
+  command->callback(
+      [options, action] { *action = [options] { return RunBatchCommand(*options); }; });
+}
+
+}  // namespace clothfit

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit study NAME, of studies that are lists of jobs.
+#include <memory>
+#include <optional>
+
+#include "apps/progress_display.h"
+#include "apps/study_commands.h"
+
+namespace clothfit {
+namespace {
+
+struct JobStudyOptions {
+  JobOptions jobs;
+  std::string recordings;  // empty: FOLDER/recordings
+  bool full = false, share_search = false;
+  std::optional<std::vector<std::string>> experiments, fabric;
+  std::optional<std::vector<double>> values;
+  std::optional<int> frames, generator, picture, particles, points, starts;
+  std::optional<double> simulations;
+  std::optional<std::string> search;
+  std::optional<unsigned> seed;
+};
+
+template <class Value>
+void Take(const std::optional<Value>& given, Value* value) {
+  if (given) *value = *given;
+}
+
+// The reduced or the full size, with what the command line changes.
+StudyOptions SizeOf(const JobStudyOptions& given) {
+  StudyOptions options = given.full ? FullSize() : StudyOptions();
+  options.share_search = given.share_search;
+  Take(given.experiments, &options.experiments);
+  Take(given.fabric, &options.fabric);
+  Take(given.values, &options.values);
+  Take(given.frames, &options.frames);
+  Take(given.generator, &options.generator);
+  Take(given.picture, &options.picture);
+  Take(given.particles, &options.particles);
+  Take(given.points, &options.points);
+  Take(given.starts, &options.starts);
+  Take(given.simulations, &options.simulations);
+  Take(given.search, &options.search);
+  Take(given.seed, &options.seed);
+  options.Check();
+  return options;
+}
+
+int RunJobStudy(const Study& study, const JobStudyOptions& given) {
+  CheckJobOptions(given.jobs);
+  const StudyOptions options = SizeOf(given);
+  StudyPlace place;
+  place.folder = given.jobs.output;
+  place.recordings = given.recordings;
+  if (given.recordings.empty()) place.recordings = place.folder / "recordings";
+  ProgressDisplay display;
+  std::string stage;
+  const StudyRunOptions run = MakeRunOptions(given.jobs, &display, &stage);
+  const StudyRun result = RunStudy(study, options, place, run);
+  display.Finish();
+  return FinishJobs(result, given.jobs, run);
+}
+
+void AddRecordingOptions(CLI::App* command, JobStudyOptions* options) {
+  command
+      ->add_option("--recordings", options->recordings,
+                   "folder of recordings, made where they are missing, which studies of the same "
+                   "size can share; FOLDER/recordings if left out")
+      ->type_name("FOLDER");
+  command->add_option("--experiments", options->experiments, "which of the three")
+      ->type_name("NAME")
+      ->delimiter(',');
+  command->add_option("--frames", options->frames, "of a recording")->type_name("N");
+  command->add_option("--picture", options->picture, "width of the pictures, px")->type_name("W");
+  command
+      ->add_option("--generator", options->generator,
+                   "particles a side of the simulation that makes the recordings, odd")
+      ->type_name("N");
+}
+
+void AddFitOptions(CLI::App* command, const Study& study, JobStudyOptions* options) {
+  if (!study.values.empty())
+    command->add_option("--values", options->values, study.values)->type_name("V")->delimiter(',');
+  command->add_option("--particles", options->particles, "a side, of fits")->type_name("N");
+  command->add_option("--fabric", options->fabric, "parameters to find")
+      ->type_name("TERM.PARAMETER")
+      ->delimiter(',');
+  command->add_option("--search", options->search, "OPTIMISER/STRATEGY, where the study has no own")
+      ->type_name("NAME");
+  command
+      ->add_option("--simulations", options->simulations,
+                   "of the whole recording; a fit ends with the pass that reaches as many")
+      ->type_name("N");
+  command
+      ->add_option("--points", options->points,
+                   "markers a frame, and tracks a camera and frame, at most")
+      ->type_name("N");
+  command->add_flag("--share-search", options->share_search,
+                    "all processes do the outer pattern search of one fit together, fit after fit");
+  command->add_option("--starts", options->starts, "of each search that is compared")
+      ->type_name("N");
+}
+
+void AddJobStudy(CLI::App* parent, const Study& study, Action* action) {
+  CLI::App* const command = parent->add_subcommand(study.name, study.doc);
+  const auto options = std::make_shared<JobStudyOptions>();
+  AddJobOptions(command, &options->jobs);
+  command->add_flag(
+      "--full", options->full,
+      "the size of the paper's experiments, for a cluster; else minutes of two cores");
+  if (study.uses_recordings) {
+    AddRecordingOptions(command, options.get());
+    AddFitOptions(command, study, options.get());
+  }
+  command->add_option("--seed", options->seed, "of recordings, starts and searches")
+      ->type_name("N");
+  command->footer("Examples:\n  clothfit study " + study.name + " -o studies/" + study.name +
+                  "\n  mpirun --enable-recovery -n 64 clothfit study " + study.name +
+                  " --full -o studies/" + study.name);
+  command->callback(
+      [study, options, action] { *action = [=] { return RunJobStudy(study, *options); }; });
+}
+
+}  // namespace
+
+void AddJobStudies(CLI::App* study, Action* action) {
+  for (const Study& one : Studies()) AddJobStudy(study, one, action);
+}
+
+}  // namespace clothfit

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/batch/batch.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "fitting/fit_run.h"
+#include "fitting/whole_file.h"
+#include "tracking/text.h"
+#include "tracking/tracking_folder.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a table says of how well a run explains its recording: JSON's name, unit, and the member.
+struct ErrorColumn {
+  const char *name, *title;
+  std::optional<double> Evaluation::*member;
+  double factor;
+};
+constexpr ErrorColumn kErrors[] = {
+    {"marker_mm", "markers, mm", &Evaluation::marker_rms, 1000.0},
+    {"held_out_marker_mm", "held out", &Evaluation::held_out_marker_rms, 1000.0},
+    {"track_px", "tracks, px", &Evaluation::track_rms, 1.0},
+    {"held_out_track_px", "held out", &Evaluation::held_out_track_rms, 1.0},
+    {"silhouette_px", "silhouettes, px", &Evaluation::silhouette_error, 1.0},
+    {"held_out_silhouette_px", "held out", &Evaluation::held_out_silhouette_error, 1.0}};
+
+Recording Track(const Recording& recording, const fs::path& folder, const JobContext& context) {
+  TrackingOptions options;
+  options.num_threads = 1;
+  TrackingCallbacks callbacks;
+  callbacks.stop = context.stop;
+  callbacks.on_frame = [&](int) { context.alive(); };
+  const TrackingResult found =
+      TrackIntoFolder(recording, options, folder, Overwrite::kAllow, callbacks);
+  if (found.num_frames < recording.frame_count) throw std::runtime_error("stopped");
+  return ReadRecording(folder);
+}
+
+nlohmann::json ToJson(const FitResult& result) {
+  nlohmann::json json = {{"status", ToString(result.status)},
+                         {"iterations", result.iterations},
+                         {"simulations", result.simulations}};
+  for (const ErrorColumn& column : kErrors) {
+    const std::optional<double> value = result.after.*column.member;
+    json[column.name] = value ? nlohmann::json(column.factor * *value) : nlohmann::json();
+  }
+  json["parameters"] = nlohmann::json::array();
+  for (const ParameterEstimate& one : result.estimates) {
+    if (!one.free) continue;
+    json["parameters"].push_back({{"name", one.name},
+                                  {"unit", one.unit},
+                                  {"value", one.value},
+                                  {"lower95", one.lower95},
+                                  {"upper95", one.upper95},
+                                  {"determined", one.determined}});
+  }
+  return json;
+}
+
+FitResult FitInto(const fs::path& folder, const BatchFit& fit, const JobContext& context) {
+  const RunFolder run(folder, RunFolder::Existing::kRefuse);
+  Recording recording = ReadRecording(fit.recording);
+  if (recording.markers.empty() && recording.tracks.empty() && HasPictures(recording))
+    recording = Track(recording, folder / "observations", context);
+  const FitConfig config = BatchConfig(fit, recording);
+  const Scene scene = MakeScene(recording, config);
+  CheckFittable(scene);
+  CheckContact(scene, config);
+  FitCallbacks callbacks;
+  callbacks.stop = context.stop;
+  callbacks.progress = [&](const FitProgress&) { context.alive(); };
+  return FitIntoRun(scene, config, run, callbacks, false);
+}
+
+std::string Cell(const nlohmann::json& value, bool markdown) {
+  if (value.is_null()) return markdown ? "-" : "";
+  return markdown ? fmt::format("{:.3g}", value.get<double>()) : FormatNumber(value.get<double>());
+}
+
+}  // namespace
+
+std::vector<Job> BatchJobs(const std::vector<BatchFit>& fits) {
+  std::vector<Job> jobs;
+  for (const BatchFit& fit : fits) jobs.push_back({fit.name, nullptr});
+  return jobs;
+}
+
+nlohmann::json RunBatchFit(const fs::path& folder, const BatchFit& fit, const JobContext& context) {
+  const fs::path place = folder / "runs" / fit.name;
+  const fs::path part = folder / "runs" / fmt::format(".{}.{}", fit.name, getpid());
+  fs::remove_all(part);
+  fs::create_directories(part.parent_path());
+  const FitResult result = FitInto(part, fit, context);
+  fs::remove_all(place);  // of an earlier batch, or of a worker that was taken for dead
+  fs::rename(part, place);
+  if (result.status == FitStatus::kFailed)
+    throw std::runtime_error("the simulation diverges, see " + (place / "log.txt").string());
+  return ToJson(result);
+}
+
+std::string WriteBatchTables(const fs::path& folder, const std::vector<JobResult>& results) {
+  std::string csv = "name,status,simulations", parameters =
+                                                   "name,parameter,unit,value,lower95,upper95,"
+                                                   "determined\n";
+  std::string text = "| fit | status | simulations | s |", line = "|---|---|---:|---:|";
+  for (const ErrorColumn& column : kErrors) {
+    csv += fmt::format(",{}", column.name);
+    text += fmt::format(" {} |", column.title);
+    line += "---:|";
+  }
+  csv += "\n";
+  text += "\n" + line + "\n";
+  for (const JobResult& result : results) {
+    if (!result.IsDone()) {
+      csv += result.name + ",failed" + std::string(1 + std::size(kErrors), ',') + "\n";
+      text += fmt::format("| {} | failed: {} |\n", result.name, result.problem);
+      continue;
+    }
+    const nlohmann::json& output = result.output;
+    const auto status = output.at("status").get<std::string>();
+    const int simulations = output.at("simulations");
+    csv += fmt::format("{},{},{}", result.name, status, simulations);
+    text +=
+        fmt::format("| {} | {} | {} | {:.1f} |", result.name, status, simulations, result.seconds);
+    for (const ErrorColumn& column : kErrors) {
+      csv += "," + Cell(output.at(column.name), false);
+      text += " " + Cell(output.at(column.name), true) + " |";
+    }
+    csv += "\n";
+    text += "\n";
+    for (const nlohmann::json& one : output.at("parameters")) {
+      parameters +=
+          fmt::format("{},{},{},{},{},{},{}\n", result.name, one.at("name").get<std::string>(),
+                      one.at("unit").get<std::string>(), Cell(one.at("value"), false),
+                      Cell(one.at("lower95"), false), Cell(one.at("upper95"), false),
+                      one.at("determined").get<bool>());
+    }
+  }
+  WriteWholeFile(folder / "batch.csv", csv);
+  WriteWholeFile(folder / "parameters.csv", parameters);
+  WriteWholeFile(folder / "batch.md", text);
+  return text;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Fits many recordings, and puts what came of them into one table.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fitting/batch/batch_list.h"
+#include "fitting/jobs/job.h"
+
+namespace clothfit {
+
+std::vector<Job> BatchJobs(const std::vector<BatchFit>& fits);
+
+// Fits one into folder/runs/NAME, after tracking into folder/runs/NAME/observations where there are
+// pictures only. The run is whole or not there.
+nlohmann::json RunBatchFit(const std::filesystem::path& folder, const BatchFit& fit,
+                           const JobContext& context);
+
+// batch.csv, parameters.csv (a row a fit and free parameter), and the table, batch.md, which is
+// returned. Those that failed are named with their problem.
+std::string WriteBatchTables(const std::filesystem::path& folder,
+                             const std::vector<JobResult>& results);
+
+}  // namespace clothfit

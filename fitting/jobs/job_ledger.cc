@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/jobs/job_ledger.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "autodiff_sim/error.h"
+#include "fitting/whole_file.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string HostName() {
+  std::array<char, 256> name{};
+  if (gethostname(name.data(), name.size() - 1) != 0) return "unknown";
+  return name.data();
+}
+
+std::string ReadAll(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+// s since some moment, of the file system's clock, which may be another machine's.
+std::optional<double> ModifiedAt(const fs::path& file) {
+  struct stat status = {};
+  if (stat(file.c_str(), &status) != 0) return std::nullopt;
+  return static_cast<double>(status.st_mtim.tv_sec) +
+         1e-9 * static_cast<double>(status.st_mtim.tv_nsec);
+}
+
+double Seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Makes the file where there is none. The system sees to it that only one of many succeeds.
+bool CreateAlone(const fs::path& file, const std::string& contents) {
+  const int handle = open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0644);
+  if (handle < 0) {
+    if (errno == EEXIST) return false;
+    throw InputError(file.string(), fmt::format("cannot be written: {}", std::strerror(errno)));
+  }
+  const ssize_t written = write(handle, contents.data(), contents.size());
+  close(handle);
+  return written == static_cast<ssize_t>(contents.size());
+}
+
+int CountLines(const fs::path& file) {
+  std::ifstream stream(file);
+  int lines = 0;
+  for (std::string line; std::getline(stream, line);) ++lines;
+  return lines;
+}
+
+}  // namespace
+
+void WriteAmongMany(const fs::path& file, const std::string& contents) {
+  static std::atomic<int> count = 0;
+  fs::path own = file;
+  own += fmt::format(".{}-{}-{}", HostName(), getpid(), ++count);
+  WriteWholeFile(own, contents);
+  fs::rename(own, file);
+}
+
+JobLedger::JobLedger(fs::path folder, double patience, int worker)
+    : folder_(std::move(folder)),
+      patience_(patience),
+      token_(fmt::format("{} {} {}", HostName(), getpid(), worker)) {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) throw InputError(folder_.string(), "cannot be made: " + error.message());
+}
+
+fs::path JobLedger::File(const std::string& name, const char* ending) const {
+  return folder_ / (name + ending);
+}
+
+bool JobLedger::HasResult(const std::string& name) const { return fs::exists(File(name, ".json")); }
+
+std::optional<JobResult> JobLedger::Read(const std::string& name) const {
+  const fs::path file = File(name, ".json");
+  if (!fs::exists(file)) return std::nullopt;
+  try {
+    const nlohmann::json json = nlohmann::json::parse(ReadAll(file));
+    return JobResult{name, json.at("output"), json.at("problem").get<std::string>(),
+                     json.at("seconds").get<double>()};
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(file.string(), std::string("no result of a job: ") + error.what());
+  }
+}
+
+// A holder on this machine is asked for directly; others show that they live.
+bool JobLedger::IsVoid(const fs::path& lease) const {
+  const std::optional<double> sign = ModifiedAt(lease);
+  if (!sign) return false;  // released meanwhile
+  std::istringstream holder(ReadAll(lease));
+  std::string host;
+  pid_t process = 0;
+  if (holder >> host >> process && host == HostName() && kill(process, 0) != 0 && errno == ESRCH)
+    return true;
+  const fs::path clock = folder_ / fmt::format("clock-{}-{}", HostName(), getpid());
+  std::ofstream(clock) << token_;
+  const std::optional<double> now = ModifiedAt(clock);
+  return now && *now - *sign > patience_;
+}
+
+// Of many that break the same lease one does. Should another lease be in its place by then, that
+// job is done twice, with the same outcome.
+void JobLedger::Break(const std::string& name) {
+  const fs::path lease = File(name, ".lease");
+  fs::path broken = lease;
+  broken += fmt::format(".{}", std::hash<std::string>()(token_));
+  const std::string holder = ReadAll(lease);
+  std::error_code error;
+  fs::rename(lease, broken, error);
+  if (error) return;
+  fs::remove(broken, error);
+  AppendLine(File(name, ".lost"), holder);
+}
+
+bool JobLedger::Take(const std::string& name) {
+  const fs::path lease = File(name, ".lease");
+  if (fs::exists(lease)) {
+    if (!IsVoid(lease)) return false;
+    Break(name);
+  }
+  if (HasResult(name)) return false;
+  if (const int lost = CountLines(File(name, ".lost")); lost >= kMostLosses) {
+    Record({name, nullptr, fmt::format("given up: {} workers died or hung in it", lost), 0.0});
+    return false;
+  }
+  if (!CreateAlone(lease, token_)) return false;
+  if (!HasResult(name)) return true;  // or it came while we were looking
+  Release(name);
+  return false;
+}
+
+bool JobLedger::IsOurs(const std::string& name) const {
+  return ReadAll(File(name, ".lease")) == token_;
+}
+
+void JobLedger::Alive(const std::string& name) {
+  const double now = Seconds();
+  if (now - last_sign_ < 1.0 || !IsOurs(name)) return;
+  last_sign_ = now;
+  utimensat(AT_FDCWD, File(name, ".lease").c_str(), nullptr, 0);
+}
+
+void JobLedger::Release(const std::string& name) {
+  std::error_code ignored;
+  if (IsOurs(name)) fs::remove(File(name, ".lease"), ignored);
+}
+
+void JobLedger::Record(const JobResult& result) {
+  if (HasResult(result.name)) return;
+  const nlohmann::json json = {
+      {"output", result.output}, {"problem", result.problem}, {"seconds", result.seconds}};
+  WriteAmongMany(File(result.name, ".json"), json.dump(1) + "\n");
+}
+
+void JobLedger::Clear(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder)) return;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_lease = name.find(".lease") != std::string::npos;
+    if (is_lease || entry.path().extension() == ".lost" || name.rfind("clock-", 0) == 0)
+      fs::remove(entry.path(), ignored);
+  }
+}
+
+}  // namespace clothfit

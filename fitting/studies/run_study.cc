@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/studies/run_study.h"
+
+#include "fitting/jobs/job_ledger.h"
+#include "fitting/studies/study_recording.h"
+#include "fitting/version.h"
+#include "fitting/whole_file.h"
+
+namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string Description(const Study& study, const StudyOptions& options) {
+  const nlohmann::json json = {
+      {"study", study.name}, {"clothfit", Version()}, {"options", ToJson(options)}};
+  return json.dump(1) + "\n";
+}
+
+JobRunResult MakeRecordings(const StudyOptions& options, const StudyPlace& place,
+                            const StudyRunOptions& run) {
+  std::vector<Job> jobs;
+  for (const std::string& experiment : options.experiments)
+    jobs.push_back(RecordingJob(options, experiment));
+  JobRunOptions job_options = run.jobs;
+  job_options.folder = place.recordings / "jobs";
+  return RunJobs(
+      jobs,
+      [folder = place.recordings](const Job& job, const JobContext& context) {
+        return MakeStudyRecording(folder, job, context);
+      },
+      job_options);
+}
+
+JobRunResult DoJobs(const Study& study, const StudyOptions& options, const StudyPlace& place,
+                    const std::vector<Job>& jobs, const StudyRunOptions& run) {
+  JobRunOptions job_options = run.jobs;
+  job_options.folder = place.folder / "jobs";
+  const JobWork work = [study, options, place](const Job& job, const JobContext& context) {
+    if (study.work) return study.work(options, job, context);
+    return RunStudyFit(place.recordings, options, job, context);
+  };
+  return RunJobs(jobs, work, job_options);
+}
+
+// Fit after fit, each by all processes together.
+JobRunResult DoJobsTogether(const StudyOptions& options, const StudyPlace& place,
+                            const std::vector<Job>& jobs, const StudyRunOptions& run) {
+  const fs::path folder = place.folder / "jobs";
+  JobLedger ledger(folder, run.jobs.patience, 0);
+  JobContext context;
+  context.stop = run.jobs.stop;
+  context.alive = [] {};
+  const auto is_stopped = [&] { return run.jobs.stop != nullptr && *run.jobs.stop; };
+  JobRunResult result;
+  for (const Job& job : jobs) {
+    if (!ledger.HasResult(job.name)) {
+      JobResult one{job.name, nullptr, "", 0.0};
+      try {
+        one.output =
+            RunStudyFit(place.recordings, options, job, context, folder / (job.name + ".search"));
+      } catch (const std::exception& error) {
+        one.problem = error.what();
+      }
+      if (is_stopped()) return result;
+      ledger.Record(one);
+    }
+    result.results.push_back(*ledger.Read(job.name));
+    if (run.jobs.progress)
+      run.jobs.progress(static_cast<int>(result.results.size()), static_cast<int>(jobs.size()));
+  }
+  result.complete = true;
+  return result;
+}
+
+// By one of the processes, whichever: it is a job like the others.
+JobRunResult Report(const Study& study, const StudyOptions& options, const StudyPlace& place,
+                    const std::vector<Job>& jobs, const std::vector<JobResult>& results,
+                    const StudyRunOptions& run) {
+  std::vector<JobResult> good;
+  for (const JobResult& result : results) {
+    if (result.IsDone()) good.push_back(result);
+  }
+  JobRunOptions job_options = run.jobs;
+  job_options.folder = place.folder / "jobs";
+  job_options.num_threads = 1;
+  job_options.progress = nullptr;
+  const JobWork work = [=](const Job&, const JobContext&) -> nlohmann::json {
+    const std::string table = study.report(options, jobs, good, place);
+    WriteWholeFile(place.folder / (study.name + ".md"), table);
+    return table;
+  };
+  return RunJobs({{"report", nullptr}}, work, job_options);
+}
+
+void Take(const JobRunResult& result, StudyRun* run) {
+  run->complete = result.complete;
+  run->num_problems += result.CountProblems();
+  if (run->first_problem.empty()) run->first_problem = result.FirstProblem();
+  run->num_hanging += result.num_hanging;
+}
+
+}  // namespace
+
+StudyRun RunStudy(const Study& study, const StudyOptions& options, const StudyPlace& place,
+                  const StudyRunOptions& run) {
+  options.Check();
+  PrepareJobFolder(place.folder, "study.json", Description(study, options), run.folder);
+  const auto tell = [&](const char* stage) {
+    if (run.stage) run.stage(stage);
+  };
+  StudyRun result;
+  if (study.uses_recordings) {
+    tell("recordings");
+    Take(MakeRecordings(options, place, run), &result);
+    if (!result.complete || result.num_problems > 0) return result;
+  }
+  tell("fits");
+  const std::vector<Job> jobs = study.jobs(options);
+  const JobRunResult done = options.share_search && !study.work
+                                ? DoJobsTogether(options, place, jobs, run)
+                                : DoJobs(study, options, place, jobs, run);
+  Take(done, &result);
+  if (!done.complete || result.num_problems == static_cast<int>(jobs.size())) return result;
+  tell("report");
+  const JobRunResult report = Report(study, options, place, jobs, done.results, run);
+  Take(report, &result);
+  if (report.complete && report.results[0].IsDone())
+    result.table = report.results[0].output.get<std::string>();
+  return result;
+}
+
+}  // namespace clothfit

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "autodiff_sim/error.h"
+#include "fitting/studies/run_study.h"
+#include "fitting/studies/study.h"
+#include "tests/tracking/test_folder.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+namespace {
+
+using testing::HasSubstr;
+
+// What a fit would have given, had its error been this.
+JobResult Result(const Job& job, double error) {
+  const nlohmann::json output = {{"error", error},
+                                 {"all_pixels", 100.0},
+                                 {"attractor", nullptr},
+                                 {"truth_rms", 4.0},
+                                 {"roughness", 0.3},
+                                 {"true_roughness", 0.2},
+                                 {"simulations", 200.0},
+                                 {"seconds", 3.0},
+                                 {"unknowns", 5},
+                                 {"converged", true},
+                                 {"reason", "told to"},
+                                 {"history", nlohmann::json::array({{1.0, 0.1, 2.0 * error}})},
+                                 {"surface", nlohmann::json::array()},
+                                 {"true_surface", nlohmann::json::array()},
+                                 {"fabric", nlohmann::json::array()}};
+  return {job.name, output, "", 3.0};
+}
+
+std::string ReportOf(const Study& study, const StudyOptions& options, const TestFolder& folder,
+                     const std::function<double(const StudyFit&)>& error) {
+  const std::vector<Job> jobs = study.jobs(options);
+  std::vector<JobResult> results;
+  for (const Job& job : jobs) results.push_back(Result(job, error(StudyFitOf(job))));
+  return study.report(options, jobs, results, {folder.path(), folder.path()});
+}
+
+StudyOptions OneExperiment() {
+  StudyOptions options;
+  options.experiments = {"experiment-1"};
+  return options;
+}
+
+TEST(Studies, HaveJobsOfDifferentNamesAtEachSize) {
+  int count = 0;
+  for (const Study& study : Studies()) {
+    for (const StudyOptions& options : {StudyOptions(), FullSize()}) {
+      std::set<std::string> names;
+      for (const Job& job : study.jobs(options)) {
+        EXPECT_TRUE(names.insert(job.name).second) << study.name << ": " << job.name;
+        EXPECT_EQ(job.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_."),
+                  std::string::npos)
+            << job.name;
+        ++count;
+      }
+      EXPECT_FALSE(names.empty()) << study.name;
+    }
+  }
+  EXPECT_GT(count, 100);
+}
+
+TEST(Studies, AFitIsWhatItsJobSays) {
+  StudyFit fit;
+  fit.experiment = "experiment-2";
+  fit.search = "lm/two-loop";
+  fit.points = "tracks";
+  fit.linear = 3.0;
+  fit.reciprocal = 2e-5;
+  fit.alpha = 0.1;
+  fit.beta = 0.7;
+  fit.cameras = 3;
+  fit.start = 2;
+  fit.keep_surface = true;
+  const Job job = FitJob("x", fit, StudyOptions());
+  EXPECT_EQ(FitJob("x", StudyFitOf(job), StudyOptions()).input, job.input);
+}
+
+TEST(AttractionStudy, IsNormalisedByTheFitWithout) {
+  const TestFolder folder;
+  StudyOptions options = OneExperiment();
+  options.values = {50.0};
+  const std::string table = ReportOf(AttractionStudy(), options, folder, [](const StudyFit& fit) {
+    return fit.points == "none" ? 1000.0 : fit.linear > 0.0 ? 250.0 : 500.0;
+  });
+  EXPECT_THAT(table, HasSubstr("| experiment-1 | - | none | 0 | 1000 | 1.000 |"));
+  EXPECT_THAT(table, HasSubstr("| experiment-1 | 3D | linear | 50 | 250 | 0.250 |"));
+  EXPECT_THAT(table, HasSubstr("| experiment-1 | 2D | reciprocal | 50 | 500 | 0.500 |"));
+  EXPECT_THAT(ReadTextFile(folder.path() / "attraction.svg"), HasSubstr("</svg>"));
+}
+
+TEST(AugmentedStudy, IsNormalisedByEachAlone) {
+  const TestFolder folder;
+  StudyOptions options = OneExperiment();
+  options.values = {0.5};
+  const std::string table = ReportOf(AugmentedStudy(), options, folder, [](const StudyFit& fit) {
+    return fit.beta == 0.0 ? 100.0 : fit.alpha == 0.0 ? 30.0 : 96.0;
+  });
+  EXPECT_THAT(table, HasSubstr("| experiment-1 | 0.5 | 1 | 96 | 1.200 |"));  // 96 / (50 + 30)
+  EXPECT_THAT(table, HasSubstr("| experiment-1 | 1 | 0 | 100 | 1.000 |"));
+}
+
+TEST(CameraStudy, IsNormalisedBySeven) {
+  const TestFolder folder;
+  const std::string table = ReportOf(CameraStudy(), OneExperiment(), folder,
+                                     [](const StudyFit& fit) { return 100.0 * fit.cameras; });
+  EXPECT_THAT(table, HasSubstr("| experiment-1 | 1 | 100 | 0.143 |"));
+  EXPECT_THAT(table, HasSubstr("| experiment-1 | 7 | 700 | 1.000 |"));
+}
+
+TEST(LocalParameterStudy, PutsOneLoopOverTwo) {
+  const TestFolder folder;
+  const std::string table = ReportOf(
+      LocalParameterStudy(), OneExperiment(), folder,
+      [](const StudyFit& fit) { return fit.search == "pattern/one-loop" ? 190.0 : 100.0; });
+  EXPECT_THAT(table, HasSubstr("| experiment-1 | pattern | 1.90 | 1.00 | 1.00 | 1.00 |"));
+  EXPECT_THAT(table, HasSubstr("| experiment-1 | lm | 1.00 |"));
+}
+
+TEST(StudyOptions, NamesWhatIsWrong) {
+  const auto problem = [](const std::function<void(StudyOptions*)>& change) {
+    StudyOptions options;
+    change(&options);
+    return InputErrorOf([&] { options.Check(); });
+  };
+  EXPECT_THAT(problem([](auto* o) { o->experiments = {"experiment-4"}; }),
+              HasSubstr("--experiments"));
+  EXPECT_THAT(problem([](auto* o) { o->generator = 30; }), HasSubstr("--generator: 30"));
+  EXPECT_THAT(problem([](auto* o) { o->fabric = {"bending.stifness"}; }),
+              HasSubstr("'bending.stiffness'"));
+  EXPECT_THAT(problem([](auto* o) { o->simulations = 0.0; }), HasSubstr("--simulations: 0"));
+  EXPECT_THAT(problem([](auto* o) { o->values = {-1.0}; }), HasSubstr("--values"));
+  EXPECT_THAT(problem([](auto* o) { o->search = "newton"; }), HasSubstr("--search"));
+}
+
+// A study without recordings whose jobs are nothing but numbers.
+Study Squares() {
+  Study study;
+  study.name = "squares";
+  study.uses_recordings = false;
+  study.jobs = [](const StudyOptions&) { return std::vector<Job>{{"two", 2}, {"three", 3}}; };
+  study.work = [](const StudyOptions&, const Job& job, const JobContext&) -> nlohmann::json {
+    const int value = job.input;
+    if (value == 3) throw std::runtime_error("three is too much");
+    return value * value;
+  };
+  study.report = [](const StudyOptions&, const std::vector<Job>&,
+                    const std::vector<JobResult>& results, const StudyPlace&) {
+    return std::string("results: ") + std::to_string(results.size());
+  };
+  return study;
+}
+
+TEST(RunStudy, ReportsWhatIsDoneAndWhatFailed) {
+  const TestFolder folder;
+  const StudyPlace place = {folder.path() / "study", folder.path()};
+  StudyRunOptions run;
+  const StudyRun done = RunStudy(Squares(), StudyOptions(), place, run);
+  EXPECT_TRUE(done.complete);
+  EXPECT_EQ(done.table, "results: 1");
+  EXPECT_EQ(done.num_problems, 1);
+  EXPECT_EQ(done.first_problem, "three: three is too much");
+  EXPECT_EQ(ReadTextFile(place.folder / "squares.md"), done.table);
+  EXPECT_THAT(InputErrorOf([&] { RunStudy(Squares(), StudyOptions(), place, run); }),
+              HasSubstr("--force"));
+  run.folder.resume = true;
+  EXPECT_EQ(RunStudy(Squares(), StudyOptions(), place, run).table, "results: 1");
+  EXPECT_THAT(InputErrorOf([&] { RunStudy(Squares(), FullSize(), place, run); }),
+              HasSubstr("--resume"));
+}
+
+}  // namespace
+}  // namespace clothfit
