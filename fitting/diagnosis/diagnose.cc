@@ -30,6 +30,8 @@ constexpr int kFinestSide = 13;          // particles, where the mesh turns out 
 constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
 constexpr int kModelIterations = 12;     // a model starts near its end
 constexpr int kFirstIterations = 5;      // enough to see which models are worth more
+constexpr int kMoreHeats = 3;            // of the best, until it converges
+constexpr double kFarOff = 3.0;          // sigmas of residuals: the baseline is far off
 constexpr double kStillInRace = 0.5;     // of what the best has gained by then
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
 constexpr double kBlockSeconds = 0.2;    // of the bootstrap
@@ -61,8 +63,11 @@ class Diagnoser {
   void LocateMismatch(const FittedScene& fitted);
   // One more effect. False where there is none to be had.
   bool AddEffect(FittedScene* current, HeldOutErrors* errors);
+  std::optional<FittedScene> FirstHeat(const FittedScene& current, const RankedCandidate& candidate,
+                                       const Ranking& ranking);
   std::vector<Fitted> FitModels(const FittedScene& current, const Ranking& ranking);
   void FinishModels(const FittedScene& current, std::vector<Fitted>* models);
+  void GoOnWith(Fitted* model);
   Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
   void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models, std::size_t winner,
                      const FittedScene& before);
@@ -189,6 +194,24 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
   return fitted;
 }
 
+// From the baseline's fit, and where that is far off from the config's own start too: a fabric that
+// had to stand for what was missing is no good start.
+std::optional<FittedScene> Diagnoser::FirstHeat(const FittedScene& current,
+                                                const RankedCandidate& candidate,
+                                                const Ranking& ranking) {
+  const ModelStart start = SwitchOn(current, candidate, ranking.faults);
+  std::optional<FittedScene> fitted = FitModel(current, start, kFirstIterations, options_.stop);
+  if (ranking.residual_rms < kFarOff || Stopped()) return fitted;
+  ModelStart afresh = start;
+  for (auto& [name, setting] : afresh.config.parameters) {
+    const ParameterSetting& told = baseline_.parameters.at(name);
+    if (told.free) setting.value = told.value;
+  }
+  std::optional<FittedScene> again = FitModel(current, afresh, kFirstIterations, options_.stop);
+  const bool is_better = again && (!fitted || again->fit.cost_after < fitted->fit.cost_after);
+  return is_better ? std::move(again) : std::move(fitted);
+}
+
 std::vector<Fitted> Diagnoser::FitModels(const FittedScene& current, const Ranking& ranking) {
   std::vector<Fitted> models;
   for (const RankedCandidate& candidate : ranking.candidates) {
@@ -197,8 +220,7 @@ std::vector<Fitted> Diagnoser::FitModels(const FittedScene& current, const Ranki
     // What comes second has to matter beside what came first.
     if (candidate.summary.score < options_.least_share * first_unexplained_) continue;
     Say("fitting with " + candidate.summary.name, 0.5);
-    std::optional<FittedScene> fitted = FitModel(
-        current, SwitchOn(current, candidate, ranking.faults), kFirstIterations, options_.stop);
+    std::optional<FittedScene> fitted = FirstHeat(current, candidate, ranking);
     if (fitted) {
       models.push_back({candidate, std::move(*fitted), {}});
     } else {
@@ -221,16 +243,22 @@ void Diagnoser::FinishModels(const FittedScene& current, std::vector<Fitted>* mo
   for (const Fitted& model : *models) least = std::min(least, cost(model));
   const double worst = current.fit.cost_after - kStillInRace * (current.fit.cost_after - least);
   for (Fitted& model : *models) {
-    const bool is_done = model.scene.fit.status == FitStatus::kConverged;
-    if (is_done || cost(model) > worst || Stopped()) continue;
-    Say("fitting with " + model.candidate.summary.name, 0.6);
-    std::optional<FittedScene> further =
-        FitModel(model.scene, GoOn(model.scene), kModelIterations, options_.stop);
-    const bool is_better = further && further->fit.cost_after < cost(model);
-    if (is_better) model.scene = std::move(*further);
+    if (cost(model) <= worst) GoOnWith(&model);
   }
-  std::stable_sort(models->begin(), models->end(),
-                   [&](const Fitted& a, const Fitted& b) { return cost(a) < cost(b); });
+  const auto by_cost = [&](const Fitted& a, const Fitted& b) { return cost(a) < cost(b); };
+  std::stable_sort(models->begin(), models->end(), by_cost);
+  // What is left is held against the next effect: the first has to have taken its part.
+  for (int k = 0; k < kMoreHeats && !models->empty(); ++k) GoOnWith(&models->front());
+}
+
+// Fits a model further, unless it has converged.
+void Diagnoser::GoOnWith(Fitted* model) {
+  if (model->scene.fit.status == FitStatus::kConverged || Stopped()) return;
+  Say("fitting with " + model->candidate.summary.name, 0.6);
+  std::optional<FittedScene> further =
+      FitModel(model->scene, GoOn(model->scene), kModelIterations, options_.stop);
+  const bool is_better = further && further->fit.cost_after < model->scene.fit.cost_after;
+  if (is_better) model->scene = std::move(*further);
 }
 
 Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
