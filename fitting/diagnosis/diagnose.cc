@@ -31,9 +31,11 @@ constexpr double kFineEnough = 0.7;      // share of the unexplained that the me
 constexpr int kModelIterations = 12;     // a model starts near its end
 constexpr int kFirstIterations = 5;      // enough to see which models are worth more
 constexpr int kMoreHeats = 3;            // of the best, until it converges
-constexpr double kFarOff = 3.0;          // sigmas of residuals: the baseline is far off
+constexpr double kFarOff = 2.0;          // sigmas of residuals: the baseline is far off
 constexpr double kStillInRace = 0.5;     // of what the best has gained by then
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
+constexpr double kWindowSeconds = 0.6;   // over which errors of the start do not grow much
+constexpr double kAtMinimum = 0.05;      // share of the cost that a step may promise still
 constexpr double kBlockSeconds = 0.2;    // of the bootstrap
 constexpr double kSameShare = 0.1;       // of what is explained: models nearer than that are equal
 constexpr double kSameSignature = 0.97;  // cosine beyond which two effects are one
@@ -59,6 +61,7 @@ class Diagnoser {
   FittedScene UndoSwaps(FittedScene fitted);
   // Ranks; where mesh and step make much of what is left, on a finer mesh.
   Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
+  void FitInWindows(FittedScene* fitted);
   // Where, when and of what class a force is missing.
   void LocateMismatch(const FittedScene& fitted);
   // One more effect. False where there is none to be had.
@@ -146,6 +149,13 @@ std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig
   return CoarserGrid(grid, kLongestSide);
 }
 
+// Is what a fit leaves far more than noise?
+bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit) {
+  const ObservationResiduals observations(scene, config);
+  const int rows = observations.NumObserved(0, scene.last_fitted_frame);
+  return fit.cost_after > 0.5 * kFarOff * kFarOff * rows;
+}
+
 FittedScene Diagnoser::FitBaseline() {
   FitConfig config = baseline_;
   // Nobody lays out a cloth exactly: the start is free, up to bilinear offsets.
@@ -162,7 +172,14 @@ FittedScene Diagnoser::FitBaseline() {
   callbacks.progress = [this](const FitProgress& p) {
     Say("baseline: " + p.stage, 0.2 * p.fraction);
   };
-  const FitResult fit = RunFit(scene, quick, callbacks);
+  FitResult fit = RunFit(scene, quick, callbacks);
+  if (IsFarOff(scene, quick, fit) && quick.window <= 0.0 && !Stopped()) {
+    FitConfig in_windows = quick;
+    in_windows.window = kWindowSeconds;
+    FitResult again = RunFit(scene, in_windows, callbacks);
+    if (again.status != FitStatus::kFailed && again.cost_after < fit.cost_after)
+      fit = std::move(again);
+  }
   if (fit.status == FitStatus::kFailed)
     throw std::runtime_error("the baseline's fit failed: the simulation diverges");
   diagnosis_.baseline = config;
@@ -311,7 +328,10 @@ void Diagnoser::FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>&
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (i == winner) continue;
     const double worse = models[i].scene.fit.cost_after - best.scene.fit.cost_after;
-    if (worse < kSameShare * gained)
+    // Where both leave next to nothing of a large gain, what they leave decides.
+    const double left = std::max(0.0, best.scene.fit.cost_after - 0.5 * ranking.null_mean);
+    const double mesh = 0.5 * ranking.num_rows * ranking.floor_rms * ranking.floor_rms;
+    if (worse < std::min(kSameShare * gained, 2.0 * (left + mesh)))
       diagnosis_.ambiguity.push_back(models[i].candidate.summary.name);
   }
   for (const RankedCandidate& other : ranking.candidates) {
@@ -330,7 +350,8 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
                     ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
     std::array<int, 2> grid = current->scene.mesh.grid;
-    if (!MeshMatters(ranking) || !IsSuspicious(ranking) || IsObvious(ranking) ||
+    const bool may_be_mesh = MeshMatters(ranking) || ranking.residual_rms > kFarOff;
+    if (!may_be_mesh || !IsSuspicious(ranking) || IsObvious(ranking) ||
         !current->scene.mesh.is_grid() || Stopped() || std::max(grid[0], grid[1]) >= kFinestSide) {
       return ranking;
     }
@@ -342,6 +363,8 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     Log(fmt::format("the mesh matters: {} x {} particles", grid[0], grid[1]));
     Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
     std::optional<FittedScene> refined = FitModel(*current, finer, kModelIterations, options_.stop);
+    if (refined && IsFarOff(refined->scene, refined->config, refined->fit) && !Stopped())
+      FitInWindows(&*refined);
     if (!refined) return ranking;
     *current = std::move(*refined);
     *errors = MeasureHeldOut(*current);
@@ -349,6 +372,23 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     diagnosis_.baseline = current->config;
     diagnosis_.baseline_fit = current->fit;
   }
+}
+
+// Fits a baseline afresh in windows that hand on state and information, and keeps what is better.
+void Diagnoser::FitInWindows(FittedScene* fitted) {
+  FitConfig config = fitted->config;
+  for (auto& [name, setting] : config.parameters)
+    setting.value = baseline_.parameters.at(name).value;
+  config.window = kWindowSeconds;
+  config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
+  FitCallbacks callbacks;
+  callbacks.stop = options_.stop;
+  callbacks.log = options_.log;
+  const FitResult again = RunFit(fitted->scene, config, callbacks);
+  if (again.status == FitStatus::kFailed || !(again.cost_after < fitted->fit.cost_after)) return;
+  config.window = fitted->config.window;
+  config.function_tolerance = fitted->config.function_tolerance;
+  *fitted = MakeFittedScene(std::move(fitted->scene), config, again);
 }
 
 void Diagnoser::LocateMismatch(const FittedScene& fitted) {
@@ -382,6 +422,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     diagnosis_.gate_p_value = ranking.gate_p_value;
     diagnosis_.residual_rms = ranking.residual_rms;
     diagnosis_.floor_rms = ranking.floor_rms;
+    diagnosis_.promised = ranking.promised;
     first_unexplained_ = ranking.unexplained;
     is_above_floor_ = !MeshMatters(ranking);
     first_scene_ = *current;
@@ -478,7 +519,10 @@ void Diagnoser::Conclude(const FittedScene& current) {
   } else {
     // Nothing below the numerical floor is ever held against the physics.
     const bool is_unexplained = diagnosis_.gate_p_value < kGate && is_above_floor_;
-    diagnosis_.verdict = is_unexplained ? Verdict::kNoneOfTheAbove : Verdict::kNothingMissing;
+    const bool is_fitted = diagnosis_.promised < kAtMinimum;
+    diagnosis_.verdict = !is_unexplained ? Verdict::kNothingMissing
+                         : is_fitted     ? Verdict::kNoneOfTheAbove
+                                         : Verdict::kUndecided;
   }
   if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law) MeasureWhatActs(current);
   diagnosis_.words = DescribeDiagnosis(diagnosis_, recording_);
@@ -514,6 +558,8 @@ std::string ToString(Verdict verdict) {
       return "observation fault";
     case Verdict::kNoneOfTheAbove:
       return "none of the above";
+    case Verdict::kUndecided:
+      return "undecided";
     case Verdict::kInterrupted:
       return "interrupted";
   }

@@ -96,6 +96,7 @@ enum class Verdict {
   kNamed,             // effects are kept
   kObservationFault,  // the only thing wrong is the observation
   kNoneOfTheAbove,    // something is missing, and no candidate explains most of it
+  kUndecided,         // the baseline's fit came to no minimum, so what it leaves tells nothing
   kInterrupted,
 };
 std::string ToString(Verdict verdict);
@@ -151,6 +152,7 @@ struct Diagnosis {
   double residual_rms = 0.0;  // of the baseline's fit, in sigmas
   double floor_rms = 0.0;     // that mesh and step leave, in sigmas
   double gate_p_value = 1.0;  // of the whole residual against the null
+  double promised = 0.0;      // share of the cost that a full step of the baseline's fit would take
   std::optional<Mismatch> mismatch;
   std::optional<MismatchClass> mismatch_class;
   std::optional<MismatchPictures> mismatch_pictures;

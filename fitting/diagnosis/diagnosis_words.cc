@@ -149,6 +149,14 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recor
         "leave as much with a probability of {:.2g}.",
         diagnosis.residual_rms, diagnosis.floor_rms, diagnosis.gate_p_value));
   }
+  if (diagnosis.verdict == Verdict::kUndecided) {
+    sentences.push_back(fmt::format(
+        "Undecided: the baseline leaves {:.2g} sigmas, but its fit has come to no minimum, as a "
+        "full "
+        "step still promises {:.0f} % less. What it leaves is no evidence of missing physics. A "
+        "shorter or gentler recording, or fabric parameters that are known, would help.",
+        diagnosis.residual_rms, 100.0 * diagnosis.promised));
+  }
   // What is named says itself where it acts; the map of what the baseline cannot take for anything
   // else is for what has no name.
   const bool has_map = diagnosis.mismatch && diagnosis.mismatch->is_significant;
@@ -220,7 +228,8 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
   json["words"] = diagnosis.words;
   json["gate"] = {{"residual_rms_sigmas", OrNull(diagnosis.residual_rms)},
                   {"floor_rms_sigmas", OrNull(diagnosis.floor_rms)},
-                  {"p_value", OrNull(diagnosis.gate_p_value)}};
+                  {"p_value", OrNull(diagnosis.gate_p_value)},
+                  {"promised_decrease", OrNull(diagnosis.promised)}};
   const std::optional<Splits::FrameRange>& held_out = diagnosis.motions.held_out;
   json["held_out_frames"] = held_out ? Json({held_out->first, held_out->last}) : Json(nullptr);
   json["resolution"] = diagnosis.motions.resolution;

@@ -384,6 +384,9 @@ void Ranker::PassGate(Ranking* ranking) {
   ranking->residual_rms = std::sqrt(1.0 / residual2 / frames_.num_rows());
   ranking->floor_rms = Floor();
   ranking->errors = errors_;
+  std::vector<Nuisance> own_fit = Nuisances("");
+  own_fit.resize(std::min<std::size_t>(own_fit.size(), baseline_->entries.size()));
+  ranking->promised = 1.0 - Projection(gram_, own_fit).gram()(residual_, residual_);
 }
 
 Ranking Ranker::Run() {

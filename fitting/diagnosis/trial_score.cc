@@ -33,6 +33,8 @@ std::string VerdictWord(Verdict verdict) {
       return "observation-fault";
     case Verdict::kNoneOfTheAbove:
       return "none-of-the-above";
+    case Verdict::kUndecided:
+      return "undecided";
     case Verdict::kInterrupted:
       break;
   }

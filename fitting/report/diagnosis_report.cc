@@ -35,6 +35,7 @@ std::string HeadlineOf(const DiagnosisRecord& record) {
   if (record.verdict == "observation fault") {
     return "The observation is at fault, not the physics: " + effects + ".";
   }
+  if (record.verdict == "undecided") return "Undecided: the baseline's fit has come to no minimum.";
   if (record.verdict == "interrupted") return "The diagnosis was interrupted.";
   if (!effects.empty()) return "Something is missing; " + effects + " is only a part of it.";
   return "Something is missing, and nothing in the catalogue explains it.";
