@@ -27,6 +27,7 @@ namespace {
 constexpr double kGate = 0.01;           // p-value below which something is missing
 constexpr int kLongestSide = 13;         // particles; physics does not need a finer mesh
 constexpr int kFinestSide = 13;          // particles, where the mesh turns out to matter
+constexpr int kCoarsestSide = 9;         // on coarser meshes amounts come out a tenth wrong
 constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
 constexpr int kModelIterations = 12;     // a model starts near its end
 constexpr int kFirstIterations = 5;      // enough to see which models are worth more
@@ -351,8 +352,10 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
                     ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
     std::array<int, 2> grid = current->scene.mesh.grid;
     const bool may_be_mesh = MeshMatters(ranking) || ranking.residual_rms > kFarOff;
-    if (!may_be_mesh || !IsSuspicious(ranking) || IsObvious(ranking) ||
-        !current->scene.mesh.is_grid() || Stopped() || std::max(grid[0], grid[1]) >= kFinestSide) {
+    const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;
+    const bool is_worth_it = is_coarse || (may_be_mesh && !IsObvious(ranking));
+    if (!is_worth_it || !IsSuspicious(ranking) || !current->scene.mesh.is_grid() || Stopped() ||
+        std::max(grid[0], grid[1]) >= kFinestSide) {
       return ranking;
     }
     ModelStart finer{current->scene.recording, current->config};
