@@ -13,10 +13,15 @@
 
 namespace clothfit {
 
+// Coefficients of resistances, which only take energy.
+constexpr Parameter LawResistance(const char* name, const char* unit, const char* doc,
+                                  double largest, double usual) {
+  return {name, unit, doc, 0.0, 0.0, 0.0, largest, Scale::kLinear, usual};
+}
+
 constexpr Parameter LawCoefficient(const char* name, const char* unit, const char* doc,
-                                   double largest, double usual,
-                                   Meaning meaning = Meaning::kNumber) {
-  return {name, unit, doc, 0.0, 0.0, -largest, largest, Scale::kLinear, usual, meaning};
+                                   double largest, double usual) {
+  return {name, unit, doc, 0.0, 0.0, -largest, largest, Scale::kLinear, usual};
 }
 
 // A force field in the world, to first order in place and velocity: per area
@@ -42,7 +47,7 @@ struct LawField : TermDefaults {
       LawCoefficient("g_zx", "N/m^3", "growth of the z component along x", 1e4, 3.0),
       LawCoefficient("g_zy", "N/m^3", "growth of the z component along y", 1e4, 3.0),
       LawCoefficient("g_zz", "N/m^3", "growth of the z component along z", 1e4, 3.0),
-      LawCoefficient("drag", "kg/(m^2 s)", "b, resistance in all directions", 1e2, 0.3),
+      LawResistance("drag", "kg/(m^2 s)", "b, resistance in all directions", 1e2, 0.3),
       PlaceInWorld("x", Meaning::kPlaceX, "the middle"),
       PlaceInWorld("y", Meaning::kPlaceY, "the middle"),
       PlaceInWorld("z", Meaning::kPlaceZ, "the middle"),
@@ -127,16 +132,16 @@ struct LawTension : TermDefaults {
   static constexpr std::array<Parameter, 16> kParameters = {{
       LawCoefficient("c_0", "N/m", "tension along the warp", 1e3, 0.3),
       LawCoefficient("k_0", "N/m", "stiffness along the warp", 1e4, 30.0),
-      LawCoefficient("m_0", "N s/m", "viscosity along the warp", 1e3, 0.3),
+      LawResistance("m_0", "N s/m", "viscosity along the warp", 1e3, 0.3),
       LawCoefficient("c_45", "N/m", "tension at 45 degrees", 1e3, 0.3),
       LawCoefficient("k_45", "N/m", "stiffness at 45 degrees", 1e4, 30.0),
-      LawCoefficient("m_45", "N s/m", "viscosity at 45 degrees", 1e3, 0.3),
+      LawResistance("m_45", "N s/m", "viscosity at 45 degrees", 1e3, 0.3),
       LawCoefficient("c_90", "N/m", "tension along the weft", 1e3, 0.3),
       LawCoefficient("k_90", "N/m", "stiffness along the weft", 1e4, 30.0),
-      LawCoefficient("m_90", "N s/m", "viscosity along the weft", 1e3, 0.3),
+      LawResistance("m_90", "N s/m", "viscosity along the weft", 1e3, 0.3),
       LawCoefficient("c_135", "N/m", "tension at 135 degrees", 1e3, 0.3),
       LawCoefficient("k_135", "N/m", "stiffness at 135 degrees", 1e4, 30.0),
-      LawCoefficient("m_135", "N s/m", "viscosity at 135 degrees", 1e3, 0.3),
+      LawResistance("m_135", "N s/m", "viscosity at 135 degrees", 1e3, 0.3),
       LawCoefficient("band_c_45", "N/m", "tension along the rising diagonal's band", 1e3, 1.0),
       LawCoefficient("band_k_45", "N/m", "stiffness along the rising diagonal's band", 1e4, 30.0),
       LawCoefficient("band_c_135", "N/m", "tension along the falling diagonal's band", 1e3, 1.0),

@@ -350,6 +350,12 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     Ranking ranking = RankCandidates(*current, options_);
     Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
                     ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
+    if (ranking.errors->num_elsewhere > 0) {
+      Log(fmt::format(
+          "{} of the simulations with other steps or meshes go elsewhere altogether, and "
+          "are left out of the null",
+          ranking.errors->num_elsewhere));
+    }
     std::array<int, 2> grid = current->scene.mesh.grid;
     const bool may_be_mesh = MeshMatters(ranking) || ranking.residual_rms > kFarOff;
     const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;

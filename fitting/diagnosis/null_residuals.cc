@@ -149,7 +149,13 @@ NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrame
         ResidualsOfOtherSteps(Finer(at, mesh, step), at, frames);
     if (!fine) return {};
     std::optional<Refit> refit = FitAgain(at, frames, baseline.entries, *fine, *way, iterations);
-    if (!refit) return {};
+    // A lively cloth can go elsewhere altogether, and then it is no recording like this one.
+    constexpr double kLikeThisOne = 3.0;  // times what the fit leaves of the recording itself
+    const bool is_alike = refit && refit->left.norm() <= kLikeThisOne * baseline.residuals.norm();
+    if (!is_alike) {
+      ++errors.num_elsewhere;
+      return {};
+    }
     *way = std::move(refit->by);
     return std::move(refit->left);
   };

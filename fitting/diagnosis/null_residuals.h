@@ -24,6 +24,8 @@ inline constexpr double kNumericalSigma = 2.0;
 struct NumericalErrors {
   Eigen::VectorXd half_step, finer_mesh;  // rows; at the fit
   std::vector<Eigen::VectorXd> at_draws;  // rows
+  // How many of all these simulations went so far elsewhere that they are left out.
+  int num_elsewhere = 0;
   // How far the held-out frames are predicted from where the finer simulation has them, over the
   // draws; see HeldOutProof. 0 where there are neither markers nor tracks.
   double held_out_rms = 0.0;

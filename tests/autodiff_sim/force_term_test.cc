@@ -80,6 +80,12 @@ double FirstStep(const TermScene& scene, const Eigen::VectorXd& numbers, int col
 // known only.
 template <class Term>
 constexpr double kCancelling = kReadsOf<Term>.size() > 0 ? 1e-4 : 0.0;
+// Roundoff of a drag of 0.1 N over a step of 5e-7 m/s is 2.5e-11.
+template <>
+constexpr double kCancelling<LawAir> = 2e-4;
+// A strain is the difference of two lengths, known to 1e-16, over triangles of some mm.
+template <>
+constexpr double kCancelling<LawTension> = 1e-9;
 
 TYPED_TEST(ForceTerm, JetsAgreeWithDifferences) {
   using Layout = TermLayout<TypeParam>;
