@@ -105,8 +105,7 @@ std::optional<ActingForce> MeasureActingForce(const FittedScene& fitted,
   }
   const ClothModel& model = simulator.simulation().model();
   ForceMeter meter(model.topology().areas, scene.last_fitted_frame + 1);
-  Eigen::VectorXd theta = free.start();
-  theta.tail(fitted.unknown.size()) = fitted.unknown;
+  const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);
   const Eigen::VectorXd parameters = free.Values(theta);
   const double frame_time = 1.0 / scene.recording.frame_rate;
   Eigen::VectorXd v_before;

@@ -364,11 +364,9 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
         std::max(grid[0], grid[1]) >= kFinestSide) {
       return ranking;
     }
-    ModelStart finer{current->scene.recording, current->config};
+    ModelStart finer = GoOn(*current);
     for (int& n : grid) n = std::min(kFinestSide, 1 + static_cast<int>(std::lround(1.5 * (n - 1))));
     finer.config.resolution = grid;
-    for (auto& [name, setting] : finer.config.parameters)
-      setting.value = current->values.parameters.at(name).value;
     Log(fmt::format("the mesh matters: {} x {} particles", grid[0], grid[1]));
     Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
     std::optional<FittedScene> refined = FitModel(*current, finer, kModelIterations, options_.stop);

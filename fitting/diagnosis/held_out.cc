@@ -57,8 +57,7 @@ std::vector<Eigen::VectorXd> Predicted(const FittedScene& fitted) {
       Eigen::VectorXd::Constant(has_markers ? 3 : 2, std::numeric_limits<double>::quiet_NaN());
   std::vector<Eigen::VectorXd> seen(has_markers ? scene.markers.size() : scene.tracks.size(), none);
   const FreeParameters free(fitted.values, scene, MakeParameterTable());
-  Eigen::VectorXd theta = free.start();
-  theta.tail(fitted.unknown.size()) = fitted.unknown;
+  const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);
   SimulateFrames(scene, fitted.values, free, theta, scene.recording.frame_count - 1,
                  [&](int frame, const State& state) {
                    for (std::size_t i = 0; has_markers && i < scene.markers.size(); ++i) {

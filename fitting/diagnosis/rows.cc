@@ -14,14 +14,13 @@ namespace {
 // How many of the free entries are physical parameters; they come first.
 int NumFabric(const FreeParameters& free) { return static_cast<int>(free.Fabric().size()); }
 
-// The free vector of a pass: its parameters' values, then what the fit found for the rest.
+}  // namespace
+
 Eigen::VectorXd ThetaOfPass(const FreeParameters& free, const Eigen::VectorXd& unknown) {
   Eigen::VectorXd theta = free.start();
   theta.tail(unknown.size()) = unknown;
   return theta;
 }
-
-}  // namespace
 
 FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResult& fit) {
   FittedScene fitted{std::move(scene), config, config, {}, fit};

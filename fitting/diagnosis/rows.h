@@ -65,6 +65,8 @@ struct Pass {
   bool of_unknown = false;  // handles and initial state too
   bool of_faults = false;
 };
+// The free vector of a pass: its parameters' values, then what the fit found for the rest.
+Eigen::VectorXd ThetaOfPass(const FreeParameters& free, const Eigen::VectorXd& unknown);
 // The pass of what the fit itself had free, faults of the observation and all unknowns.
 Pass BaselinePass(const FittedScene& fitted);
 // Simulates once from the fit's start. Empty where the simulation or an observation fails.
