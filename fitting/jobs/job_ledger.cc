@@ -50,16 +50,19 @@ double Seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Makes the file where there is none. The system sees to it that only one of many succeeds.
+// Makes the file, whole, where there is none. The system sees to it that only one of many succeeds;
+// a process that dies on the way leaves no lease without a holder.
 bool CreateAlone(const fs::path& file, const std::string& contents) {
-  const int handle = open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0644);
-  if (handle < 0) {
-    if (errno == EEXIST) return false;
-    throw InputError(file.string(), fmt::format("cannot be written: {}", std::strerror(errno)));
-  }
-  const ssize_t written = write(handle, contents.data(), contents.size());
-  close(handle);
-  return written == static_cast<ssize_t>(contents.size());
+  static std::atomic<int> count = 0;
+  fs::path own = file;
+  own += fmt::format(".new-{}-{}-{}", HostName(), getpid(), ++count);
+  WriteWholeFile(own, contents);
+  const bool is_ours = link(own.c_str(), file.c_str()) == 0;
+  const int problem = errno;
+  std::error_code ignored;
+  fs::remove(own, ignored);
+  if (is_ours || problem == EEXIST) return is_ours;
+  throw InputError(file.string(), fmt::format("cannot be written: {}", std::strerror(problem)));
 }
 
 int CountLines(const fs::path& file) {
