@@ -110,12 +110,6 @@ void Diagnoser::Spend(const std::string& stage) {
   mark_ = now;
 }
 
-bool IsTerm(const std::string& name) {
-  const std::vector<TermInfo> terms = AllTerms();
-  return std::any_of(terms.begin(), terms.end(),
-                     [&](const TermInfo& term) { return term.name == name; });
-}
-
 // Would anything be held against the physics?
 bool IsSuspicious(const Ranking& ranking) {
   return ranking.gate_p_value < kGate ||
@@ -496,8 +490,7 @@ void Diagnoser::LearnInstead(FittedScene* current) {
 void Diagnoser::MeasureWhatActs(const FittedScene& model) {
   std::vector<std::string> terms;
   for (const std::string& effect : diagnosis_.answer->effects) {
-    const std::string term = effect.substr(0, effect.find('.'));
-    if (IsTerm(term)) terms.push_back(term);
+    terms.push_back(effect.substr(0, effect.find('.')));  // faults are of no term
   }
   diagnosis_.acting = MeasureActingForce(model, terms);
   const bool acts = diagnosis_.acting && diagnosis_.acting->acts;
