@@ -16,6 +16,7 @@
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
 #include "autodiff_sim/error.h"
+#include "fitting/diagnosis/diagnosis_folder.h"
 #include "fitting/diagnosis/trial_effect_table.h"
 #include "fitting/diagnosis/trial_plan.h"
 #include "fitting/diagnosis/trial_run.h"
@@ -33,7 +34,7 @@ struct TrialsOptions {
   TrialPlanOptions size;
   int num_threads = 1;
   bool no_projection = false, table_null = false, no_proof = false, no_true_model = false;
-  bool keep_recordings = false, resume = false, force = false;
+  bool keep_recordings = false, keep_diagnoses = false, resume = false, force = false;
   bool list = false, effects = false;
 };
 
@@ -44,10 +45,12 @@ std::string Conditions(const TrialsOptions& options) {
   const auto flag = [](bool value) { return value ? "true" : "false"; };
   return fmt::format(
       "plan: {}\nfirst_seed: {}\nseeds: {}\nonly: [{}]\nframes: {}\nresolution: {}\n"
-      "same_generator: {}\nproject: {}\nsimulate_null: {}\nprove: {}\ntrue_model: {}\n",
+      "same_generator: {}\nfinite_elements: {}\nproject: {}\nsimulate_null: {}\nprove: "
+      "{}\ntrue_model: {}\n",
       options.plan, options.size.first_seed, options.size.num_seeds, only, options.size.frame_count,
-      options.size.resolution, flag(options.size.same_generator), flag(!options.no_projection),
-      flag(!options.table_null), flag(!options.no_proof), flag(!options.no_true_model));
+      options.size.resolution, flag(options.size.same_generator),
+      flag(options.size.finite_elements), flag(!options.no_projection), flag(!options.table_null),
+      flag(!options.no_proof), flag(!options.no_true_model));
 }
 
 // The scores to go on from; makes the folder and writes down what is to be found in it.
@@ -88,6 +91,14 @@ int RunAll(const TrialsOptions& options, const std::vector<Trial>& trials) {
   run.diagnosis.prove = !options.no_proof;
   run.folder = folder / "recordings";
   run.keep_recordings = options.keep_recordings;
+  if (options.keep_diagnoses) {
+    run.diagnosed = [&](const Trial& trial, const Diagnosis& diagnosis,
+                        const std::vector<std::string>& log) {
+      const DiagnosisFolder kept(folder / "diagnoses" / trial.name, true);
+      for (const std::string& line : log) kept.AppendLog(line);
+      kept.Write(diagnosis);
+    };
+  }
   run.refit_truth = !options.no_true_model;
   run.num_threads = options.num_threads;
   run.stop = StopOnInterrupt();
@@ -153,8 +164,13 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
                    "particles a side that a recording tells a fit to use")
       ->type_name("N")
       ->capture_default_str();
-  command->add_flag("--same-generator", options->size.same_generator,
-                    "simulate the recordings with the fit's mesh and step");
+  CLI::Option* const same =
+      command->add_flag("--same-generator", options->size.same_generator,
+                        "simulate the recordings with the fit's mesh and step");
+  command
+      ->add_flag("--finite-elements", options->size.finite_elements,
+                 "simulate them by finite elements, which share no code with a fit")
+      ->excludes(same);
 }
 
 void AddRunOptions(CLI::App* command, TrialsOptions* options) {
@@ -173,6 +189,8 @@ void AddRunOptions(CLI::App* command, TrialsOptions* options) {
       ->capture_default_str();
   command->add_flag("--keep-recordings", options->keep_recordings,
                     "write every recording and leave it in FOLDER/recordings");
+  command->add_flag("--keep-diagnoses", options->keep_diagnoses,
+                    "leave every diagnosis in FOLDER/diagnoses");
   command->add_flag("--force", options->force, "replace the trials that are there");
   command->add_flag("--resume", options->resume, "go on with interrupted trials")
       ->excludes("--force");

@@ -43,7 +43,6 @@ class Generator {
     handles_ = LocateOnCloth(mesh_, uv);
   }
 
-  const ClothMesh& mesh() const { return mesh_; }
   const std::map<std::string, double>& parameters() const { return parameters_; }
 
   // The positions after every step where they are needed, else in every frame.
@@ -116,6 +115,17 @@ class Generator {
   std::map<std::string, double> parameters_;  // every one, by its full name
 };
 
+// Every parameter's value for a generator that is not clothfit's own.
+std::map<std::string, double> ParametersOf(const SyntheticOptions& options,
+                                           const SyntheticGenerator& generator) {
+  std::map<std::string, double> values;
+  for (const NamedParameter& named : MakeParameterTable())
+    values[named.name] = named.parameter.initial;
+  for (const auto& [name, value] : options.parameters) values[name] = value;
+  for (const auto& [name, value] : generator.parameters) values[name] = value;
+  return values;
+}
+
 // What the recording says of its scene, without observations.
 Recording DescribeScene(const SyntheticOptions& options, const SyntheticMotion& motion,
                         double areal_density) {
@@ -164,17 +174,23 @@ SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options,
   options.Check("synthetic recording");
   const SyntheticMotion motion =
       MakeSyntheticMotion(options.scenario, options.size, options.Duration());
-  Generator run(options, motion, generator);
   SyntheticRecording result;
-  result.surface = run.Run(progress);
+  if (generator.simulate) {
+    result.truth_parameters = ParametersOf(options, generator);
+    result.surface = generator.simulate(options, motion, result.truth_parameters, progress);
+  } else {
+    Generator run(options, motion, generator);
+    result.surface = run.Run(progress);
+    result.truth_parameters = run.parameters();
+  }
+  const ClothMesh& mesh = result.surface.mesh;
   const std::vector<Eigen::VectorXd> frames = Frames(result.surface, options);
-  result.truth_parameters = run.parameters();
   result.recording =
       DescribeScene(options, motion, result.truth_parameters.at("cloth.areal_density"));
   AddCameras(options, frames, &result.recording);
-  AddMarkers(options, run.mesh(), frames, &result.recording);
-  AddTracks(options, run.mesh(), frames, &result.recording);
-  result.truth_points = TruthPoints(options, run.mesh(), frames);
+  AddMarkers(options, mesh, frames, &result.recording);
+  AddTracks(options, mesh, frames, &result.recording);
+  result.truth_points = TruthPoints(options, mesh, frames);
   return result;
 }
 

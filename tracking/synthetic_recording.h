@@ -74,9 +74,16 @@ struct SyntheticGenerator {
                            const std::vector<SurfacePoint>& handles,
                            const SimulationOptions& options)>
       make;
+  // Simulates in place of clothfit's own simulation altogether. parameters: all by their full
+  // names.
+  std::function<SyntheticSurface(const SyntheticOptions& options, const SyntheticMotion& motion,
+                                 const std::map<std::string, double>& parameters,
+                                 const SyntheticProgress& progress)>
+      simulate;
   // Full name -> value, over those of the options; for terms that clothfit's list does not have.
   std::map<std::string, double> parameters;
-  // Called after each step that converged, with the states at its ends.
+  // Called after each step of clothfit's own simulation that converged, with the states at its
+  // ends.
   std::function<void(const Simulation& simulation, const State& before, const State& after)>
       observe;
 };

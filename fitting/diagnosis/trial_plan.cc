@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/error.h"
+#include "fitting/diagnosis/finite_elements/fem_laws.h"
 #include "tracking/normal_numbers.h"
 #include "tracking/text.h"
 
@@ -137,6 +138,11 @@ PlantedFault DrawFault(FaultKind kind, const SyntheticOptions& recording, Normal
   return fault;
 }
 
+bool FemKnowsAll(const std::vector<PlantableEffect>& effects) {
+  return std::all_of(effects.begin(), effects.end(),
+                     [](const PlantableEffect& effect) { return FemKnows(effect.term); });
+}
+
 // Collects the trials of a plan.
 class Planner {
  public:
@@ -163,7 +169,7 @@ class Planner {
       what += (what.empty() ? "" : "+") + effect.term;
       is_wanted = is_wanted || IsWanted(effect.term);
     }
-    if (!is_wanted) return;
+    if (!is_wanted || (options_.finite_elements && !FemKnowsAll(effects))) return;
     NormalNumbers random = Begin(kind, what, effects.front().motion, observation,
                                  effects.front().fabric, "-" + ToString(size));
     for (const PlantableEffect& effect : effects) {
@@ -190,6 +196,7 @@ class Planner {
     trial.observation = observation;
     trial.fabric = fabric;
     trial.seed = SeedOf(trial.name);
+    trial.finite_elements = options_.finite_elements;
     trial.recording = RecordingOf(motion, observation, options_);
     trial.recording.name = trial.name;
     trial.recording.seed = trial.seed;

@@ -73,6 +73,7 @@ struct Trial {
   std::optional<PlantedFault> fault;
   // Parameters are the fabric's and those of listed effects.
   SyntheticOptions recording;
+  bool finite_elements = false;  // simulated by fem_cloth.h
   std::uint64_t seed = 1;
 
   // Of unlisted effects, full name -> value.
@@ -84,6 +85,8 @@ struct TrialPlanOptions {
   int num_seeds = 1;              // how often the whole plan is drawn
   std::vector<std::string> only;  // effects and faults; empty: all
   bool same_generator = false;    // simulate with the fit's mesh and step
+  // Simulate by finite elements; trials whose effects those do not have are left out.
+  bool finite_elements = false;
   // Size of the recordings.
   int frame_count = 150;
   int resolution = 11;  // particles a side that the recording tells a fit to use

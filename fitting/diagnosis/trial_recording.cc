@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "fitting/diagnosis/finite_elements/fem_generator.h"
 #include "fitting/diagnosis/sha256.h"
 #include "fitting/diagnosis/trial_force.h"
 #include "fitting/diagnosis/trial_terms/trial_terms.h"
@@ -122,7 +123,11 @@ void WriteMasks(const Trial& trial, const SyntheticSurface& surface, const Recor
   }
 }
 
-SyntheticGenerator GeneratorOf(const Trial& trial) {
+// force: of finite elements, what the planted effects do; may be null.
+SyntheticGenerator GeneratorOf(const Trial& trial, ActingForce* force) {
+  if (trial.finite_elements) {
+    return FiniteElementGenerator(trial.UnlistedParameters(), PlantedTruth(trial).effects, force);
+  }
   SyntheticGenerator generator;
   generator.parameters = trial.UnlistedParameters();
   if (!generator.parameters.empty()) generator.make = MakeTrialSimulation;
@@ -217,9 +222,11 @@ void AddFault(const PlantedFault& fault, const SyntheticOptions& options,
 }
 
 TrialRecording MakeTrialRecording(const Trial& trial, const fs::path& folder) {
-  SyntheticGenerator generator = GeneratorOf(trial);
+  const bool has_effects = !trial.effects.empty();
+  ActingForce force;
+  SyntheticGenerator generator = GeneratorOf(trial, has_effects ? &force : nullptr);
   TrueForceMeter meter(trial);
-  if (!trial.effects.empty()) generator.observe = meter.Observer();
+  if (has_effects) generator.observe = meter.Observer();
   SyntheticRecording synthetic = MakeSyntheticRecording(trial.recording, {}, generator);
   if (trial.fault) {
     AddFault(*trial.fault, trial.recording, synthetic.surface, &synthetic.recording);
@@ -227,7 +234,8 @@ TrialRecording MakeTrialRecording(const Trial& trial, const fs::path& folder) {
   TakeOut(trial, &synthetic.recording);
   TrialRecording result{synthetic.recording, PlantedTruth(trial), synthetic.truth_parameters,
                         synthetic.surface};
-  if (!trial.effects.empty()) result.truth.force = meter.Result(synthetic.surface.mesh);
+  if (has_effects)
+    result.truth.force = trial.finite_elements ? force : meter.Result(synthetic.surface.mesh);
   const bool has_masks = trial.observation == TrialObservation::kSilhouettes;
   if (folder.empty()) {
     if (has_masks) throw std::invalid_argument(trial.name + ": masks need a folder");
@@ -241,7 +249,7 @@ TrialRecording MakeTrialRecording(const Trial& trial, const fs::path& folder) {
 }
 
 std::vector<TruthPoint> TruePoints(const Trial& trial) {
-  return MakeSyntheticRecording(trial.recording, {}, GeneratorOf(trial)).truth_points;
+  return MakeSyntheticRecording(trial.recording, {}, GeneratorOf(trial, nullptr)).truth_points;
 }
 
 double DistanceBetween(const std::vector<TruthPoint>& a, const std::vector<TruthPoint>& b) {

@@ -27,11 +27,14 @@ TrialScore DiagnoseAndScore(const Trial& trial, const TrialRecording& made,
   DiagnosisOptions of_trial = options.diagnosis;
   of_trial.seed = trial.seed;
   of_trial.stop = options.stop;
+  std::vector<std::string> log;
+  if (options.diagnosed) of_trial.log = [&log](const std::string& line) { log.push_back(line); };
   const FitConfig baseline = DefaultConfig(made.recording);
   const auto start = std::chrono::steady_clock::now();
   const Diagnosis diagnosis = diagnose(made.recording, baseline, of_trial);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (options.diagnosed) options.diagnosed(trial, diagnosis, log);
   std::optional<double> held_out_true;
   const bool has_gap = !trial.effects.empty() && options.refit_truth && !IsStopped(options);
   if (has_gap) held_out_true = TrueModelError(trial, made, baseline);

@@ -21,8 +21,12 @@ struct TrialRunOptions {
   DiagnosisOptions diagnosis;    // ablations; the seed is each trial's own
   std::filesystem::path folder;  // of recordings, where they have to be on disk
   bool keep_recordings = false;  // write all, and leave them there with their truth
-  bool refit_truth = true;       // find each trial's TrueModelError, which costs a fit
-  int num_threads = 1;           // trials at the same time; no influence on the scores
+  // Each diagnosis and its log; may be called from several threads at once.
+  std::function<void(const Trial& trial, const Diagnosis& diagnosis,
+                     const std::vector<std::string>& log)>
+      diagnosed;
+  bool refit_truth = true;  // find each trial's TrueModelError, which costs a fit
+  int num_threads = 1;      // trials at the same time; no influence on the scores
   const std::atomic<bool>* stop = nullptr;
   // From one thread at a time: the scores so far, in the plan's order, after each trial.
   std::function<void(const std::vector<TrialScore>&)> done;

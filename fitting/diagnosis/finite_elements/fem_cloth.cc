@@ -1,0 +1,402 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/finite_elements/fem_cloth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace clothfit {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+double Cotangent(const Vector2d& a, const Vector2d& b) {
+  return a.dot(b) / std::abs(a.x() * b.y() - a.y() * b.x());
+}
+
+// dz = (ds - z |ds|) / onset, Dahl 1968, for a small slide.
+double Slid(double z, double slide, double onset) {
+  return z + (slide - z * std::abs(slide)) / onset;
+}
+
+// N per area, of air that a surface with this unit normal moves through.
+Vector3d Drag(const FemLaws& laws, const Vector3d& normal, const Vector3d& velocity) {
+  const double across = velocity.dot(normal);
+  const double quadratic =
+      laws.drag_normal * std::abs(across) * across / (1.0 + laws.drag_saturation * across * across);
+  return -quadratic * normal - laws.drag_tangential * (velocity - across * normal);
+}
+
+}  // namespace
+
+FemCloth::FemCloth(FemMesh mesh, FemLaws laws, std::vector<FemHandle> handles,
+                   std::optional<FemGround> ground, VectorXd positions)
+    : mesh_(std::move(mesh)),
+      laws_(std::move(laws)),
+      handles_(std::move(handles)),
+      ground_(ground),
+      areas_(VertexAreas(mesh_)),
+      x_(std::move(positions)),
+      v_(VectorXd::Zero(x_.size())),
+      a_(VectorXd::Zero(x_.size())) {
+  for (const std::array<int, 3>& nodes : mesh_.triangles) {
+    const double area = TriangleArea(mesh_, nodes);
+    Triangle triangle{nodes, {}, {}, area, Vector2d::Zero()};
+    for (int i = 0; i < 3; ++i) {
+      const Vector2d& next = mesh_.uv[nodes[(i + 1) % 3]];
+      const Vector2d& last = mesh_.uv[nodes[(i + 2) % 3]];
+      triangle.du[i] = (next.y() - last.y()) / (2.0 * area);
+      triangle.dv[i] = (last.x() - next.x()) / (2.0 * area);
+      triangle.uv += mesh_.uv[nodes[i]] / 3.0;
+    }
+    triangles_.push_back(triangle);
+  }
+  for (const FemHinge& hinge : HingesOf(mesh_)) {
+    const auto at = [&](int k) { return mesh_.uv[hinge.nodes[k]]; };
+    const Vector2d e = at(1) - at(0);
+    // Of the angles at both ends, in both triangles.
+    const double start_left = Cotangent(e, at(2) - at(0)),
+                 start_right = Cotangent(e, at(3) - at(0));
+    const double end_left = Cotangent(-e, at(2) - at(1)), end_right = Cotangent(-e, at(3) - at(1));
+    const double area = TriangleArea(mesh_, {hinge.nodes[0], hinge.nodes[1], hinge.nodes[2]}) -
+                        TriangleArea(mesh_, {hinge.nodes[0], hinge.nodes[1], hinge.nodes[3]});
+    folds_.push_back({hinge.nodes,
+                      {end_left + end_right, start_left + start_right, -start_left - end_left,
+                       -start_right - end_right},
+                      3.0 / area,
+                      e.norm()});
+  }
+  // Points of a thread along the diagonal.
+  Vector2d corner = Vector2d::Zero();
+  for (const Vector2d& uv : mesh_.uv) corner = corner.cwiseMax(uv);
+  for (int k = 0; k <= kThreadPieces; ++k) {
+    const Vector2d at = corner * (static_cast<double>(k) / kThreadPieces);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const Triangle& triangle = triangles_[t];
+      std::array<double, 3> weights{};
+      for (int i = 0; i < 3; ++i) {
+        const Vector2d from = at - triangle.uv;
+        weights[i] = 1.0 / 3.0 + triangle.du[i] * from.x() + triangle.dv[i] * from.y();
+      }
+      if (*std::min_element(weights.begin(), weights.end()) < -1e-9) continue;
+      thread_.emplace_back(static_cast<int>(t), weights);
+      break;
+    }
+  }
+  memory_.resize(triangles_.size());
+  fold_memory_.resize(folds_.size());
+  Remember(0.0);
+  for (FoldMemory& memory : fold_memory_) memory.friction = 0.0;
+  for (Memory& memory : memory_)
+    memory = {0.0, 0.0, 0.0, 0.0, memory.warp, memory.weft, memory.shear};
+  stable_step_ = LargestStableStep();
+}
+
+FemCloth::Strain FemCloth::StrainOf(const Triangle& triangle, const VectorXd& x) {
+  Strain strain{Vector3d::Zero(), Vector3d::Zero(), 0.0, 0.0, 0.0};
+  for (int i = 0; i < 3; ++i) {
+    strain.x_u += triangle.du[i] * x.segment<3>(3 * triangle.nodes[i]);
+    strain.x_v += triangle.dv[i] * x.segment<3>(3 * triangle.nodes[i]);
+  }
+  const double u = strain.x_u.norm(), v = strain.x_v.norm();
+  strain.warp = u - 1.0;
+  strain.weft = v - 1.0;
+  strain.shear = strain.x_u.dot(strain.x_v) / (u * v);
+  return strain;
+}
+
+// Bending angle, positive where the sides rise along the normal, and its gradient (1/m).
+double FemCloth::AngleOf(const Fold& fold, std::array<Vector3d, 4>* gradient) const {
+  const auto at = [&](int k) -> Vector3d { return x_.segment<3>(3 * fold.nodes[k]); };
+  const Vector3d e = at(1) - at(0);
+  const Vector3d left = e.cross(at(2) - at(0)), right = (at(3) - at(0)).cross(e);
+  const double length = e.norm(), left2 = left.squaredNorm(), right2 = right.squaredNorm();
+  const double sine = left.cross(right).dot(e) / length;
+  const double angle = std::atan2(sine, left.dot(right));
+  // The flat distance of a tip from the edge is |normal| / |e|.
+  const Vector3d at_left = -length / left2 * left, at_right = -length / right2 * right;
+  const double left_share = (at(2) - at(0)).dot(e) / e.squaredNorm();
+  const double right_share = (at(3) - at(0)).dot(e) / e.squaredNorm();
+  (*gradient)[2] = -at_left;
+  (*gradient)[3] = -at_right;
+  (*gradient)[0] = (1.0 - left_share) * at_left + (1.0 - right_share) * at_right;
+  (*gradient)[1] = left_share * at_left + right_share * at_right;
+  return angle;
+}
+
+void FemCloth::AddMembranes(const FemLaws& laws, VectorXd* force) const {
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const Triangle& triangle = triangles_[t];
+    const FemLaws::Membrane& law = laws.membranes[t];
+    const Memory& memory = memory_[t];
+    const Strain s = StrainOf(triangle, x_);
+    const Strain rate = StrainOf(triangle, v_);  // of which only x_u and x_v mean anything
+    const double u = 1.0 + s.warp, v = 1.0 + s.weft;
+    const Vector3d along_u = s.x_u / u, along_v = s.x_v / v;
+    const Vector3d shear_u = (along_v - s.shear * along_u) / u;
+    const Vector3d shear_v = (along_u - s.shear * along_v) / v;
+    const auto cubic = [&](double strain) {
+      const double beyond = std::max(0.0, strain - laws.cubic_onset);
+      return laws.cubic * beyond * beyond * beyond;
+    };
+    const double coupling = laws.poisson * std::sqrt(law.warp * law.weft);
+    const double warp = law.warp * s.warp + coupling * s.weft + cubic(s.warp) +
+                        laws.stretch_viscosity * along_u.dot(rate.x_u) +
+                        laws.stretch_share * law.warp * memory.relaxing_warp;
+    const double weft = law.weft * s.weft + coupling * s.warp + cubic(s.weft) +
+                        laws.stretch_viscosity * along_v.dot(rate.x_v) +
+                        laws.stretch_share * law.weft * memory.relaxing_weft;
+    const double turning = shear_u.dot(rate.x_u) + shear_v.dot(rate.x_v);
+    const double shear = law.shear * s.shear + laws.shear_viscosity * turning +
+                         laws.shear_share * law.shear * memory.relaxing_shear +
+                         laws.shear_friction * memory.friction;
+    const Vector3d pull_u = triangle.area * (warp * along_u + shear * shear_u);
+    const Vector3d pull_v = triangle.area * (weft * along_v + shear * shear_v);
+    for (int i = 0; i < 3; ++i) {
+      force->segment<3>(3 * triangle.nodes[i]) -= triangle.du[i] * pull_u + triangle.dv[i] * pull_v;
+    }
+  }
+}
+
+void FemCloth::AddPlates(const FemLaws& laws, VectorXd* force) const {
+  for (std::size_t h = 0; h < folds_.size(); ++h) {
+    const Fold& fold = folds_[h];
+    const FemLaws::Plate& law = laws.plates[h];
+    Vector3d bent = Vector3d::Zero();
+    for (int k = 0; k < 4; ++k) {
+      const int i = 3 * fold.nodes[k];
+      bent += fold.cotangents[k] * (x_.segment<3>(i) + laws.bending_delay * v_.segment<3>(i));
+    }
+    bent *= law.stiffness * fold.per_area;
+    for (int k = 0; k < 4; ++k) force->segment<3>(3 * fold.nodes[k]) -= fold.cotangents[k] * bent;
+    if (law.rest_angle == 0.0 && laws.bending_friction == 0.0) continue;
+    std::array<Vector3d, 4> gradient;
+    AngleOf(fold, &gradient);
+    const double moment = laws.bending_friction * fold_memory_[h].friction * fold.edge -
+                          law.stiffness * fold.per_area * fold.edge * fold.edge * law.rest_angle;
+    for (int k = 0; k < 4; ++k) force->segment<3>(3 * fold.nodes[k]) -= moment * gradient[k];
+  }
+}
+
+void FemCloth::AddAir(const FemLaws& laws, VectorXd* force) const {
+  for (const Triangle& triangle : triangles_) {
+    const auto mean = [&](const VectorXd& of) -> Vector3d {
+      return (of.segment<3>(3 * triangle.nodes[0]) + of.segment<3>(3 * triangle.nodes[1]) +
+              of.segment<3>(3 * triangle.nodes[2])) /
+             3.0;
+    };
+    const Vector3d place = mean(x_);
+    Vector3d velocity = mean(v_);
+    for (const FemLaws::Air& air : laws.air) velocity -= air(place, triangle.uv, time_);
+    const Vector3d origin = x_.segment<3>(3 * triangle.nodes[0]);
+    const Vector3d across = (x_.segment<3>(3 * triangle.nodes[1]) - origin)
+                                .cross(x_.segment<3>(3 * triangle.nodes[2]) - origin);
+    const double twice_area = across.norm();
+    const Vector3d push = twice_area / 6.0 * Drag(laws, across / twice_area, velocity);
+    for (const int node : triangle.nodes) force->segment<3>(3 * node) += push;
+  }
+}
+
+void FemCloth::AddOutside(const FemLaws& laws, VectorXd* force) const {
+  for (std::size_t i = 0; i < areas_.size(); ++i) {
+    const Vector3d place = x_.segment<3>(3 * i), velocity = v_.segment<3>(3 * i);
+    Vector3d pressure = Vector3d::Zero();
+    for (const FemLaws::Outside& law : laws.outside) pressure += law(place, velocity);
+    const double depth = ground_ ? ground_->distance - (place.z() - ground_->height) : 0.0;
+    if (depth > 0.0) {
+      const double push = ground_->stiffness * depth * depth / ground_->distance;
+      const double drag =
+          ground_->friction * push / std::hypot(velocity.head<2>().norm(), ground_->slip_speed);
+      pressure += Vector3d(-drag * velocity.x(), -drag * velocity.y(), push);
+    }
+    force->segment<3>(3 * i) +=
+        areas_[i] * pressure + (laws.mass[i] + laws.extra_mass[i]) * laws.gravity;
+  }
+}
+
+void FemCloth::AddDiagonalThread(const FemLaws& laws, VectorXd* force) const {
+  constexpr double kRounding = 0.01;  // strain over which it becomes taut
+  std::vector<Vector3d> points;
+  for (const auto& [t, weights] : thread_) {
+    Vector3d point = Vector3d::Zero();
+    for (int i = 0; i < 3; ++i) point += weights[i] * x_.segment<3>(3 * triangles_[t].nodes[i]);
+    points.push_back(point);
+  }
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const Vector3d along = points[k + 1] - points[k];
+    const double strain = along.norm() / ((1.0 - laws.thread_gather) * laws.thread_piece) - 1.0;
+    const double taut = 0.5 * (strain + std::hypot(strain, kRounding));
+    const Vector3d pull = laws.thread_stiffness * taut / along.norm() * along;
+    for (int i = 0; i < 3; ++i) {
+      const auto& [t0, w0] = thread_[k];
+      const auto& [t1, w1] = thread_[k + 1];
+      force->segment<3>(3 * triangles_[t0].nodes[i]) += w0[i] * pull;
+      force->segment<3>(3 * triangles_[t1].nodes[i]) -= w1[i] * pull;
+    }
+  }
+}
+
+VectorXd FemCloth::ForcesOf(const FemLaws& laws) const {
+  VectorXd force = VectorXd::Zero(x_.size());
+  AddMembranes(laws, &force);
+  AddPlates(laws, &force);
+  AddAir(laws, &force);
+  AddOutside(laws, &force);
+  if (laws.thread_stiffness > 0.0) AddDiagonalThread(laws, &force);
+  return force;
+}
+
+Eigen::Matrix3Xd FemCloth::VertexNormals() const {
+  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, x_.size() / 3);
+  for (const Triangle& triangle : triangles_) {
+    const Vector3d origin = x_.segment<3>(3 * triangle.nodes[0]);
+    const Vector3d across = (x_.segment<3>(3 * triangle.nodes[1]) - origin)
+                                .cross(x_.segment<3>(3 * triangle.nodes[2]) - origin);
+    for (const int node : triangle.nodes) normals.col(node) += across;
+  }
+  normals.colwise().normalize();
+  return normals;
+}
+
+VectorXd FemCloth::ForceBeyond(const FemLaws& others) const {
+  VectorXd force = ForcesOf(laws_) - ForcesOf(others);
+  const Eigen::Matrix3Xd normals = VertexNormals();
+  for (std::size_t i = 0; i < areas_.size(); ++i) {
+    const Vector3d a = a_.segment<3>(3 * i), n = normals.col(static_cast<Eigen::Index>(i));
+    force.segment<3>(3 * i) -= (laws_.extra_mass[i] - others.extra_mass[i]) * a +
+                               (laws_.added_mass - others.added_mass) * areas_[i] * a.dot(n) * n;
+  }
+  return force;
+}
+
+double FemCloth::ElasticEnergy() const {
+  double energy = 0.0;
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const Strain s = StrainOf(triangles_[t], x_);
+    const FemLaws::Membrane& law = laws_.membranes[t];
+    energy += 0.5 * triangles_[t].area *
+              (law.warp * s.warp * s.warp + law.weft * s.weft * s.weft +
+               2.0 * laws_.poisson * std::sqrt(law.warp * law.weft) * s.warp * s.weft +
+               law.shear * s.shear * s.shear);
+  }
+  for (std::size_t h = 0; h < folds_.size(); ++h) {
+    Vector3d bent = Vector3d::Zero();
+    for (int k = 0; k < 4; ++k)
+      bent += folds_[h].cotangents[k] * x_.segment<3>(3 * folds_[h].nodes[k]);
+    energy += 0.5 * laws_.plates[h].stiffness * folds_[h].per_area * bent.squaredNorm();
+  }
+  return energy;
+}
+
+double FemCloth::KineticEnergy() const {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < areas_.size(); ++i) {
+    energy += 0.5 * (laws_.mass[i] + laws_.extra_mass[i]) * v_.segment<3>(3 * i).squaredNorm();
+  }
+  return energy;
+}
+
+void FemCloth::Remember(double step) {
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const Strain s = StrainOf(triangles_[t], x_);
+    Memory& memory = memory_[t];
+    // dq/dt = de/dt - q / time
+    const double stretch = std::exp(-step / laws_.stretch_time);
+    const double shear = std::exp(-step / laws_.shear_time);
+    memory.relaxing_warp = stretch * memory.relaxing_warp + s.warp - memory.warp;
+    memory.relaxing_weft = stretch * memory.relaxing_weft + s.weft - memory.weft;
+    memory.relaxing_shear = shear * memory.relaxing_shear + s.shear - memory.shear;
+    memory.friction = Slid(memory.friction, s.shear - memory.shear, laws_.shear_onset);
+    memory.warp = s.warp;
+    memory.weft = s.weft;
+    memory.shear = s.shear;
+  }
+  if (laws_.bending_friction == 0.0) return;
+  for (std::size_t h = 0; h < folds_.size(); ++h) {
+    std::array<Vector3d, 4> gradient;
+    const double angle = AngleOf(folds_[h], &gradient);
+    FoldMemory& memory = fold_memory_[h];
+    // An angle over the length that a hinge stands for is a curvature.
+    const double curvature = folds_[h].per_area * folds_[h].edge * (angle - memory.angle);
+    memory.friction = Slid(memory.friction, curvature, laws_.bending_onset);
+    memory.angle = angle;
+  }
+}
+
+// 1/s^2 or 1/s: the largest eigenvalue of what `response` makes of a small displacement or velocity
+// (3N), over the masses, by power iteration.
+double FemCloth::LargestRate(const std::function<VectorXd(const VectorXd&)>& response) const {
+  constexpr int kIterations = 60;
+  VectorXd direction(x_.size());
+  for (Eigen::Index i = 0; i < direction.size(); ++i)
+    direction[i] = std::sin(1.0 + 2.3 * static_cast<double>(i * i % 97));
+  double largest = 0.0;
+  for (int k = 0; k < kIterations; ++k) {
+    direction.normalize();
+    VectorXd answer = response(direction);
+    for (std::size_t i = 0; i < areas_.size(); ++i) answer.segment<3>(3 * i) /= laws_.mass[i];
+    largest = answer.norm();
+    if (largest == 0.0) break;
+    direction = answer;
+  }
+  return largest;
+}
+
+// s. For vibrations w and decays r, symplectic Euler with what damps explicit needs w^2 h^2 + 2 r h
+// below 4; half of that is left in hand.
+double FemCloth::LargestStableStep() {
+  constexpr double kSmall = 1e-7, kLimit = 2.0;
+  const VectorXd x = x_, rest = Forces();
+  const double squared = LargestRate([&](const VectorXd& direction) {
+    x_ = x + kSmall * direction;
+    const VectorXd response = (Forces() - rest) / kSmall;
+    x_ = x;
+    return response;
+  });
+  const double decay = LargestRate([&](const VectorXd& direction) {
+    v_ = kSmall * direction;
+    const VectorXd response = (Forces() - rest) / kSmall;
+    v_.setZero();
+    return response;
+  });
+  // Friction's memory is a stiffness at first that Forces does not see.
+  const double friction = laws_.shear_friction / laws_.shear_onset;
+  const double stiffest = laws_.membranes.front().shear + laws_.membranes.front().warp;
+  const double all = squared * (1.0 + friction / stiffest);
+  return (std::sqrt(decay * decay + kLimit * all) - decay) / all;
+}
+
+void FemCloth::Step(double step) {
+  const VectorXd force = Forces();
+  const Eigen::Matrix3Xd normals =
+      laws_.added_mass > 0.0 ? VertexNormals() : Eigen::Matrix3Xd(3, 0);
+  for (std::size_t i = 0; i < areas_.size(); ++i) {
+    const double mass = laws_.mass[i] + laws_.extra_mass[i];
+    Vector3d a = force.segment<3>(3 * i) / mass;
+    if (laws_.added_mass > 0.0) {
+      const Vector3d n = normals.col(static_cast<Eigen::Index>(i));
+      const double more = laws_.added_mass * areas_[i];
+      a -= more / (mass + more) * a.dot(n) * n;
+    }
+    a_.segment<3>(3 * i) = a;
+  }
+  v_ += step * a_;
+  for (const FemHandle& handle : handles_) {
+    const auto i = 3 * handle.vertex;
+    const Vector3d before = v_.segment<3>(i) - step * a_.segment<3>(i);
+    v_.segment<3>(i) = (handle.path(time_ + step) - x_.segment<3>(i)) / step;
+    a_.segment<3>(i) = (v_.segment<3>(i) - before) / step;
+  }
+  x_ += step * v_;
+  time_ += step;
+  if (!x_.allFinite()) throw std::runtime_error("the finite elements diverge");
+  Remember(step);
+}
+
+}  // namespace clothfit

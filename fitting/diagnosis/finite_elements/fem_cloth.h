@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The trials' second generator: cloth of triangular finite elements that shares no code with
+// autodiff_sim, so that trials measure what an error of the equations does to a diagnosis, too.
+//
+// Membrane: constant strain triangles, of the threads' strains e = |x_u| - 1, |x_v| - 1 and the
+// cosine of their angle, linear and Kelvin-Voigt. Bending: the quadratic energy of Bergou et al.
+// 2006 on the hinges of an unstructured mesh. Time: symplectic Euler, with steps a fraction of what
+// is stable (some 1e-5 s).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fitting/diagnosis/finite_elements/fem_laws.h"
+#include "fitting/diagnosis/finite_elements/fem_mesh.h"
+
+namespace clothfit {
+
+// A vertex that is held on a path.
+struct FemHandle {
+  int vertex = 0;
+  std::function<Eigen::Vector3d(double time)> path;  // m, world
+};
+
+struct FemGround {
+  double height = 0.0;      // m
+  double stiffness = 1e5;   // Pa/m
+  double distance = 0.002;  // m, at which contact begins
+  double friction = 0.4;
+  double slip_speed = 0.005;  // m/s
+};
+
+class FemCloth {
+ public:
+  // positions: 3N, m; the cloth is at rest.
+  FemCloth(FemMesh mesh, FemLaws laws, std::vector<FemHandle> handles,
+           std::optional<FemGround> ground, Eigen::VectorXd positions);
+
+  double StableStep() const { return stable_step_; }  // s
+  void Step(double step);                             // s
+  // Forces (3N, N) of these laws less those of others at the present state, inertia of added masses
+  // included: what planted effects do.
+  Eigen::VectorXd ForceBeyond(const FemLaws& others) const;
+  // Of the elastic laws, J.
+  double ElasticEnergy() const;
+  double KineticEnergy() const;
+
+  const FemMesh& mesh() const { return mesh_; }
+  double time() const { return time_; }
+  const Eigen::VectorXd& positions() const { return x_; }
+  const Eigen::VectorXd& velocities() const { return v_; }
+  // 3N, N, of everything but inertia and what holds the handles; of the present state.
+  Eigen::VectorXd Forces() const { return ForcesOf(laws_); }
+
+ private:
+  struct Triangle {
+    std::array<int, 3> nodes;
+    std::array<double, 3> du, dv;  // 1/m: x_u = sum du_i x_i
+    double area;                   // m^2
+    Eigen::Vector2d uv;            // its middle
+  };
+  struct Fold {
+    std::array<int, 4> nodes;
+    std::array<double, 4> cotangents;
+    double per_area;  // 3 / area, 1/m^2
+    double edge;      // m
+  };
+  struct Strain {
+    Eigen::Vector3d x_u, x_v;
+    double warp, weft, shear;
+  };
+  struct Memory {  // of a triangle
+    double relaxing_warp = 0.0, relaxing_weft = 0.0, relaxing_shear = 0.0, friction = 0.0;
+    double warp = 0.0, weft = 0.0, shear = 0.0;  // strains last seen
+  };
+  struct FoldMemory {
+    double friction = 0.0, angle = 0.0;
+  };
+
+  static Strain StrainOf(const Triangle& triangle, const Eigen::VectorXd& x);
+  double AngleOf(const Fold& fold, std::array<Eigen::Vector3d, 4>* gradient) const;
+  Eigen::VectorXd ForcesOf(const FemLaws& laws) const;
+  void AddMembranes(const FemLaws& laws, Eigen::VectorXd* force) const;
+  void AddPlates(const FemLaws& laws, Eigen::VectorXd* force) const;
+  void AddAir(const FemLaws& laws, Eigen::VectorXd* force) const;
+  void AddOutside(const FemLaws& laws, Eigen::VectorXd* force) const;
+  void AddDiagonalThread(const FemLaws& laws, Eigen::VectorXd* force) const;
+  void Remember(double step);
+  double LargestStableStep();
+  double LargestRate(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& response) const;
+  Eigen::Matrix3Xd VertexNormals() const;
+
+  FemMesh mesh_;
+  FemLaws laws_;
+  std::vector<FemHandle> handles_;
+  std::optional<FemGround> ground_;
+  std::vector<double> areas_;
+  std::vector<Triangle> triangles_;
+  std::vector<Fold> folds_;
+  std::vector<std::pair<int, std::array<double, 3>>> thread_;  // triangle, weights
+  std::vector<Memory> memory_;
+  std::vector<FoldMemory> fold_memory_;
+  Eigen::VectorXd x_, v_, a_;
+  double time_ = 0.0, stable_step_ = 0.0;
+};
+
+}  // namespace clothfit
