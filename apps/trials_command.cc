@@ -44,11 +44,11 @@ std::string Conditions(const TrialsOptions& options) {
   for (const std::string& name : options.size.only) only += (only.empty() ? "" : ", ") + name;
   const auto flag = [](bool value) { return value ? "true" : "false"; };
   return fmt::format(
-      "plan: {}\nfirst_seed: {}\nseeds: {}\nonly: [{}]\nframes: {}\nresolution: {}\n"
+      "plan: {}\nmatch: '{}'\nfirst_seed: {}\nseeds: {}\nonly: [{}]\nframes: {}\nresolution: {}\n"
       "same_generator: {}\nfinite_elements: {}\nproject: {}\nsimulate_null: {}\nprove: "
       "{}\ntrue_model: {}\n",
-      options.plan, options.size.first_seed, options.size.num_seeds, only, options.size.frame_count,
-      options.size.resolution, flag(options.size.same_generator),
+      options.plan, options.size.match, options.size.first_seed, options.size.num_seeds, only,
+      options.size.frame_count, options.size.resolution, flag(options.size.same_generator),
       flag(options.size.finite_elements), flag(!options.no_projection), flag(!options.table_null),
       flag(!options.no_proof), flag(!options.no_true_model));
 }
@@ -156,6 +156,10 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
       ->capture_default_str();
   command->add_option("--only", options->size.only, "effects and faults; all others are left out")
       ->type_name("EFFECT");
+  command
+      ->add_option("--match", options->size.match,
+                   "only trials with this in their name, see --list")
+      ->type_name("TEXT");
   command->add_option("--frames", options->size.frame_count, "of each recording")
       ->type_name("N")
       ->capture_default_str();

@@ -24,15 +24,17 @@
 namespace clothfit {
 namespace {
 
-constexpr double kGate = 0.01;           // p-value below which something is missing
-constexpr int kLongestSide = 13;         // particles; physics does not need a finer mesh
-constexpr int kFinestSide = 13;          // particles, where the mesh turns out to matter
-constexpr int kCoarsestSide = 9;         // on coarser meshes amounts come out a tenth wrong
-constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
-constexpr int kModelIterations = 12;     // a model starts near its end
-constexpr int kFirstIterations = 5;      // enough to see which models are worth more
-constexpr int kMoreHeats = 3;            // of the best, until it converges
-constexpr double kFarOff = 2.0;          // sigmas of residuals: the baseline is far off
+constexpr double kGate = 0.01;              // p-value below which something is missing
+constexpr int kLongestSide = 13;            // particles; physics does not need a finer mesh
+constexpr int kFinestSide = 13;             // particles, where the mesh turns out to matter
+constexpr int kCoarsestSide = 9;            // on coarser meshes amounts come out a tenth wrong
+constexpr double kFineEnough = 0.7;         // share of the unexplained that the mesh may make
+constexpr int kModelIterations = 12;        // a model starts near its end
+constexpr int kFirstIterations = 5;         // enough to see which models are worth more
+constexpr int kMoreHeats = 3;               // of the best, until it converges
+constexpr double kFarOff = 2.0;             // sigmas of residuals: the baseline is far off
+constexpr double kWorthAnotherStart = 1.2;  // sigmas beyond which it may be in a wrong valley
+constexpr double kNearly = 1.5;  // times the cost before, after a few iterations: worth going on
 constexpr double kStillInRace = 0.5;     // of what the best has gained by then
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
 constexpr double kWindowSeconds = 0.6;   // over which errors of the start do not grow much
@@ -59,6 +61,7 @@ class Diagnoser {
 
  private:
   FittedScene FitBaseline();
+  FitResult FitFromOthers(const Scene& scene, const FitConfig& config, const FitResult& before);
   FittedScene UndoSwaps(FittedScene fitted);
   // Ranks; where mesh and step make much of what is left, on a finer mesh.
   Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
@@ -88,6 +91,7 @@ class Diagnoser {
   }
   bool Stopped() const { return options_.stop != nullptr && *options_.stop; }
   void Spend(const std::string& stage);
+  void SpendOn(const Ranking& ranking);
 
   Recording recording_;
   FitConfig baseline_;
@@ -108,6 +112,12 @@ void Diagnoser::Spend(const std::string& stage) {
   const auto now = std::chrono::steady_clock::now();
   diagnosis_.seconds.push_back({stage, std::chrono::duration<double>(now - mark_).count()});
   mark_ = now;
+}
+
+void Diagnoser::SpendOn(const Ranking& ranking) {
+  for (const auto& [part, seconds] : ranking.seconds)
+    diagnosis_.seconds.push_back({"ranking: " + part, seconds});
+  mark_ = std::chrono::steady_clock::now();
 }
 
 // Would anything be held against the physics?
@@ -144,11 +154,61 @@ std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig
   return CoarserGrid(grid, kLongestSide);
 }
 
-// Is what a fit leaves far more than noise?
-bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit) {
+// Does a fit leave more than so many sigmas?
+bool IsFurtherOff(double sigmas, const Scene& scene, const FitConfig& config,
+                  const FitResult& fit) {
   const ObservationResiduals observations(scene, config);
   const int rows = observations.NumObserved(0, scene.last_fitted_frame);
-  return fit.cost_after > 0.5 * kFarOff * kFarOff * rows;
+  return fit.cost_after > 0.5 * sigmas * sigmas * rows;
+}
+
+bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit) {
+  return IsFurtherOff(kFarOff, scene, config, fit);
+}
+
+// Other fabrics to begin with: a lively one, one that bends in wider curves, one that stretches.
+std::vector<FitConfig> OtherStarts(const FitConfig& config) {
+  constexpr double kLively = 0.1, kStiff = 20.0, kStretchy = 0.1;
+  FitConfig lively = config;
+  const auto scale = [](const char* name, double factor, FitConfig* of) {
+    ParameterSetting& setting = of->parameters.at(name);
+    if (setting.free)
+      setting.value = std::clamp(factor * setting.value, setting.lower, setting.upper);
+  };
+  for (const char* name : {"stretch.damping", "shear.damping", "bending.damping"})
+    scale(name, kLively, &lively);
+  FitConfig stiff = lively, stretchy = lively;
+  scale("bending.stiffness", kStiff, &stiff);
+  scale("stretch.stiffness", kStretchy, &stretchy);
+  return {lively, stiff, stretchy};
+}
+
+// A few iterations from other fabrics each, and all of them from the best.
+FitResult Diagnoser::FitFromOthers(const Scene& scene, const FitConfig& config,
+                                   const FitResult& before) {
+  FitCallbacks callbacks;
+  callbacks.stop = options_.stop;
+  FitResult best = before;
+  std::optional<FitConfig> from;
+  double least = kNearly * before.cost_after;
+  for (FitConfig start : OtherStarts(config)) {
+    if (Stopped()) return best;
+    Say("baseline: another start", 0.2);
+    start.max_iterations = kFirstIterations;
+    FitResult fit = RunFit(scene, start, callbacks);
+    Log(fmt::format("from another fabric: cost {:.6g}", fit.cost_after));
+    if (fit.status == FitStatus::kFailed || !(fit.cost_after < least)) continue;
+    least = fit.cost_after;
+    start.max_iterations = config.max_iterations;
+    from = start;
+    if (fit.cost_after < best.cost_after) best = std::move(fit);
+  }
+  if (!from || Stopped()) return best;
+  FitResult fit = RunFit(scene, *from, callbacks);
+  const bool is_better = fit.status != FitStatus::kFailed && fit.cost_after < best.cost_after;
+  if (is_better) best = std::move(fit);
+  Log(fmt::format("to the end from there: cost {:.6g}", best.cost_after));
+  return best;
 }
 
 FittedScene Diagnoser::FitBaseline() {
@@ -168,6 +228,7 @@ FittedScene Diagnoser::FitBaseline() {
     Say("baseline: " + p.stage, 0.2 * p.fraction);
   };
   FitResult fit = RunFit(scene, quick, callbacks);
+  if (IsFurtherOff(kWorthAnotherStart, scene, quick, fit)) fit = FitFromOthers(scene, quick, fit);
   if (IsFarOff(scene, quick, fit) && quick.window <= 0.0 && !Stopped()) {
     FitConfig in_windows = quick;
     in_windows.window = kWindowSeconds;
@@ -341,7 +402,14 @@ void Diagnoser::FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>&
 
 Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
   for (;;) {
-    Ranking ranking = RankCandidates(*current, options_);
+    std::array<int, 2> grid = current->scene.mesh.grid;
+    const bool can_be_finer =
+        current->scene.mesh.is_grid() && std::max(grid[0], grid[1]) < kFinestSide;
+    RankingStart start;
+    // Far off, it will be ranked again on a finer mesh, or a candidate is obvious.
+    if (can_be_finer && IsFarOff(current->scene, current->config, current->fit)) start.draws = 1;
+    Ranking ranking = RankCandidates(*current, options_, start);
+    SpendOn(ranking);
     Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
                     ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
     if (ranking.errors->num_elsewhere > 0) {
@@ -350,14 +418,10 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
           "are left out of the null",
           ranking.errors->num_elsewhere));
     }
-    std::array<int, 2> grid = current->scene.mesh.grid;
     const bool may_be_mesh = MeshMatters(ranking) || ranking.residual_rms > kFarOff;
     const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;
     const bool is_worth_it = is_coarse || (may_be_mesh && !IsObvious(ranking));
-    if (!is_worth_it || !IsSuspicious(ranking) || !current->scene.mesh.is_grid() || Stopped() ||
-        std::max(grid[0], grid[1]) >= kFinestSide) {
-      return ranking;
-    }
+    if (!is_worth_it || !IsSuspicious(ranking) || !can_be_finer || Stopped()) return ranking;
     ModelStart finer = GoOn(*current);
     for (int& n : grid) n = std::min(kFinestSide, 1 + static_cast<int>(std::lround(1.5 * (n - 1))));
     finer.config.resolution = grid;
@@ -368,6 +432,7 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
       FitInWindows(&*refined);
     if (!refined) return ranking;
     *current = std::move(*refined);
+    Spend("baseline on a finer mesh");
     *errors = MeasureHeldOut(*current);
     baseline_cost_ = current->fit.cost_after;
     diagnosis_.baseline = current->config;
@@ -418,7 +483,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   Ranking ranking =
       is_first ? RankOnFineMesh(current, errors)
                : RankCandidates(*current, options_, {last_ranking_.errors, kLooksLikeNull});
-  Spend("ranking");
+  if (!is_first) SpendOn(ranking);
   if (is_first) {
     diagnosis_.gate_p_value = ranking.gate_p_value;
     diagnosis_.residual_rms = ranking.residual_rms;

@@ -57,11 +57,17 @@ std::string MismatchWords(const Scene& scene, const ForceLayout& layout, int las
                                      : fmt::format("Between {:.2f} s and {:.2f} s",
                                                    scene.FrameTime(mismatch.first_frame),
                                                    scene.FrameTime(mismatch.last_frame));
+  const std::string where = RegionWords(layout.low, layout.high, mismatch.low_uv, mismatch.high_uv);
+  if (!(mismatch.peak > mismatch.peak_sigma)) {
+    return fmt::format(
+        "{} something acts on {} that the model does not have; by how much, and which way, this "
+        "recording cannot tell.",
+        when, where);
+  }
   return fmt::format(
       "{} {} is pushed along {} with up to {:.2g} N/m^2 (+- {:.1g}) more than the "
       "model has.",
-      when, RegionWords(layout.low, layout.high, mismatch.low_uv, mismatch.high_uv),
-      DirectionWords(mismatch.direction), mismatch.peak, mismatch.peak_sigma);
+      when, where, DirectionWords(mismatch.direction), mismatch.peak, mismatch.peak_sigma);
 }
 
 ActingClass ClassOfActing(const Scene& scene, const ActingForce& force) {

@@ -3,6 +3,7 @@
 #include "fitting/diagnosis/ranking.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -36,6 +37,7 @@ class Ranker {
         enough_(start.enough),
         errors_(start.errors),
         set_(start.set),
+        draws_(start.draws),
         observations_(fitted.scene, fitted.config),
         frames_(fitted.scene, observations_, kMostRows),
         faults_(ListFaults(fitted.scene, fitted.config)) {}
@@ -69,6 +71,7 @@ class Ranker {
   double enough_;
   std::shared_ptr<const NumericalErrors> errors_;
   CandidateSet set_;
+  int draws_;
   ObservationResiduals observations_;
   RowFrames frames_;
   std::vector<Fault> faults_;
@@ -105,10 +108,9 @@ void Ranker::RunBaseline() {
 }
 
 void Ranker::AddNumericalErrors() {
-  constexpr int kDraws = 3;
   if (!errors_ || errors_->half_step.size() != frames_.num_rows()) {
     errors_ = std::make_shared<NumericalErrors>(MeasureNumericalErrors(
-        fitted_, frames_, *baseline_, options_.simulate_null ? kDraws : 0, options_.seed));
+        fitted_, frames_, *baseline_, options_.simulate_null ? draws_ : 0, options_.seed));
   }
   first_numerical_ = columns_->Add(errors_->half_step);
   columns_->Add(errors_->finer_mesh);
@@ -156,10 +158,7 @@ void Ranker::Scale() {
 
 // What mesh and step leave when baseline and faults have taken their part, extrapolated.
 double Ranker::Floor() const {
-  std::vector<Nuisance> nuisances = Nuisances("");
-  const int columns = options_.project ? 2 : 0;
-  nuisances.resize(nuisances.size() - static_cast<std::size_t>(columns));
-  const Projection projection(gram_, nuisances);
+  const Projection projection(gram_, Nuisances(""));
   const auto sum_of = [&](int column) {
     return projection.gram()(column, column) / (scale_[column] * scale_[column]);
   };
@@ -187,7 +186,6 @@ std::vector<Nuisance> Ranker::Nuisances(const std::string& but_fault_group) cons
     if (faults_[i].group != but_fault_group)
       add(first_fault_ + static_cast<int>(i), faults_[i].tolerated);
   }
-  for (int k = 0; k < 2; ++k) add(first_numerical_ + k, kNumericalSigma);
   return nuisances;
 }
 
@@ -390,13 +388,22 @@ void Ranker::PassGate(Ranking* ranking) {
 }
 
 Ranking Ranker::Run() {
+  Ranking ranking;
+  auto mark = std::chrono::steady_clock::now();
+  const auto spent = [&](const char* part) {
+    const auto now = std::chrono::steady_clock::now();
+    ranking.seconds.emplace_back(part, std::chrono::duration<double>(now - mark).count());
+    mark = now;
+  };
   RunBaseline();
   AddNumericalErrors();
-  Ranking ranking;
   PassGate(&ranking);
+  spent("errors of mesh and step");
   if (ranking.gate_p_value > enough_) return ranking;
   AddFirstTrials();
+  spent("absent terms");
   if (set_ == CandidateSet::kCatalogue) Refine();
+  spent("their places and shapes");
   PassGate(&ranking);  // the same again, by products with all columns
   const Projection projection(gram_, Nuisances("")), raw(gram_, {});
   ranking.faults = faults_;
@@ -426,6 +433,7 @@ Ranking Ranker::Run() {
                    [](const auto& a, const auto& b) { return a.summary.score > b.summary.score; });
   ShortList(&ranking);
   ranking.projection = projection;
+  spent("scores");
   return ranking;
 }
 

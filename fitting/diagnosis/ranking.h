@@ -42,6 +42,7 @@ struct Ranking {
   std::optional<Projection> projection;
   // Of the fit's mesh and step: for a later ranking or location on the same ones.
   std::shared_ptr<const NumericalErrors> errors;
+  std::vector<std::pair<std::string, double>> seconds;  // spent on each part
 };
 
 // What is known before a ranking, and when there is no need of one.
@@ -50,6 +51,7 @@ struct RankingStart {
   // With a gate's p-value above this no candidate is looked at.
   double enough = 1.0;
   CandidateSet set = CandidateSet::kCatalogue;
+  int draws = 3;  // of the errors of mesh and step, where they are measured
 };
 
 // Throws std::runtime_error where the fitted scene cannot be simulated.

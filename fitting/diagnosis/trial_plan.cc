@@ -392,8 +392,13 @@ std::vector<Trial> MakeTrialPlan(const std::string& place, const std::string& pl
       AddEffectTrials(TrialKind::kUnlisted, UnlistedEffects(), &planner);
     if (all || plan == "pairs") AddPairTrials(&planner);
     if (plan == "quick") AddQuickTrials(&planner);
-    for (Trial& trial : planner.Take()) trials.push_back(std::move(trial));
+    for (Trial& trial : planner.Take()) {
+      if (trial.name.find(options.match) != std::string::npos) trials.push_back(std::move(trial));
+    }
   }
+  if (trials.empty() && !options.match.empty())
+    throw InputError("--match",
+                     "'" + options.match + "': no trial of the plan has that in its name");
   if (trials.empty()) {
     throw InputError("--only",
                      JoinNames(options.only) + ": the plan '" + plan + "' has none of these");
