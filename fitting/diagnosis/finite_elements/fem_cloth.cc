@@ -16,10 +16,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-double Cotangent(const Vector2d& a, const Vector2d& b) {
-  return a.dot(b) / std::abs(a.x() * b.y() - a.y() * b.x());
-}
-
 // dz = (ds - z |ds|) / onset, Dahl 1968, for a small slide.
 double Slid(double z, double slide, double onset) {
   return z + (slide - z * std::abs(slide)) / onset;
@@ -42,6 +38,7 @@ FemCloth::FemCloth(FemMesh mesh, FemLaws laws, std::vector<FemHandle> handles,
       handles_(std::move(handles)),
       ground_(ground),
       areas_(VertexAreas(mesh_)),
+      laplacians_(LaplaciansOf(mesh_)),
       x_(std::move(positions)),
       v_(VectorXd::Zero(x_.size())),
       a_(VectorXd::Zero(x_.size())) {
@@ -56,21 +53,6 @@ FemCloth::FemCloth(FemMesh mesh, FemLaws laws, std::vector<FemHandle> handles,
       triangle.uv += mesh_.uv[nodes[i]] / 3.0;
     }
     triangles_.push_back(triangle);
-  }
-  for (const FemHinge& hinge : HingesOf(mesh_)) {
-    const auto at = [&](int k) { return mesh_.uv[hinge.nodes[k]]; };
-    const Vector2d e = at(1) - at(0);
-    // Of the angles at both ends, in both triangles.
-    const double start_left = Cotangent(e, at(2) - at(0)),
-                 start_right = Cotangent(e, at(3) - at(0));
-    const double end_left = Cotangent(-e, at(2) - at(1)), end_right = Cotangent(-e, at(3) - at(1));
-    const double area = TriangleArea(mesh_, {hinge.nodes[0], hinge.nodes[1], hinge.nodes[2]}) -
-                        TriangleArea(mesh_, {hinge.nodes[0], hinge.nodes[1], hinge.nodes[3]});
-    folds_.push_back({hinge.nodes,
-                      {end_left + end_right, start_left + start_right, -start_left - end_left,
-                       -start_right - end_right},
-                      3.0 / area,
-                      e.norm()});
   }
   // Points of a thread along the diagonal.
   Vector2d corner = Vector2d::Zero();
@@ -90,9 +72,7 @@ FemCloth::FemCloth(FemMesh mesh, FemLaws laws, std::vector<FemHandle> handles,
     }
   }
   memory_.resize(triangles_.size());
-  fold_memory_.resize(folds_.size());
   Remember(0.0);
-  for (FoldMemory& memory : fold_memory_) memory.friction = 0.0;
   for (Memory& memory : memory_)
     memory = {0.0, 0.0, 0.0, 0.0, memory.warp, memory.weft, memory.shear};
   stable_step_ = LargestStableStep();
@@ -109,25 +89,6 @@ FemCloth::Strain FemCloth::StrainOf(const Triangle& triangle, const VectorXd& x)
   strain.weft = v - 1.0;
   strain.shear = strain.x_u.dot(strain.x_v) / (u * v);
   return strain;
-}
-
-// Bending angle, positive where the sides rise along the normal, and its gradient (1/m).
-double FemCloth::AngleOf(const Fold& fold, std::array<Vector3d, 4>* gradient) const {
-  const auto at = [&](int k) -> Vector3d { return x_.segment<3>(3 * fold.nodes[k]); };
-  const Vector3d e = at(1) - at(0);
-  const Vector3d left = e.cross(at(2) - at(0)), right = (at(3) - at(0)).cross(e);
-  const double length = e.norm(), left2 = left.squaredNorm(), right2 = right.squaredNorm();
-  const double sine = left.cross(right).dot(e) / length;
-  const double angle = std::atan2(sine, left.dot(right));
-  // The flat distance of a tip from the edge is |normal| / |e|.
-  const Vector3d at_left = -length / left2 * left, at_right = -length / right2 * right;
-  const double left_share = (at(2) - at(0)).dot(e) / e.squaredNorm();
-  const double right_share = (at(3) - at(0)).dot(e) / e.squaredNorm();
-  (*gradient)[2] = -at_left;
-  (*gradient)[3] = -at_right;
-  (*gradient)[0] = (1.0 - left_share) * at_left + (1.0 - right_share) * at_right;
-  (*gradient)[1] = left_share * at_left + right_share * at_right;
-  return angle;
 }
 
 void FemCloth::AddMembranes(const FemLaws& laws, VectorXd* force) const {
@@ -165,22 +126,14 @@ void FemCloth::AddMembranes(const FemLaws& laws, VectorXd* force) const {
 }
 
 void FemCloth::AddPlates(const FemLaws& laws, VectorXd* force) const {
-  for (std::size_t h = 0; h < folds_.size(); ++h) {
-    const Fold& fold = folds_[h];
-    const FemLaws::Plate& law = laws.plates[h];
+  for (std::size_t p = 0; p < laplacians_.size(); ++p) {
+    const FemLaplacian& laplacian = laplacians_[p];
     Vector3d bent = Vector3d::Zero();
-    for (int k = 0; k < 4; ++k) {
-      const int i = 3 * fold.nodes[k];
-      bent += fold.cotangents[k] * (x_.segment<3>(i) + laws.bending_delay * v_.segment<3>(i));
-    }
-    bent *= law.stiffness * fold.per_area;
-    for (int k = 0; k < 4; ++k) force->segment<3>(3 * fold.nodes[k]) -= fold.cotangents[k] * bent;
-    if (law.rest_angle == 0.0 && laws.bending_friction == 0.0) continue;
-    std::array<Vector3d, 4> gradient;
-    AngleOf(fold, &gradient);
-    const double moment = laws.bending_friction * fold_memory_[h].friction * fold.edge -
-                          law.stiffness * fold.per_area * fold.edge * fold.edge * law.rest_angle;
-    for (int k = 0; k < 4; ++k) force->segment<3>(3 * fold.nodes[k]) -= moment * gradient[k];
+    for (const auto& [vertex, weight] : laplacian.weights)
+      bent += weight * (x_.segment<3>(3 * vertex) + laws.bending_delay * v_.segment<3>(3 * vertex));
+    bent *= laws.plates[p] / laplacian.area;
+    for (const auto& [vertex, weight] : laplacian.weights)
+      force->segment<3>(3 * vertex) -= weight * bent;
   }
 }
 
@@ -285,11 +238,11 @@ double FemCloth::ElasticEnergy() const {
                2.0 * laws_.poisson * std::sqrt(law.warp * law.weft) * s.warp * s.weft +
                law.shear * s.shear * s.shear);
   }
-  for (std::size_t h = 0; h < folds_.size(); ++h) {
+  for (std::size_t p = 0; p < laplacians_.size(); ++p) {
     Vector3d bent = Vector3d::Zero();
-    for (int k = 0; k < 4; ++k)
-      bent += folds_[h].cotangents[k] * x_.segment<3>(3 * folds_[h].nodes[k]);
-    energy += 0.5 * laws_.plates[h].stiffness * folds_[h].per_area * bent.squaredNorm();
+    for (const auto& [vertex, weight] : laplacians_[p].weights)
+      bent += weight * x_.segment<3>(3 * vertex);
+    energy += 0.5 * laws_.plates[p] / laplacians_[p].area * bent.squaredNorm();
   }
   return energy;
 }
@@ -316,16 +269,6 @@ void FemCloth::Remember(double step) {
     memory.warp = s.warp;
     memory.weft = s.weft;
     memory.shear = s.shear;
-  }
-  if (laws_.bending_friction == 0.0) return;
-  for (std::size_t h = 0; h < folds_.size(); ++h) {
-    std::array<Vector3d, 4> gradient;
-    const double angle = AngleOf(folds_[h], &gradient);
-    FoldMemory& memory = fold_memory_[h];
-    // An angle over the length that a hinge stands for is a curvature.
-    const double curvature = folds_[h].per_area * folds_[h].edge * (angle - memory.angle);
-    memory.friction = Slid(memory.friction, curvature, laws_.bending_onset);
-    memory.angle = angle;
   }
 }
 

@@ -5,9 +5,10 @@
 // autodiff_sim, so that trials measure what an error of the equations does to a diagnosis, too.
 //
 // Membrane: constant strain triangles, of the threads' strains e = |x_u| - 1, |x_v| - 1 and the
-// cosine of their angle, linear and Kelvin-Voigt. Bending: the quadratic energy of Bergou et al.
-// 2006 on the hinges of an unstructured mesh. Time: symplectic Euler, with steps a fraction of what
-// is stable (some 1e-5 s).
+// cosine of their angle, linear and Kelvin-Voigt. Bending: the squared Laplacian of the positions,
+// by cotangents (Bergou et al. 2006, sec. 4, lumped on the vertices, which on irregular meshes
+// stays consistent where sums over hinges do not), free at the sides. Time: symplectic Euler, with
+// steps a fraction of what is stable (some 1e-5 s).
 #pragma once
 
 #include <functional>
@@ -64,12 +65,6 @@ class FemCloth {
     double area;                   // m^2
     Eigen::Vector2d uv;            // its middle
   };
-  struct Fold {
-    std::array<int, 4> nodes;
-    std::array<double, 4> cotangents;
-    double per_area;  // 3 / area, 1/m^2
-    double edge;      // m
-  };
   struct Strain {
     Eigen::Vector3d x_u, x_v;
     double warp, weft, shear;
@@ -78,12 +73,8 @@ class FemCloth {
     double relaxing_warp = 0.0, relaxing_weft = 0.0, relaxing_shear = 0.0, friction = 0.0;
     double warp = 0.0, weft = 0.0, shear = 0.0;  // strains last seen
   };
-  struct FoldMemory {
-    double friction = 0.0, angle = 0.0;
-  };
 
   static Strain StrainOf(const Triangle& triangle, const Eigen::VectorXd& x);
-  double AngleOf(const Fold& fold, std::array<Eigen::Vector3d, 4>* gradient) const;
   Eigen::VectorXd ForcesOf(const FemLaws& laws) const;
   void AddMembranes(const FemLaws& laws, Eigen::VectorXd* force) const;
   void AddPlates(const FemLaws& laws, Eigen::VectorXd* force) const;
@@ -101,10 +92,9 @@ class FemCloth {
   std::optional<FemGround> ground_;
   std::vector<double> areas_;
   std::vector<Triangle> triangles_;
-  std::vector<Fold> folds_;
+  std::vector<FemLaplacian> laplacians_;
   std::vector<std::pair<int, std::array<double, 3>>> thread_;  // triangle, weights
   std::vector<Memory> memory_;
-  std::vector<FoldMemory> fold_memory_;
   Eigen::VectorXd x_, v_, a_;
   double time_ = 0.0, stable_step_ = 0.0;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include <Eigen/Geometry>
 
@@ -196,31 +197,29 @@ std::vector<FemLaws::Outside> OutsideLaws(const Values& p) {
 }  // namespace
 
 bool FemKnows(const std::string& term) {
-  static const std::array<const char*, 24> known = {"wind",
-                                                    "gust",
-                                                    "added_mass",
-                                                    "bending_friction",
-                                                    "shear_friction",
-                                                    "stretch_relaxation",
-                                                    "shear_relaxation",
-                                                    "crease",
-                                                    "stretch_stiffening",
-                                                    "stretch_orthotropy",
-                                                    "bending_orthotropy",
-                                                    "stiff_patch_stretch",
-                                                    "stiff_patch_bending",
-                                                    "stiff_seam_stretch",
-                                                    "stiff_seam_bending",
-                                                    "hem",
-                                                    "heavy_patch",
-                                                    "gravity_tilt",
-                                                    "obstacle_plane",
-                                                    "obstacle_sphere",
-                                                    "obstacle_capsule",
-                                                    "attractor",
-                                                    "vortex",
-                                                    "sticky_point"};
-  return std::find(known.begin(), known.end(), term) != known.end() || term == "diagonal_thread";
+  static const std::set<std::string> known = {"wind",
+                                              "gust",
+                                              "added_mass",
+                                              "shear_friction",
+                                              "stretch_relaxation",
+                                              "shear_relaxation",
+                                              "stretch_stiffening",
+                                              "stretch_orthotropy",
+                                              "stiff_patch_stretch",
+                                              "stiff_patch_bending",
+                                              "stiff_seam_stretch",
+                                              "stiff_seam_bending",
+                                              "hem",
+                                              "heavy_patch",
+                                              "gravity_tilt",
+                                              "obstacle_plane",
+                                              "obstacle_sphere",
+                                              "obstacle_capsule",
+                                              "attractor",
+                                              "vortex",
+                                              "sticky_point",
+                                              "diagonal_thread"};
+  return known.count(term) > 0;
 }
 
 FemLaws MakeFemLaws(const FemMesh& mesh, const Vector2d& size, const FemParameters& parameters,
@@ -239,25 +238,8 @@ FemLaws MakeFemLaws(const FemMesh& mesh, const Vector2d& size, const FemParamete
   }
   // The fold's k_e is four times a plate's stiffness (Bridson et al. 2003).
   const double plate = 0.25 * p("bending.stiffness");
-  const double bending_ratio = p("bending_orthotropy.ratio", 1.0);
-  for (const FemHinge& hinge : HingesOf(mesh)) {
-    const Vector2d &a = mesh.uv[hinge.nodes[0]], &b = mesh.uv[hinge.nodes[1]];
-    const Vector2d edge = (b - a).normalized(), at = 0.5 * (a + b);
-    // Bending along the warp folds about edges along the weft.
-    const double directed = std::pow(bending_ratio, edge.y() * edge.y() - 0.5);
-    FemLaws::Plate law{plate * directed * StiffAt(p, "bending", at, middle), 0.0};
-    if (p("crease.curvature") != 0.0) {
-      const double width = p("crease.width", 0.01), s = FromLine(p, "crease", at - middle);
-      const double angle = p("crease.angle");
-      // Share of the curvature across the line that bends about this edge.
-      const double along = edge.dot(Vector2d(std::cos(angle), std::sin(angle)));
-      const double area = TriangleArea(mesh, {hinge.nodes[0], hinge.nodes[1], hinge.nodes[2]}) -
-                          TriangleArea(mesh, {hinge.nodes[0], hinge.nodes[1], hinge.nodes[3]});
-      const double curvature = p("crease.curvature") / std::pow(std::cosh(s / width), 2);
-      law.rest_angle = curvature * along * along * area / (3.0 * (b - a).norm());
-    }
-    laws.plates.push_back(law);
-  }
+  for (const FemLaplacian& laplacian : LaplaciansOf(mesh))
+    laws.plates.push_back(plate * StiffAt(p, "bending", mesh.uv[laplacian.vertex], middle));
   laws.stretch_viscosity = p("stretch.damping");
   laws.shear_viscosity = p("shear.damping");
   // Retardation of the fold's mode on a grid of that spacing.
@@ -271,8 +253,6 @@ FemLaws MakeFemLaws(const FemMesh& mesh, const Vector2d& size, const FemParamete
   laws.shear_time = p("shear_relaxation.time", 1.0);
   laws.shear_friction = p("shear_friction.stress");
   laws.shear_onset = p("shear_friction.onset", 1.0);
-  laws.bending_friction = p("bending_friction.moment");
-  laws.bending_onset = p("bending_friction.onset", 1.0);
   laws.thread_stiffness = p("diagonal_thread.stiffness");
   laws.thread_gather = p("diagonal_thread.gather");
   laws.thread_piece = size.norm() / kThreadPieces;

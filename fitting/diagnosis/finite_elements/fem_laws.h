@@ -30,20 +30,15 @@ struct FemLaws {
     double warp, weft;  // N/m
     double shear;       // N/m
   };
-  struct Plate {        // of a hinge
-    double stiffness;   // N m
-    double rest_angle;  // rad
-  };
   std::vector<Membrane> membranes;
-  std::vector<Plate> plates;
-  double poisson = 0.0;  // share of the mean stiffness that couples warp and weft
+  std::vector<double> plates;  // N m, of the vertices of LaplaciansOf
+  double poisson = 0.0;        // share of the mean stiffness that couples warp and weft
   double stretch_viscosity = 0.0, shear_viscosity = 0.0;  // N s/m
   double bending_delay = 0.0;                             // s, viscosity over stiffness
   double cubic = 0.0, cubic_onset = 0.0;
   double stretch_share = 0.0, shear_share = 0.0;  // that relax
   double stretch_time = 1.0, shear_time = 1.0;    // s
   double shear_friction = 0.0, shear_onset = 1.0;
-  double bending_friction = 0.0, bending_onset = 1.0;
   double thread_stiffness = 0.0, thread_gather = 0.0, thread_piece = 1.0;  // N, 1, m
   std::vector<double> mass, extra_mass;  // kg of each vertex, with and without what was added
   double added_mass = 0.0;               // kg/m^2

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/finite_elements/fem_mesh.h"
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <utility>
@@ -40,18 +41,41 @@ FemMesh MakeFemMesh(const Eigen::Vector2d& size, const Eigen::Vector2i& cells, s
   return mesh;
 }
 
-std::vector<FemHinge> HingesOf(const FemMesh& mesh) {
-  std::map<std::pair<int, int>, int> opposite;  // of a directed edge
+std::vector<FemLaplacian> LaplaciansOf(const FemMesh& mesh) {
+  std::map<std::pair<int, int>, double> cotangents;  // summed, of the edge's two triangles
+  std::map<std::pair<int, int>, int> triangles_at;   // of an edge
   for (const std::array<int, 3>& t : mesh.triangles) {
-    for (int k = 0; k < 3; ++k) opposite[{t[k], t[(k + 1) % 3]}] = t[(k + 2) % 3];
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      const Eigen::Vector2d& tip = mesh.uv[t[(k + 2) % 3]];
+      const Eigen::Vector2d to_a = mesh.uv[a] - tip, to_b = mesh.uv[b] - tip;
+      const double cross = to_a.x() * to_b.y() - to_a.y() * to_b.x();
+      cotangents[std::minmax(a, b)] += to_a.dot(to_b) / cross;
+      ++triangles_at[std::minmax(a, b)];
+    }
   }
-  std::vector<FemHinge> hinges;
-  for (const auto& [edge, left] : opposite) {
-    const auto other = opposite.find({edge.second, edge.first});
-    if (edge.first < edge.second && other != opposite.end())
-      hinges.push_back({{edge.first, edge.second, left, other->second}});
+  std::vector<FemLaplacian> all(mesh.uv.size());
+  std::vector<bool> is_inside(mesh.uv.size(), true);
+  for (const auto& [edge, cotangent] : cotangents) {
+    const double weight = 0.5 * cotangent;
+    const double length2 = (mesh.uv[edge.first] - mesh.uv[edge.second]).squaredNorm();
+    for (const auto& [from, to] : {edge, std::make_pair(edge.second, edge.first)}) {
+      FemLaplacian& laplacian = all[from];
+      laplacian.weights.emplace_back(to, weight);
+      laplacian.area += 0.25 * weight * length2;
+      if (triangles_at[edge] < 2) is_inside[from] = false;
+    }
   }
-  return hinges;
+  std::vector<FemLaplacian> inside;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!is_inside[i]) continue;
+    double sum = 0.0;
+    for (const auto& [vertex, weight] : all[i].weights) sum += weight;
+    all[i].weights.emplace_back(static_cast<int>(i), -sum);
+    all[i].vertex = static_cast<int>(i);
+    inside.push_back(std::move(all[i]));
+  }
+  return inside;
 }
 
 double TriangleArea(const FemMesh& mesh, const std::array<int, 3>& nodes) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,12 +22,15 @@ struct FemMesh {
 // diagonals drawn at random. Corners are vertices. size: m; cells: at least 1 each.
 FemMesh MakeFemMesh(const Eigen::Vector2d& size, const Eigen::Vector2i& cells, std::uint64_t seed);
 
-// Two triangles with a common edge: from `nodes[0]` to `nodes[1]`, opposite to it `nodes[2]` (on
-// its left) and `nodes[3]`.
-struct FemHinge {
-  std::array<int, 4> nodes;
+// The discrete Laplacian at a vertex inside the mesh: the sum of weights times positions, with
+// weights by the cotangents of the angles opposite to each edge, over the area nearest to the
+// vertex (Pinkall and Polthier 1993; Meyer et al. 2003).
+struct FemLaplacian {
+  int vertex = 0;
+  std::vector<std::pair<int, double>> weights;  // of vertices, itself included; no unit
+  double area = 0.0;                            // m^2
 };
-std::vector<FemHinge> HingesOf(const FemMesh& mesh);
+std::vector<FemLaplacian> LaplaciansOf(const FemMesh& mesh);
 
 // Of the triangles' areas, m^2, a third to each vertex.
 std::vector<double> VertexAreas(const FemMesh& mesh);

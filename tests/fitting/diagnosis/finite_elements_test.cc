@@ -72,12 +72,8 @@ TEST(FiniteElements, TheClothDoesNotPushItself) {
   parameters.insert({{"stretch.damping", 0.5},
                      {"shear.damping", 0.2},
                      {"bending.damping", 1e-4},
-                     {"bending_friction.moment", 1e-3},
-                     {"bending_friction.onset", 5.0},
                      {"shear_friction.stress", 1.0},
                      {"shear_friction.onset", 0.02},
-                     {"crease.curvature", 20.0},
-                     {"crease.width", 0.05},
                      {"stretch_relaxation.share", 0.4},
                      {"stretch_stiffening.cubic", 1e4},
                      {"diagonal_thread.stiffness", 2.0},
@@ -114,8 +110,9 @@ TEST(FiniteElements, BendsLikeAPlateInEveryDirection) {
     const double energy = MakeCloth(plate, x, cells).ElasticEnergy();
     const double expected =
         0.5 * 0.25 * plate["bending.stiffness"] * kCurvature * kCurvature * kSize.prod();
-    // Edges have half of the hinges that a plate would have there.
-    EXPECT_NEAR(energy / expected, 1.0, 0.08) << degrees;
+    // The sides, half a cell wide, do not bend.
+    const double inside = (1.0 - 1.0 / cells.x()) * (1.0 - 1.0 / cells.y());
+    EXPECT_NEAR(energy / (inside * expected), 1.0, 0.03) << degrees;
   }
 }
 
@@ -133,22 +130,6 @@ TEST(FiniteElements, StretchesAndShearsAsTold) {
   EXPECT_NEAR(energy(e, 0.0, 0.0), 0.5 * 120.0 * e * e * area, 1e-12);
   EXPECT_NEAR(energy(0.0, e, 0.0), 0.5 * 30.0 * e * e * area, 1e-12);
   EXPECT_NEAR(energy(0.0, 0.0, e), 0.5 * 9.0 * e * e * area, 1e-7);
-}
-
-TEST(FiniteElements, ACreaseRestsAtItsCurvature) {
-  const Eigen::Vector2i cells(16, 12);
-  FemParameters parameters = Elastic();
-  parameters["stretch.stiffness"] = parameters["shear.stiffness"] = 0.0;
-  const double curvature = 0.5;
-  const VectorXd x = Placed(cells, [&](const Vector2d& uv) {
-    return Vector3d(uv.x(), uv.y(), 0.5 * curvature * uv.y() * uv.y());
-  });
-  const double without = MakeCloth(parameters, x, cells).Forces().norm();
-  parameters["crease.curvature"] = curvature;
-  parameters["crease.width"] = 100.0;  // everywhere
-  EXPECT_LT(MakeCloth(parameters, x, cells).Forces().norm(), 0.05 * without);
-  parameters["crease.curvature"] = -curvature;
-  EXPECT_NEAR(MakeCloth(parameters, x, cells).Forces().norm(), 2.0 * without, 0.05 * without);
 }
 
 TEST(FiniteElements, KeepsEnergyWithoutDamping) {
@@ -172,21 +153,17 @@ Trial SwingTrial(const std::string& plan, bool finite_elements) {
   options.frame_count = 25;
   options.resolution = 7;
   options.finite_elements = finite_elements;
-  options.match = plan == "clean" ? "woven-two-corner-swing-markers" : "swing-markers-large";
+  options.match = plan == "clean" ? "stiff-two-corner-swing-markers" : "swing-markers-large";
   if (plan == "listed") options.only = {"wind"};
   return MakeTrialPlan("PLAN", plan, options).front();
 }
 
-// Two codes without a line in common, and one cloth.
+// Two codes without a line in common, and one cloth; a stiff one, as a soft one wrinkles anew on
+// every mesh.
 TEST(FiniteElements, AgreeWithClothfitsOwnSimulation) {
-  const auto points = [](const std::string& plan, bool finite_elements) {
-    return TruePoints(SwingTrial(plan, finite_elements));
-  };
-  const std::vector<TruthPoint> own = points("clean", false), fem = points("clean", true);
-  const double of_codes = DistanceBetween(own, fem);
-  EXPECT_LT(of_codes, 0.008);  // m, of a cloth that swings by 0.2 m
-  const Trial windy = SwingTrial("listed", true);
-  EXPECT_GT(DistanceBetween(TruePoints(windy), TruePoints(WithoutEffects(windy))), 3.0 * of_codes);
+  const std::vector<TruthPoint> own = TruePoints(SwingTrial("clean", false));
+  const std::vector<TruthPoint> fem = TruePoints(SwingTrial("clean", true));
+  EXPECT_LT(DistanceBetween(own, fem), 0.01);  // m, of a cloth that swings by more than 0.1 m
 }
 
 TEST(FiniteElements, MeasureTheForceThatWasPlanted) {
