@@ -32,12 +32,12 @@ constexpr double kFineEnough = 0.7;         // share of the unexplained that the
 constexpr int kModelIterations = 12;        // a model starts near its end
 constexpr int kFirstIterations = 5;         // enough to see which models are worth more
 constexpr int kMoreHeats = 3;               // of the best, until it converges
+constexpr double kNearBest = 0.9;           // of what the best gains: it may come first yet
 constexpr double kFarOff = 2.0;             // sigmas of residuals: the baseline is far off
 constexpr double kWorthAnotherStart = 1.2;  // sigmas beyond which it may be in a wrong valley
 constexpr double kNearly = 1.5;  // times the cost before, after a few iterations: worth going on
 constexpr double kStillInRace = 0.5;     // of what the best has gained by then
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
-constexpr double kWindowSeconds = 0.6;   // over which errors of the start do not grow much
 constexpr double kAtMinimum = 0.05;      // share of the cost that a step may promise still
 constexpr double kBlockSeconds = 0.2;    // of the bootstrap
 constexpr double kSameShare = 0.1;       // of what is explained: models nearer than that are equal
@@ -65,7 +65,6 @@ class Diagnoser {
   FittedScene UndoSwaps(FittedScene fitted);
   // Ranks; where mesh and step make much of what is left, on a finer mesh.
   Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
-  void FitInWindows(FittedScene* fitted);
   // Where, when and of what class a force is missing.
   void LocateMismatch(const FittedScene& fitted);
   // One more effect. False where there is none to be had.
@@ -229,13 +228,6 @@ FittedScene Diagnoser::FitBaseline() {
   };
   FitResult fit = RunFit(scene, quick, callbacks);
   if (IsFurtherOff(kWorthAnotherStart, scene, quick, fit)) fit = FitFromOthers(scene, quick, fit);
-  if (IsFarOff(scene, quick, fit) && quick.window <= 0.0 && !Stopped()) {
-    FitConfig in_windows = quick;
-    in_windows.window = kWindowSeconds;
-    FitResult again = RunFit(scene, in_windows, callbacks);
-    if (again.status != FitStatus::kFailed && again.cost_after < fit.cost_after)
-      fit = std::move(again);
-  }
   if (fit.status == FitStatus::kFailed)
     throw std::runtime_error("the baseline's fit failed: the simulation diverges");
   diagnosis_.baseline = config;
@@ -267,22 +259,25 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
   return fitted;
 }
 
-// From the baseline's fit, and where that is far off from the config's own start too: a fabric that
-// had to stand for what was missing is no good start.
+// From the baseline's fit, and where that is far off from the config's own start and from a
+// livelier fabric, too: a fabric that had to stand for what was missing is no good start.
 std::optional<FittedScene> Diagnoser::FirstHeat(const FittedScene& current,
                                                 const RankedCandidate& candidate,
                                                 const Ranking& ranking) {
   const ModelStart start = SwitchOn(current, candidate, ranking.faults);
   std::optional<FittedScene> fitted = FitModel(current, start, kFirstIterations, options_.stop);
   if (ranking.residual_rms < kFarOff || Stopped()) return fitted;
-  ModelStart afresh = start;
-  for (auto& [name, setting] : afresh.config.parameters) {
-    const ParameterSetting& told = baseline_.parameters.at(name);
-    if (told.free) setting.value = told.value;
+  for (const FitConfig& fabric : {baseline_, OtherStarts(baseline_).front()}) {
+    ModelStart afresh = start;
+    for (auto& [name, setting] : afresh.config.parameters) {
+      const ParameterSetting& told = fabric.parameters.at(name);
+      if (told.free) setting.value = told.value;
+    }
+    std::optional<FittedScene> again = FitModel(current, afresh, kFirstIterations, options_.stop);
+    const bool is_better = again && (!fitted || again->fit.cost_after < fitted->fit.cost_after);
+    if (is_better) fitted = std::move(again);
   }
-  std::optional<FittedScene> again = FitModel(current, afresh, kFirstIterations, options_.stop);
-  const bool is_better = again && (!fitted || again->fit.cost_after < fitted->fit.cost_after);
-  return is_better ? std::move(again) : std::move(fitted);
+  return fitted;
 }
 
 std::vector<Fitted> Diagnoser::FitModels(const FittedScene& current, const Ranking& ranking) {
@@ -320,8 +315,15 @@ void Diagnoser::FinishModels(const FittedScene& current, std::vector<Fitted>* mo
   }
   const auto by_cost = [&](const Fitted& a, const Fitted& b) { return cost(a) < cost(b); };
   std::stable_sort(models->begin(), models->end(), by_cost);
-  // What is left is held against the next effect: the first has to have taken its part.
-  for (int k = 0; k < kMoreHeats && !models->empty(); ++k) GoOnWith(&models->front());
+  // Those near the best once more: the one that comes first should not be the one that is fitted
+  // most easily. What the best leaves is held against the next effect, so that it has to have taken
+  // its part.
+  const double near = current.fit.cost_after - kNearBest * (current.fit.cost_after - least);
+  for (Fitted& model : *models) {
+    if (cost(model) <= near) GoOnWith(&model);
+  }
+  std::stable_sort(models->begin(), models->end(), by_cost);
+  for (int k = 1; k < kMoreHeats && !models->empty(); ++k) GoOnWith(&models->front());
 }
 
 // Fits a model further, unless it has converged.
@@ -428,8 +430,6 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     Log(fmt::format("the mesh matters: {} x {} particles", grid[0], grid[1]));
     Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
     std::optional<FittedScene> refined = FitModel(*current, finer, kModelIterations, options_.stop);
-    if (refined && IsFarOff(refined->scene, refined->config, refined->fit) && !Stopped())
-      FitInWindows(&*refined);
     if (!refined) return ranking;
     *current = std::move(*refined);
     Spend("baseline on a finer mesh");
@@ -438,23 +438,6 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     diagnosis_.baseline = current->config;
     diagnosis_.baseline_fit = current->fit;
   }
-}
-
-// Fits a baseline afresh in windows that hand on state and information, and keeps what is better.
-void Diagnoser::FitInWindows(FittedScene* fitted) {
-  FitConfig config = fitted->config;
-  for (auto& [name, setting] : config.parameters)
-    setting.value = baseline_.parameters.at(name).value;
-  config.window = kWindowSeconds;
-  config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
-  FitCallbacks callbacks;
-  callbacks.stop = options_.stop;
-  callbacks.log = options_.log;
-  const FitResult again = RunFit(fitted->scene, config, callbacks);
-  if (again.status == FitStatus::kFailed || !(again.cost_after < fitted->fit.cost_after)) return;
-  config.window = fitted->config.window;
-  config.function_tolerance = fitted->config.function_tolerance;
-  *fitted = MakeFittedScene(std::move(fitted->scene), config, again);
 }
 
 void Diagnoser::LocateMismatch(const FittedScene& fitted) {
