@@ -24,6 +24,20 @@ TEST(TrialsCommand, ListsAPlan) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(TrialsCommand, RunsOneTrialAndKeepsItsDiagnosis) {
+  const TestFolder folder;
+  const std::string output = (folder.path() / "out").string();
+  const CommandResult run =
+      Trials({"clean", "--match", "stiff-four-corner-sag-markers", "--finite-elements", "--frames",
+              "10", "--resolution", "4", "--keep-diagnoses", "-o", output},
+             folder);
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::filesystem::path kept =
+      folder.path() / "out" / "diagnoses" / "clean-none-stiff-four-corner-sag-markers-s1";
+  EXPECT_TRUE(std::filesystem::exists(kept / "diagnosis.json"));
+  EXPECT_TRUE(std::filesystem::exists(kept / "log.txt"));
+}
+
 TEST(TrialsCommand, MeasuresHowFarEffectsMoveTheCloth) {
   const TestFolder folder;
   const CommandResult measured = Trials({"--effects", "unlisted", "--only", "vortex", "--frames",
@@ -39,6 +53,8 @@ TEST(TrialsCommand, SaysInOneLineWhatIsWrong) {
   EXPECT_THAT(BadInputLine(Trials({"--list", "lsited"}, folder)), HasSubstr("'listed'"));
   EXPECT_THAT(BadInputLine(Trials({"--list", "listed", "--only", "wimd"}, folder)),
               HasSubstr("'wind'"));
+  EXPECT_THAT(BadInputLine(Trials({"--list", "listed", "--match", "wimd"}, folder)),
+              HasSubstr("'wimd'"));
   EXPECT_THAT(BadInputLine(Trials({"--list", "listed", "--seeds", "0"}, folder)),
               HasSubstr("--seeds"));
   EXPECT_THAT(BadInputLine(Trials({"--list", "listed", "--threads", "0"}, folder)),
