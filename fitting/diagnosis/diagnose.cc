@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/held_out.h"
@@ -24,18 +25,13 @@
 namespace clothfit {
 namespace {
 
-constexpr double kGate = 0.01;              // p-value below which something is missing
-constexpr int kLongestSide = 13;            // particles; physics does not need a finer mesh
-constexpr int kFinestSide = 13;             // particles, where the mesh turns out to matter
-constexpr int kCoarsestSide = 9;            // on coarser meshes amounts come out a tenth wrong
-constexpr double kFineEnough = 0.7;         // share of the unexplained that the mesh may make
-constexpr int kModelIterations = 12;        // a model starts near its end
-constexpr int kFirstIterations = 5;         // enough to see which models are worth more
-constexpr int kMoreHeats = 3;               // of the best, until it converges
-constexpr double kNearBest = 0.9;           // of what the best gains: it may come first yet
-constexpr double kFarOff = 2.0;             // sigmas of residuals: the baseline is far off
-constexpr double kWorthAnotherStart = 1.2;  // sigmas beyond which it may be in a wrong valley
-constexpr double kNearly = 1.5;  // times the cost before, after a few iterations: worth going on
+constexpr double kGate = 0.01;           // p-value below which something is missing
+constexpr int kFinestSide = 13;          // particles, where the mesh turns out to matter
+constexpr int kCoarsestSide = 9;         // on coarser meshes amounts come out a tenth wrong
+constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
+constexpr int kModelIterations = 12;     // a model starts near its end
+constexpr int kMoreHeats = 3;            // of the best, until it converges
+constexpr double kNearBest = 0.9;        // of what the best gains: it may come first yet
 constexpr double kStillInRace = 0.5;     // of what the best has gained by then
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
 constexpr double kAtMinimum = 0.05;      // share of the cost that a step may promise still
@@ -60,8 +56,6 @@ class Diagnoser {
   Diagnosis Run();
 
  private:
-  FittedScene FitBaseline();
-  FitResult FitFromOthers(const Scene& scene, const FitConfig& config, const FitResult& before);
   FittedScene UndoSwaps(FittedScene fitted);
   // Ranks; where mesh and step make much of what is left, on a finer mesh.
   Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
@@ -143,96 +137,6 @@ bool IsObvious(const Ranking& ranking) {
 bool MeshMatters(const Ranking& ranking) {
   const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
   return ranking.floor_rms > kFineEnough * left;
-}
-
-// The recording's mesh, made coarser where it is finer than physics needs.
-std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig& config) {
-  std::array<int, 2> grid = config.resolution;
-  if (grid[0] == 0) grid = {recording.cloth.resolution.x(), recording.cloth.resolution.y()};
-  if (std::max(grid[0], grid[1]) <= kLongestSide) return config.resolution;
-  return CoarserGrid(grid, kLongestSide);
-}
-
-// Does a fit leave more than so many sigmas?
-bool IsFurtherOff(double sigmas, const Scene& scene, const FitConfig& config,
-                  const FitResult& fit) {
-  const ObservationResiduals observations(scene, config);
-  const int rows = observations.NumObserved(0, scene.last_fitted_frame);
-  return fit.cost_after > 0.5 * sigmas * sigmas * rows;
-}
-
-bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit) {
-  return IsFurtherOff(kFarOff, scene, config, fit);
-}
-
-// Other fabrics to begin with: a lively one, one that bends in wider curves, one that stretches.
-std::vector<FitConfig> OtherStarts(const FitConfig& config) {
-  constexpr double kLively = 0.1, kStiff = 20.0, kStretchy = 0.1;
-  FitConfig lively = config;
-  const auto scale = [](const char* name, double factor, FitConfig* of) {
-    ParameterSetting& setting = of->parameters.at(name);
-    if (setting.free)
-      setting.value = std::clamp(factor * setting.value, setting.lower, setting.upper);
-  };
-  for (const char* name : {"stretch.damping", "shear.damping", "bending.damping"})
-    scale(name, kLively, &lively);
-  FitConfig stiff = lively, stretchy = lively;
-  scale("bending.stiffness", kStiff, &stiff);
-  scale("stretch.stiffness", kStretchy, &stretchy);
-  return {lively, stiff, stretchy};
-}
-
-// A few iterations from other fabrics each, and all of them from the best.
-FitResult Diagnoser::FitFromOthers(const Scene& scene, const FitConfig& config,
-                                   const FitResult& before) {
-  FitCallbacks callbacks;
-  callbacks.stop = options_.stop;
-  FitResult best = before;
-  std::optional<FitConfig> from;
-  double least = kNearly * before.cost_after;
-  for (FitConfig start : OtherStarts(config)) {
-    if (Stopped()) return best;
-    Say("baseline: another start", 0.2);
-    start.max_iterations = kFirstIterations;
-    FitResult fit = RunFit(scene, start, callbacks);
-    Log(fmt::format("from another fabric: cost {:.6g}", fit.cost_after));
-    if (fit.status == FitStatus::kFailed || !(fit.cost_after < least)) continue;
-    least = fit.cost_after;
-    start.max_iterations = config.max_iterations;
-    from = start;
-    if (fit.cost_after < best.cost_after) best = std::move(fit);
-  }
-  if (!from || Stopped()) return best;
-  FitResult fit = RunFit(scene, *from, callbacks);
-  const bool is_better = fit.status != FitStatus::kFailed && fit.cost_after < best.cost_after;
-  if (is_better) best = std::move(fit);
-  Log(fmt::format("to the end from there: cost {:.6g}", best.cost_after));
-  return best;
-}
-
-FittedScene Diagnoser::FitBaseline() {
-  FitConfig config = baseline_;
-  // Nobody lays out a cloth exactly: the start is free, up to bilinear offsets.
-  config.initial_order = std::max(config.initial_order, 1);
-  config.resolution = WorkingResolution(recording_, config);
-  config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
-  Scene scene = MakeScene(recording_, config);
-  const FitConfig quick = config;
-  config.max_iterations = baseline_.max_iterations;
-  config.function_tolerance = baseline_.function_tolerance;
-  FitCallbacks callbacks;
-  callbacks.stop = options_.stop;
-  callbacks.log = options_.log;
-  callbacks.progress = [this](const FitProgress& p) {
-    Say("baseline: " + p.stage, 0.2 * p.fraction);
-  };
-  FitResult fit = RunFit(scene, quick, callbacks);
-  if (IsFurtherOff(kWorthAnotherStart, scene, quick, fit)) fit = FitFromOthers(scene, quick, fit);
-  if (fit.status == FitStatus::kFailed)
-    throw std::runtime_error("the baseline's fit failed: the simulation diverges");
-  diagnosis_.baseline = config;
-  diagnosis_.baseline_fit = fit;
-  return MakeFittedScene(std::move(scene), config, fit);
 }
 
 // Swapped markers are put right at once: nothing else can be said before.
@@ -578,7 +482,10 @@ void Diagnoser::Conclude(const FittedScene& current) {
 
 Diagnosis Diagnoser::Run() {
   Say("fitting the baseline", 0.0);
-  FittedScene current = UndoSwaps(FitBaseline());
+  FittedScene fitted = FitBaseline(recording_, baseline_, options_);
+  diagnosis_.baseline = fitted.config;
+  diagnosis_.baseline_fit = fitted.fit;
+  FittedScene current = UndoSwaps(std::move(fitted));
   baseline_cost_ = current.fit.cost_after;
   Spend("baseline");
   HeldOutErrors errors = MeasureHeldOut(current);

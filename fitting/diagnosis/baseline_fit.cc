@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/baseline_fit.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "fitting/diagnosis/modelling.h"
+
+namespace clothfit {
+namespace {
+
+constexpr int kLongestSide = 13;            // particles; physics does not need a finer mesh
+constexpr double kWorthAnotherStart = 1.2;  // sigmas beyond which it may be in a wrong valley
+constexpr double kNearly = 1.5;             // times the cost before: worth going on from
+
+// The recording's mesh, made coarser where it is finer than physics needs.
+std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig& config) {
+  std::array<int, 2> grid = config.resolution;
+  if (grid[0] == 0) grid = {recording.cloth.resolution.x(), recording.cloth.resolution.y()};
+  if (std::max(grid[0], grid[1]) <= kLongestSide) return config.resolution;
+  return CoarserGrid(grid, kLongestSide);
+}
+
+// Does a fit leave more than so many sigmas, or nothing of use?
+bool IsFurtherOff(double sigmas, const Scene& scene, const FitConfig& config,
+                  const FitResult& fit) {
+  const ObservationResiduals observations(scene, config);
+  const int rows = observations.NumObserved(0, scene.last_fitted_frame);
+  return fit.status == FitStatus::kFailed || fit.cost_after > 0.5 * sigmas * sigmas * rows;
+}
+
+double CostOf(const FitResult& fit) {
+  const bool is_usable = fit.status != FitStatus::kFailed;
+  return is_usable ? fit.cost_after : std::numeric_limits<double>::infinity();
+}
+
+bool IsStopped(const DiagnosisOptions& options) { return options.stop != nullptr && *options.stop; }
+
+// A few iterations from other fabrics each, and all of them from the best.
+FitResult FitFromOthers(const Scene& scene, const FitConfig& config, const FitResult& before,
+                        const DiagnosisOptions& options) {
+  FitCallbacks callbacks;
+  callbacks.stop = options.stop;
+  const auto log = [&](const std::string& line) {
+    if (options.log) options.log(line);
+  };
+  FitResult best = before;
+  std::optional<FitConfig> from;
+  double least = kNearly * CostOf(before);
+  for (FitConfig start : OtherStarts(config)) {
+    if (IsStopped(options)) return best;
+    if (options.progress) options.progress("baseline: another start", 0.2);
+    start.max_iterations = kFirstIterations;
+    FitResult fit = RunFit(scene, start, callbacks);
+    log(fmt::format("from another fabric: cost {:.6g}", CostOf(fit)));
+    if (!(CostOf(fit) < least)) continue;
+    least = CostOf(fit);
+    start.max_iterations = config.max_iterations;
+    from = start;
+    if (CostOf(fit) < CostOf(best)) best = std::move(fit);
+  }
+  if (!from || IsStopped(options)) return best;
+  FitResult fit = RunFit(scene, *from, callbacks);
+  if (CostOf(fit) < CostOf(best)) best = std::move(fit);
+  log(fmt::format("to the end from there: cost {:.6g}", CostOf(best)));
+  return best;
+}
+
+}  // namespace
+
+bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit) {
+  return IsFurtherOff(kFarOff, scene, config, fit);
+}
+
+std::vector<FitConfig> OtherStarts(const FitConfig& config) {
+  constexpr double kLively = 0.1, kStiff = 20.0, kStretchy = 0.1;
+  const auto scale = [](const char* name, double factor, FitConfig* of) {
+    ParameterSetting& setting = of->parameters.at(name);
+    if (setting.free)
+      setting.value = std::clamp(factor * setting.value, setting.lower, setting.upper);
+  };
+  FitConfig lively = config;
+  for (const char* name : {"stretch.damping", "shear.damping", "bending.damping"})
+    scale(name, kLively, &lively);
+  FitConfig stiff = lively, stretchy = lively;
+  scale("bending.stiffness", kStiff, &stiff);
+  scale("stretch.stiffness", kStretchy, &stretchy);
+  return {lively, stiff, stretchy};
+}
+
+FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
+                        const DiagnosisOptions& options) {
+  FitConfig config = baseline;
+  // Nobody lays out a cloth exactly.
+  config.initial_order = std::max(config.initial_order, 1);
+  config.resolution = WorkingResolution(recording, config);
+  Scene scene = MakeScene(recording, config);
+  FitConfig quick = config;
+  quick.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
+  FitCallbacks callbacks;
+  callbacks.stop = options.stop;
+  callbacks.log = options.log;
+  callbacks.progress = [&options](const FitProgress& p) {
+    if (options.progress) options.progress("baseline: " + p.stage, 0.2 * p.fraction);
+  };
+  FitResult fit = RunFit(scene, quick, callbacks);
+  if (IsFurtherOff(kWorthAnotherStart, scene, quick, fit))
+    fit = FitFromOthers(scene, quick, fit, options);
+  if (fit.status == FitStatus::kFailed)
+    throw std::runtime_error("the baseline's fit failed: the simulation diverges");
+  return MakeFittedScene(std::move(scene), config, fit);
+}
+
+}  // namespace clothfit

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The baseline's own fit: what it leaves is what a diagnosis looks at, so that it may not end in a
+// wrong valley of the cost.
+#pragma once
+
+#include <vector>
+
+#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/rows.h"
+
+namespace clothfit {
+
+inline constexpr int kFirstIterations = 5;  // enough to see which starts and models are worth more
+inline constexpr double kFarOff = 2.0;      // sigmas of residuals
+
+// Fits a baseline to the frames that are not held out, with a start state free up to bilinear
+// offsets, on the config's mesh or 13 particles a side, whichever is coarser; where that leaves
+// more than 1.2 sigmas, from OtherStarts as well. Its config is the baseline's but for mesh and
+// start. Throws std::runtime_error where the simulation diverges from every start.
+FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
+                        const DiagnosisOptions& options);
+
+// Does a fit leave more than kFarOff?
+bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit);
+
+// Other fabrics to begin with: one with a tenth of the damping, and that one with twenty times the
+// stiffness in bending, or with a tenth of that in stretch. What is not free stays as it is.
+std::vector<FitConfig> OtherStarts(const FitConfig& config);
+
+}  // namespace clothfit
