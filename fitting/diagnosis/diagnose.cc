@@ -68,6 +68,7 @@ class Diagnoser {
   std::vector<Fitted> FitModels(const FittedScene& current, const Ranking& ranking);
   void FinishModels(const FittedScene& current, std::vector<Fitted>* models);
   void GoOnWith(Fitted* model);
+  void PutBestPredictionFirst(const FittedScene& current, std::vector<Fitted>* models) const;
   Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
   void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models, std::size_t winner,
                      const FittedScene& before);
@@ -205,7 +206,23 @@ std::vector<Fitted> Diagnoser::FitModels(const FittedScene& current, const Ranki
                     current.fit.cost_after, model.scene.fit.cost_after));
     model.errors = MeasureHeldOut(model.scene);
   }
+  PutBestPredictionFirst(current, &models);
   return models;
+}
+
+// Of those that explain nearly all that the best does, prediction decides: what stands for another
+// effect follows the frames that it was fitted to more easily than it foresees the others.
+void Diagnoser::PutBestPredictionFirst(const FittedScene& current,
+                                       std::vector<Fitted>* models) const {
+  if (models->empty()) return;
+  const double before = current.fit.cost_after;
+  const double near = before - kNearBest * (before - models->front().scene.fit.cost_after);
+  const auto last = std::find_if(models->begin(), models->end(), [&](const Fitted& model) {
+    return model.scene.fit.cost_after > near;
+  });
+  std::stable_sort(models->begin(), last, [](const Fitted& a, const Fitted& b) {
+    return a.errors.Rms() < b.errors.Rms();
+  });
 }
 
 // Fits those further that may come first. The best is the first then.
