@@ -20,6 +20,7 @@
 #include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/residual_correlation.h"
 #include "tracking/text.h"
 
 namespace clothfit {
@@ -68,6 +69,7 @@ class Diagnoser {
   std::vector<Fitted> FitModels(const FittedScene& current, const Ranking& ranking);
   void FinishModels(const FittedScene& current, std::vector<Fitted>* models);
   void GoOnWith(Fitted* model);
+  void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
   void PutBestPredictionFirst(const FittedScene& current, std::vector<Fitted>* models) const;
   Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
   void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models, std::size_t winner,
@@ -279,18 +281,24 @@ Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
     described.parameters = model.candidate.summary.parameters;
   }
   constexpr double k90Of95 = 1.645 / 1.96;
+  // The fit takes residuals for independent.
+  const double wider = k90Of95 * std::sqrt(ResidualCorrelationTime(model.scene));
   for (const ParameterEstimate& estimate : model.scene.fit.estimates) {
     if (std::find(names.begin(), names.end(), estimate.name) == names.end()) continue;
+    const ParameterSetting& bounds = model.scene.config.parameters.at(estimate.name);
     described.parameters.push_back(
         {estimate.name, estimate.unit, estimate.value,
-         estimate.value + k90Of95 * (estimate.lower95 - estimate.value),
-         estimate.value + k90Of95 * (estimate.upper95 - estimate.value)});
+         std::max(bounds.lower, estimate.value + wider * (estimate.lower95 - estimate.value)),
+         std::min(bounds.upper, estimate.value + wider * (estimate.upper95 - estimate.value))});
   }
   const double frame_rate = recording_.frame_rate;
   const double sigma = model.scene.scene.markers.empty() ? model.scene.scene.track_sigma
                                                          : model.scene.scene.marker_sigma;
   const double dimensions = model.scene.scene.markers.empty() ? 2.0 : 3.0;
-  const double numerical = last_ranking_.errors ? last_ranking_.errors->held_out_rms : 0.0;
+  // What mesh and step do to a prediction is held against physics, not against a camera.
+  const bool is_physics = model.candidate.faults.empty();
+  const double numerical =
+      is_physics && last_ranking_.errors ? last_ranking_.errors->held_out_rms : 0.0;
   described.proof =
       Prove(errors, model.errors, static_cast<int>(std::lround(kBlockSeconds * frame_rate)),
             {sigma * std::sqrt(dimensions), numerical}, options_.seed);
@@ -381,6 +389,24 @@ void Diagnoser::LocateMismatch(const FittedScene& fitted) {
                                   DrawForceArrows(scene, found->missing, found->location)};
 }
 
+// A baseline that had to follow a wrong camera may be in a wrong valley, and begins anew.
+void Diagnoser::FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors) {
+  if (Stopped() || !IsFarOff(current->scene, current->config, current->fit)) return;
+  FitConfig baseline = baseline_;
+  baseline.resolution = current->config.resolution;
+  for (const std::string& name : kept_parameters_) {
+    const auto kept = current->config.parameters.find(name);
+    if (kept != current->config.parameters.end()) baseline.parameters[name] = kept->second;
+  }
+  FittedScene again = FitBaseline(current->scene.recording, baseline, options_);
+  Log(fmt::format("without the fault, begun anew: cost {:.6g} -> {:.6g}", current->fit.cost_after,
+                  again.fit.cost_after));
+  Spend("baseline without the fault");
+  if (!(again.fit.cost_after < current->fit.cost_after)) return;
+  *current = std::move(again);
+  *errors = MeasureHeldOut(*current);
+}
+
 bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   Say("ranking what could be missing", 0.3);
   const bool is_first = diagnosis_.ranking.empty();
@@ -421,6 +447,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);
     *errors = models[i].errors;
     *current = std::move(models[i].scene);
+    if (!models[i].candidate.faults.empty()) FitAgainWithoutFault(current, errors);
     return true;
   }
   return false;
