@@ -10,14 +10,14 @@
 namespace clothfit {
 namespace {
 
-// Autoregressive series of the first order, 40 of 200 samples.
+// Autoregressive series of the first order, 40 of 2000 samples.
 std::vector<std::vector<double>> Series(double memory) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   std::vector<std::vector<double>> series(40);
   for (std::vector<double>& values : series) {
     double value = normal(random) / std::sqrt(1.0 - memory * memory);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 2000; ++i) {
       values.push_back(value);
       value = memory * value + normal(random);
     }
