@@ -352,7 +352,9 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     const bool may_be_mesh = MeshMatters(ranking) || ranking.residual_rms > kFarOff;
     const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;
     const bool is_worth_it = is_coarse || (may_be_mesh && !IsObvious(ranking));
-    if (!is_worth_it || !IsSuspicious(ranking) || !can_be_finer || Stopped()) return ranking;
+    // Far off, a floor that explains it all says that the mesh is too coarse to tell.
+    const bool is_open = IsSuspicious(ranking) || ranking.residual_rms > kFarOff;
+    if (!is_worth_it || !is_open || !can_be_finer || Stopped()) return ranking;
     ModelStart finer = GoOn(*current);
     for (int& n : grid) n = std::min(kFinestSide, 1 + static_cast<int>(std::lround(1.5 * (n - 1))));
     finer.config.resolution = grid;
@@ -516,9 +518,11 @@ void Diagnoser::Conclude(const FittedScene& current) {
     // Nothing below the numerical floor is ever held against the physics.
     const bool is_unexplained = diagnosis_.gate_p_value < kGate && is_above_floor_;
     const bool is_fitted = diagnosis_.promised < kAtMinimum;
-    diagnosis_.verdict = !is_unexplained ? Verdict::kNothingMissing
-                         : is_fitted     ? Verdict::kNoneOfTheAbove
-                                         : Verdict::kUndecided;
+    const bool is_blind = !is_unexplained && diagnosis_.residual_rms > kFarOff;
+    diagnosis_.verdict = is_blind          ? Verdict::kUndecided
+                         : !is_unexplained ? Verdict::kNothingMissing
+                         : is_fitted       ? Verdict::kNoneOfTheAbove
+                                           : Verdict::kUndecided;
   }
   if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law) MeasureWhatActs(current);
   diagnosis_.words = DescribeDiagnosis(diagnosis_, recording_);

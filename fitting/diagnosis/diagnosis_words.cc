@@ -150,12 +150,18 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recor
         diagnosis.residual_rms, diagnosis.floor_rms, diagnosis.gate_p_value));
   }
   if (diagnosis.verdict == Verdict::kUndecided) {
+    constexpr double kAtMinimum = 0.05;  // of the cost
+    const std::string why =
+        diagnosis.promised < kAtMinimum
+            ? fmt::format("mesh and time step make {:.2g} of them", diagnosis.floor_rms)
+            : fmt::format(
+                  "its fit has come to no minimum, as a full step still promises {:.0f} % less",
+                  100.0 * diagnosis.promised);
     sentences.push_back(fmt::format(
-        "Undecided: the baseline leaves {:.2g} sigmas, but its fit has come to no minimum, as a "
-        "full "
-        "step still promises {:.0f} % less. What it leaves is no evidence of missing physics. A "
-        "shorter or gentler recording, or fabric parameters that are known, would help.",
-        diagnosis.residual_rms, 100.0 * diagnosis.promised));
+        "Undecided: the baseline leaves {:.2g} sigmas, but {}. What it leaves is no evidence of "
+        "missing physics, nor that nothing is missing. A shorter or gentler recording, or fabric "
+        "parameters that are known, would help.",
+        diagnosis.residual_rms, why));
   }
   // What is named says itself where it acts; the map of what the baseline cannot take for anything
   // else is for what has no name.
