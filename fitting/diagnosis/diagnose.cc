@@ -351,7 +351,8 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     }
     const bool may_be_mesh = MeshMatters(ranking) || ranking.residual_rms > kFarOff;
     const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;
-    const bool is_worth_it = is_coarse || (may_be_mesh && !IsObvious(ranking));
+    const bool may_be_all = ranking.gate_p_value >= kGate;  // of what is left
+    const bool is_worth_it = is_coarse || (may_be_mesh && (may_be_all || !IsObvious(ranking)));
     // Far off, a floor that explains it all says that the mesh is too coarse to tell.
     const bool is_open = IsSuspicious(ranking) || ranking.residual_rms > kFarOff;
     if (!is_worth_it || !is_open || !can_be_finer || Stopped()) return ranking;
