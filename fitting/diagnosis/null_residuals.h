@@ -14,13 +14,14 @@
 
 namespace clothfit {
 
-// One sigma of the amounts of numerical error that are taken out.
+// One sigma of the amounts of numerical error that are taken out where a force is located.
 inline constexpr double kNumericalSigma = 2.0;
 
 // What mesh and step leave. The first two are recordings of the fit itself with half the step, or
 // on a finer mesh; the draws are recordings on the finer mesh with half the step, at
 // parameters drawn around the fit. In all of them the baseline was fitted again, and these are what
 // that leaves: a fit takes most of what mesh and step change for fabric.
+// The draws, and what is measured at them, are larger by the error that the finer mesh still has.
 struct NumericalErrors {
   Eigen::VectorXd half_step, finer_mesh;  // rows; at the fit
   std::vector<Eigen::VectorXd> at_draws;  // rows

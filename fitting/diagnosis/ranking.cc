@@ -156,7 +156,7 @@ void Ranker::Scale() {
   gram_ = scale_.asDiagonal() * gram_ * scale_.asDiagonal();
 }
 
-// What mesh and step leave when baseline and faults have taken their part, extrapolated.
+// What mesh and step leave when baseline and faults have taken their part, in sigmas.
 double Ranker::Floor() const {
   const Projection projection(gram_, Nuisances(""));
   const auto sum_of = [&](int column) {
