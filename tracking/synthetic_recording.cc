@@ -55,7 +55,7 @@ class Generator {
                                 ? generator_.make(mesh_, world, handles_, simulation_options)
                                 : Simulation(mesh_, world, handles_, simulation_options);
     SetParameters(&simulation);
-    State state = simulation.MakeState(InitialPositions());
+    State state = simulation.MakeState(LaidFlat(motion_.initial, mesh_.uv));
     const Drive drive = [this](double time, bool) {
       StepInputs inputs;
       for (std::size_t h = 0; h < handles_.size(); ++h)
@@ -95,16 +95,6 @@ class Generator {
     simulation->SetParameters(values);
     for (std::size_t i = 0; i < table.size(); ++i)
       parameters_[table[i].name] = values[static_cast<Eigen::Index>(i)];
-  }
-
-  Eigen::VectorXd InitialPositions() const {
-    Eigen::VectorXd x(3 * mesh_.num_particles());
-    const FlatPlacement& flat = motion_.initial;
-    for (int i = 0; i < mesh_.num_particles(); ++i) {
-      x.segment<3>(3 * i) =
-          flat.origin + mesh_.uv[i].x() * flat.u_axis + mesh_.uv[i].y() * flat.v_axis;
-    }
-    return x;
   }
 
   const SyntheticOptions& options_;

@@ -35,7 +35,6 @@ constexpr int kMoreHeats = 3;            // of the best, until it converges
 constexpr double kNearBest = 0.9;        // of what the best gains: it may come first yet
 constexpr double kStillInRace = 0.5;     // of what the best has gained by then
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
-constexpr double kAtMinimum = 0.05;      // share of the cost that a step may promise still
 constexpr double kBlockSeconds = 0.2;    // of the bootstrap
 constexpr double kSameShare = 0.1;       // of what is explained: models nearer than that are equal
 constexpr double kSameSignature = 0.97;  // cosine beyond which two effects are one

@@ -169,6 +169,9 @@ struct Diagnosis {
   DiagnosisMotions motions;                             // for pages and pictures
 };
 
+// Share of the cost that a full step may promise of a fit that has come to rest.
+inline constexpr double kAtMinimum = 0.05;
+
 // Fits the baseline and goes through the eight steps. Throws InputError where the recording cannot
 // be fitted at all.
 Diagnosis Diagnose(const Recording& recording, const FitConfig& baseline,

@@ -150,7 +150,6 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recor
         diagnosis.residual_rms, diagnosis.floor_rms, diagnosis.gate_p_value));
   }
   if (diagnosis.verdict == Verdict::kUndecided) {
-    constexpr double kAtMinimum = 0.05;  // of the cost
     const std::string why =
         diagnosis.promised < kAtMinimum
             ? fmt::format("mesh and time step make {:.2g} of them", diagnosis.floor_rms)

@@ -53,7 +53,7 @@ class Ranker {
   void AddFirstTrials();
   void Refine();
   void Scale();
-  double Floor() const;
+  double Floor(const Projection& projection) const;
   std::vector<Nuisance> Nuisances(const std::string& but_fault_group) const;
   ScoredGroup GroupOf(const Trial& trial) const;
   RankedCandidate Physics(int candidate, const Projection& projection, const Projection& raw) const;
@@ -157,8 +157,7 @@ void Ranker::Scale() {
 }
 
 // What mesh and step leave when baseline and faults have taken their part, in sigmas.
-double Ranker::Floor() const {
-  const Projection projection(gram_, Nuisances(""));
+double Ranker::Floor(const Projection& projection) const {
   const auto sum_of = [&](int column) {
     return projection.gram()(column, column) / (scale_[column] * scale_[column]);
   };
@@ -380,7 +379,7 @@ void Ranker::PassGate(Ranking* ranking) {
   ranking->gate_p_value = TailProbability(left, own);
   ranking->unexplained = std::max(0.0, own - null_mean_);
   ranking->residual_rms = std::sqrt(1.0 / residual2 / frames_.num_rows());
-  ranking->floor_rms = Floor();
+  ranking->floor_rms = Floor(projection);
   ranking->errors = errors_;
   std::vector<Nuisance> own_fit = Nuisances("");
   own_fit.resize(std::min<std::size_t>(own_fit.size(), baseline_->entries.size()));

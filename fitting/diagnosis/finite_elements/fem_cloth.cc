@@ -71,24 +71,32 @@ FemCloth::FemCloth(FemMesh mesh, FemLaws laws, std::vector<FemHandle> handles,
       break;
     }
   }
-  memory_.resize(triangles_.size());
-  Remember(0.0);
-  for (Memory& memory : memory_)
-    memory = {0.0, 0.0, 0.0, 0.0, memory.warp, memory.weft, memory.shear};
+  for (const Triangle& triangle : triangles_) {
+    const Strain s = StrainOf(triangle);
+    memory_.push_back({0.0, 0.0, 0.0, 0.0, s.warp, s.weft, s.shear});
+  }
   stable_step_ = LargestStableStep();
 }
 
-FemCloth::Strain FemCloth::StrainOf(const Triangle& triangle, const VectorXd& x) {
-  Strain strain{Vector3d::Zero(), Vector3d::Zero(), 0.0, 0.0, 0.0};
+FemCloth::Tangents FemCloth::TangentsOf(const Triangle& triangle, const VectorXd& x) {
+  Tangents tangents;
   for (int i = 0; i < 3; ++i) {
-    strain.x_u += triangle.du[i] * x.segment<3>(3 * triangle.nodes[i]);
-    strain.x_v += triangle.dv[i] * x.segment<3>(3 * triangle.nodes[i]);
+    tangents.x_u += triangle.du[i] * x.segment<3>(3 * triangle.nodes[i]);
+    tangents.x_v += triangle.dv[i] * x.segment<3>(3 * triangle.nodes[i]);
   }
-  const double u = strain.x_u.norm(), v = strain.x_v.norm();
-  strain.warp = u - 1.0;
-  strain.weft = v - 1.0;
-  strain.shear = strain.x_u.dot(strain.x_v) / (u * v);
-  return strain;
+  return tangents;
+}
+
+FemCloth::Strain FemCloth::StrainOf(const Triangle& triangle) const {
+  const Tangents tangents = TangentsOf(triangle, x_);
+  const double u = tangents.x_u.norm(), v = tangents.x_v.norm();
+  return {tangents, u - 1.0, v - 1.0, tangents.x_u.dot(tangents.x_v) / (u * v)};
+}
+
+Vector3d FemCloth::AreaNormal(const Triangle& triangle) const {
+  const Vector3d origin = x_.segment<3>(3 * triangle.nodes[0]);
+  return (x_.segment<3>(3 * triangle.nodes[1]) - origin)
+      .cross(x_.segment<3>(3 * triangle.nodes[2]) - origin);
 }
 
 void FemCloth::AddMembranes(const FemLaws& laws, VectorXd* force) const {
@@ -96,21 +104,20 @@ void FemCloth::AddMembranes(const FemLaws& laws, VectorXd* force) const {
     const Triangle& triangle = triangles_[t];
     const FemLaws::Membrane& law = laws.membranes[t];
     const Memory& memory = memory_[t];
-    const Strain s = StrainOf(triangle, x_);
-    const Strain rate = StrainOf(triangle, v_);  // of which only x_u and x_v mean anything
+    const Strain s = StrainOf(triangle);
+    const Tangents rate = TangentsOf(triangle, v_);
     const double u = 1.0 + s.warp, v = 1.0 + s.weft;
-    const Vector3d along_u = s.x_u / u, along_v = s.x_v / v;
+    const Vector3d along_u = s.tangents.x_u / u, along_v = s.tangents.x_v / v;
     const Vector3d shear_u = (along_v - s.shear * along_u) / u;
     const Vector3d shear_v = (along_u - s.shear * along_v) / v;
     const auto cubic = [&](double strain) {
       const double beyond = std::max(0.0, strain - laws.cubic_onset);
       return laws.cubic * beyond * beyond * beyond;
     };
-    const double coupling = laws.poisson * std::sqrt(law.warp * law.weft);
-    const double warp = law.warp * s.warp + coupling * s.weft + cubic(s.warp) +
+    const double warp = law.warp * s.warp + cubic(s.warp) +
                         laws.stretch_viscosity * along_u.dot(rate.x_u) +
                         laws.stretch_share * law.warp * memory.relaxing_warp;
-    const double weft = law.weft * s.weft + coupling * s.warp + cubic(s.weft) +
+    const double weft = law.weft * s.weft + cubic(s.weft) +
                         laws.stretch_viscosity * along_v.dot(rate.x_v) +
                         laws.stretch_share * law.weft * memory.relaxing_weft;
     const double turning = shear_u.dot(rate.x_u) + shear_v.dot(rate.x_v);
@@ -147,9 +154,7 @@ void FemCloth::AddAir(const FemLaws& laws, VectorXd* force) const {
     const Vector3d place = mean(x_);
     Vector3d velocity = mean(v_);
     for (const FemLaws::Air& air : laws.air) velocity -= air(place, triangle.uv, time_);
-    const Vector3d origin = x_.segment<3>(3 * triangle.nodes[0]);
-    const Vector3d across = (x_.segment<3>(3 * triangle.nodes[1]) - origin)
-                                .cross(x_.segment<3>(3 * triangle.nodes[2]) - origin);
+    const Vector3d across = AreaNormal(triangle);
     const double twice_area = across.norm();
     const Vector3d push = twice_area / 6.0 * Drag(laws, across / twice_area, velocity);
     for (const int node : triangle.nodes) force->segment<3>(3 * node) += push;
@@ -208,9 +213,7 @@ VectorXd FemCloth::ForcesOf(const FemLaws& laws) const {
 Eigen::Matrix3Xd FemCloth::VertexNormals() const {
   Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, x_.size() / 3);
   for (const Triangle& triangle : triangles_) {
-    const Vector3d origin = x_.segment<3>(3 * triangle.nodes[0]);
-    const Vector3d across = (x_.segment<3>(3 * triangle.nodes[1]) - origin)
-                                .cross(x_.segment<3>(3 * triangle.nodes[2]) - origin);
+    const Vector3d across = AreaNormal(triangle);
     for (const int node : triangle.nodes) normals.col(node) += across;
   }
   normals.colwise().normalize();
@@ -231,12 +234,11 @@ VectorXd FemCloth::ForceBeyond(const FemLaws& others) const {
 double FemCloth::ElasticEnergy() const {
   double energy = 0.0;
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const Strain s = StrainOf(triangles_[t], x_);
+    const Strain s = StrainOf(triangles_[t]);
     const FemLaws::Membrane& law = laws_.membranes[t];
-    energy += 0.5 * triangles_[t].area *
-              (law.warp * s.warp * s.warp + law.weft * s.weft * s.weft +
-               2.0 * laws_.poisson * std::sqrt(law.warp * law.weft) * s.warp * s.weft +
-               law.shear * s.shear * s.shear);
+    energy +=
+        0.5 * triangles_[t].area *
+        (law.warp * s.warp * s.warp + law.weft * s.weft * s.weft + law.shear * s.shear * s.shear);
   }
   for (std::size_t p = 0; p < laplacians_.size(); ++p) {
     Vector3d bent = Vector3d::Zero();
@@ -256,12 +258,13 @@ double FemCloth::KineticEnergy() const {
 }
 
 void FemCloth::Remember(double step) {
+  if (!laws_.HasMemory()) return;
+  // dq/dt = de/dt - q / time
+  const double stretch = std::exp(-step / laws_.stretch_time);
+  const double shear = std::exp(-step / laws_.shear_time);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const Strain s = StrainOf(triangles_[t], x_);
+    const Strain s = StrainOf(triangles_[t]);
     Memory& memory = memory_[t];
-    // dq/dt = de/dt - q / time
-    const double stretch = std::exp(-step / laws_.stretch_time);
-    const double shear = std::exp(-step / laws_.shear_time);
     memory.relaxing_warp = stretch * memory.relaxing_warp + s.warp - memory.warp;
     memory.relaxing_weft = stretch * memory.relaxing_weft + s.weft - memory.weft;
     memory.relaxing_shear = shear * memory.relaxing_shear + s.shear - memory.shear;

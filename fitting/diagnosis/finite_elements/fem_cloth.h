@@ -29,11 +29,11 @@ struct FemHandle {
 };
 
 struct FemGround {
-  double height = 0.0;      // m
-  double stiffness = 1e5;   // Pa/m
-  double distance = 0.002;  // m, at which contact begins
-  double friction = 0.4;
-  double slip_speed = 0.005;  // m/s
+  double height;     // m
+  double stiffness;  // Pa/m
+  double distance;   // m, at which contact begins
+  double friction;
+  double slip_speed;  // m/s
 };
 
 class FemCloth {
@@ -65,8 +65,11 @@ class FemCloth {
     double area;                   // m^2
     Eigen::Vector2d uv;            // its middle
   };
+  struct Tangents {  // of positions, or the rates of velocities
+    Eigen::Vector3d x_u = Eigen::Vector3d::Zero(), x_v = Eigen::Vector3d::Zero();
+  };
   struct Strain {
-    Eigen::Vector3d x_u, x_v;
+    Tangents tangents;
     double warp, weft, shear;
   };
   struct Memory {  // of a triangle
@@ -74,7 +77,9 @@ class FemCloth {
     double warp = 0.0, weft = 0.0, shear = 0.0;  // strains last seen
   };
 
-  static Strain StrainOf(const Triangle& triangle, const Eigen::VectorXd& x);
+  static Tangents TangentsOf(const Triangle& triangle, const Eigen::VectorXd& x);
+  Strain StrainOf(const Triangle& triangle) const;
+  Eigen::Vector3d AreaNormal(const Triangle& triangle) const;  // m^2, twice the area long
   Eigen::VectorXd ForcesOf(const FemLaws& laws) const;
   void AddMembranes(const FemLaws& laws, Eigen::VectorXd* force) const;
   void AddPlates(const FemLaws& laws, Eigen::VectorXd* force) const;

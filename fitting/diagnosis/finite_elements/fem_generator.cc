@@ -28,31 +28,23 @@ std::vector<FemHandle> HandlesOf(const SyntheticMotion& motion, const FemMesh& m
   return handles;
 }
 
+// m, between the particles of a fit.
+double SpacingOf(const SyntheticOptions& options) {
+  return options.size.x() / (options.resolution.x() - 1);
+}
+
 FemCloth MakeCloth(const SyntheticOptions& options, const SyntheticMotion& motion,
                    const FemParameters& parameters) {
   const Eigen::Vector2i cells = options.refinement * (options.resolution.array() - 1).matrix();
   FemMesh mesh = MakeFemMesh(options.size, cells, options.seed);
-  Eigen::VectorXd x(3 * static_cast<Eigen::Index>(mesh.uv.size()));
-  const FlatPlacement& flat = motion.initial;
-  for (std::size_t i = 0; i < mesh.uv.size(); ++i) {
-    x.segment<3>(3 * static_cast<Eigen::Index>(i)) =
-        flat.origin + mesh.uv[i].x() * flat.u_axis + mesh.uv[i].y() * flat.v_axis;
-  }
+  Eigen::VectorXd x = LaidFlat(motion.initial, mesh.uv);
   std::optional<FemGround> ground;
   if (motion.ground_height) {
-    const auto value = [&](const char* name, double otherwise) {
-      const auto found = parameters.find(name);
-      return found == parameters.end() ? otherwise : found->second;
-    };
-    ground.emplace();
-    ground->height = *motion.ground_height;
-    ground->stiffness = value("ground.stiffness", ground->stiffness);
-    ground->distance = value("ground.distance", ground->distance);
-    ground->friction = value("ground.friction", ground->friction);
-    ground->slip_speed = value("ground.slip_speed", ground->slip_speed);
+    ground = FemGround{*motion.ground_height, parameters.at("ground.stiffness"),
+                       parameters.at("ground.distance"), parameters.at("ground.friction"),
+                       parameters.at("ground.slip_speed")};
   }
-  FemLaws laws =
-      MakeFemLaws(mesh, options.size, parameters, options.size.x() / (options.resolution.x() - 1));
+  FemLaws laws = MakeFemLaws(mesh, options.size, parameters, SpacingOf(options));
   std::vector<FemHandle> handles = HandlesOf(motion, mesh);
   return FemCloth(std::move(mesh), std::move(laws), std::move(handles), ground, std::move(x));
 }
@@ -70,7 +62,7 @@ SyntheticGenerator FiniteElementGenerator(const std::map<std::string, double>& u
                                       const SyntheticProgress& progress) {
     FemCloth cloth = MakeCloth(options, motion, parameters);
     const FemLaws without = MakeFemLaws(cloth.mesh(), options.size, WithoutTerms(parameters, terms),
-                                        options.size.x() / (options.resolution.x() - 1));
+                                        SpacingOf(options));
     ForceMeter meter(VertexAreas(cloth.mesh()), options.frame_count);
     const double interval = 1.0 / options.frame_rate;
     const int steps = static_cast<int>(std::ceil(interval / cloth.StableStep()));

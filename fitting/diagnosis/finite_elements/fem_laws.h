@@ -31,8 +31,7 @@ struct FemLaws {
     double shear;       // N/m
   };
   std::vector<Membrane> membranes;
-  std::vector<double> plates;  // N m, of the vertices of LaplaciansOf
-  double poisson = 0.0;        // share of the mean stiffness that couples warp and weft
+  std::vector<double> plates;                             // N m, of the vertices of LaplaciansOf
   double stretch_viscosity = 0.0, shear_viscosity = 0.0;  // N s/m
   double bending_delay = 0.0;                             // s, viscosity over stiffness
   double cubic = 0.0, cubic_onset = 0.0;
@@ -40,8 +39,12 @@ struct FemLaws {
   double stretch_time = 1.0, shear_time = 1.0;    // s
   double shear_friction = 0.0, shear_onset = 1.0;
   double thread_stiffness = 0.0, thread_gather = 0.0, thread_piece = 1.0;  // N, 1, m
-  std::vector<double> mass, extra_mass;  // kg of each vertex, with and without what was added
-  double added_mass = 0.0;               // kg/m^2
+  std::vector<double> mass, extra_mass;  // kg of each vertex: of the fabric, and on top of it
+  // Does anything depend on more than the present state?
+  bool HasMemory() const {
+    return stretch_share != 0.0 || shear_share != 0.0 || shear_friction != 0.0;
+  }
+  double added_mass = 0.0;  // kg/m^2
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   double drag_normal = 0.0, drag_saturation = 0.0, drag_tangential = 0.0;
   // m/s, of the air over a place of the cloth; all of them add up.
