@@ -28,23 +28,6 @@ std::string Description(const std::string& list, const std::vector<BatchFit>& fi
   return text;
 }
 
-// The table, by one of the processes.
-std::string WriteTables(const std::filesystem::path& folder, const JobRunOptions& options,
-                        const std::vector<JobResult>& results) {
-  JobRunOptions report = options;
-  report.num_threads = 1;
-  report.progress = nullptr;
-  const JobRunResult written = RunJobs(
-      {{"report", nullptr}},
-      [=](const Job&, const JobContext&) -> nlohmann::json {
-        return WriteBatchTables(folder, results);
-      },
-      report);
-  if (!written.complete) return "";
-  if (!written.results[0].IsDone()) throw std::runtime_error(written.FirstProblem());
-  return written.results[0].output.get<std::string>();
-}
-
 int RunBatchCommand(const BatchOptions& options) {
   CheckJobOptions(options.jobs);
   const std::vector<BatchFit> fits = ReadBatchList(options.list);
@@ -68,7 +51,10 @@ int RunBatchCommand(const BatchOptions& options) {
   result.num_problems = done.CountProblems();
   result.first_problem = done.FirstProblem();
   result.num_hanging = done.num_hanging;
-  if (done.complete) result.table = WriteTables(folder, run.jobs, done.results);
+  if (done.complete) {
+    result.table = RunReportOnCommand(
+        [folder, results = done.results] { return WriteBatchTables(folder, results); }, run.jobs);
+  }
   return FinishJobs(result, options.jobs, run);
 }
 

@@ -4,6 +4,7 @@
 // Lists of jobs on the command line: where, by how many, and how they end.
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -58,6 +59,14 @@ StudyRunOptions MakeRunOptions(const JobOptions& options, ProgressDisplay* displ
                   total > 0 ? static_cast<double>(done) / total : 1.0);
   };
   return run;
+}
+
+std::string RunReportOnCommand(const std::function<std::string()>& write,
+                               const JobRunOptions& options) {
+  const JobRunResult written = RunReport(write, options);
+  if (!written.complete) return "";
+  if (!written.results[0].IsDone()) throw std::runtime_error(written.FirstProblem());
+  return written.results[0].output.get<std::string>();
 }
 
 int FinishJobs(const StudyRun& run, const JobOptions& options, const StudyRunOptions& run_options) {

@@ -4,6 +4,7 @@
 // The studies that are lists of jobs, and what all commands that do such lists have in common.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "apps/commands.h"
@@ -26,6 +27,11 @@ class ProgressDisplay;
 // With a display of what is done, on the first of many processes. `stage` must outlive it.
 StudyRunOptions MakeRunOptions(const JobOptions& options, ProgressDisplay* display,
                                std::string* stage);
+
+// The text of the report (see RunReport); empty where it was stopped. Throws std::runtime_error
+// where it failed.
+std::string RunReportOnCommand(const std::function<std::string()>& write,
+                               const JobRunOptions& options);
 
 // Prints the table, tells what failed, and returns the exit status. Does not return where threads
 // hang.

@@ -3,8 +3,6 @@
 //
 // clothfit trials: how good the diagnosis of missing physics is, on recordings with planted
 // effects.
-#include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,15 +10,18 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
+#include "apps/study_commands.h"
 #include "autodiff_sim/error.h"
+#include "autodiff_sim/parallel.h"
 #include "fitting/diagnosis/diagnosis_folder.h"
+#include "fitting/diagnosis/sha256.h"
 #include "fitting/diagnosis/trial_effect_table.h"
 #include "fitting/diagnosis/trial_plan.h"
 #include "fitting/diagnosis/trial_run.h"
 #include "fitting/diagnosis/trial_summary.h"
+#include "fitting/version.h"
 #include "fitting/whole_file.h"
 #include "tracking/text.h"
 
@@ -30,61 +31,45 @@ namespace {
 namespace fs = std::filesystem;
 
 struct TrialsOptions {
-  std::string plan, output;
+  std::string plan;
   TrialPlanOptions size;
-  int num_threads = 1;
+  JobOptions jobs;
   bool no_projection = false, table_null = false, no_proof = false, no_true_model = false;
-  bool keep_recordings = false, keep_diagnoses = false, resume = false, force = false;
+  bool keep_recordings = false, keep_diagnoses = false;
   bool list = false, effects = false;
 };
 
-// What decides the scores.
-std::string Conditions(const TrialsOptions& options) {
+// What decides the scores. The digest of the labels' digests binds to them before any is scored.
+std::string Conditions(const TrialsOptions& options, const std::string& commitments) {
   std::string only;
   for (const std::string& name : options.size.only) only += (only.empty() ? "" : ", ") + name;
   const auto flag = [](bool value) { return value ? "true" : "false"; };
   return fmt::format(
-      "plan: {}\nmatch: '{}'\nfirst_seed: {}\nseeds: {}\nonly: [{}]\nframes: {}\nresolution: {}\n"
-      "same_generator: {}\nfinite_elements: {}\nproject: {}\nsimulate_null: {}\nprove: "
-      "{}\ntrue_model: {}\n",
-      options.plan, options.size.match, options.size.first_seed, options.size.num_seeds, only,
-      options.size.frame_count, options.size.resolution, flag(options.size.same_generator),
+      "clothfit: {}\nplan: {}\nmatch: '{}'\nfirst_seed: {}\nseeds: {}\nonly: [{}]\nframes: {}\n"
+      "resolution: {}\nsame_generator: {}\nfinite_elements: {}\nproject: {}\nsimulate_null: {}\n"
+      "prove: {}\ntrue_model: {}\ncommitments: {}\n",
+      Version(), options.plan, options.size.match, options.size.first_seed, options.size.num_seeds,
+      only, options.size.frame_count, options.size.resolution, flag(options.size.same_generator),
       flag(options.size.finite_elements), flag(!options.no_projection), flag(!options.table_null),
-      flag(!options.no_proof), flag(!options.no_true_model));
+      flag(!options.no_proof), flag(!options.no_true_model), Sha256(commitments));
 }
 
-// The scores to go on from; makes the folder and writes down what is to be found in it.
-std::vector<TrialScore> Prepare(const TrialsOptions& options, const std::vector<Trial>& trials) {
-  const fs::path folder = options.output;
-  const std::string conditions = Conditions(options), commitments = CommitmentsAsCsv(trials);
-  std::vector<TrialScore> before;
-  if (options.resume) {
-    const bool same = ReadTextFile(folder / "conditions.yaml") == conditions &&
-                      ReadTextFile(folder / "commitments.csv") == commitments;
-    if (!same) {
-      throw InputError("--resume", "the options or the plan differ from those in " +
-                                       folder.string() + "/conditions.yaml and commitments.csv");
-    }
-    if (fs::exists(folder / "trials.csv")) before = ReadScores(folder / "trials.csv");
-    return before;
+// Makes the folder and writes down what is to be found in it.
+void Prepare(const TrialsOptions& options, const std::vector<Trial>& trials,
+             const JobFolderOptions& folder_options) {
+  const fs::path folder = options.jobs.output;
+  const std::string commitments = CommitmentsAsCsv(trials);
+  PrepareJobFolder(folder, "conditions.yaml", Conditions(options, commitments), folder_options);
+  if (folder_options.ranks.rank > 0) return;
+  if (!options.jobs.resume) {
+    fs::remove(folder / "trials.csv");
+    fs::remove(folder / "trials.md");
   }
-  if (fs::exists(folder / "conditions.yaml") && !options.force) {
-    throw InputError(options.output,
-                     "already holds trials; --force replaces them, --resume goes on with them");
-  }
-  fs::create_directories(folder);
-  fs::remove(folder / "trials.csv");
-  fs::remove(folder / "trials.md");
-  WriteWholeFile(folder / "conditions.yaml", conditions);
   WriteWholeFile(folder / "commitments.csv", commitments);
-  return before;
 }
 
-int RunAll(const TrialsOptions& options, const std::vector<Trial>& trials) {
-  if (options.output.empty()) throw InputError("--output", "is missing: expected a folder");
-  const std::vector<TrialScore> before = Prepare(options, trials);
-  const fs::path folder = options.output;
-  ProgressDisplay display;
+TrialRunOptions HowToRun(const TrialsOptions& options) {
+  const fs::path folder = options.jobs.output;
   TrialRunOptions run;
   run.diagnosis.project = !options.no_projection;
   run.diagnosis.simulate_null = !options.table_null;
@@ -92,40 +77,60 @@ int RunAll(const TrialsOptions& options, const std::vector<Trial>& trials) {
   run.folder = folder / "recordings";
   run.keep_recordings = options.keep_recordings;
   if (options.keep_diagnoses) {
-    run.diagnosed = [&](const Trial& trial, const Diagnosis& diagnosis,
-                        const std::vector<std::string>& log) {
+    run.diagnosed = [folder](const Trial& trial, const Diagnosis& diagnosis,
+                             const std::vector<std::string>& log) {
       const DiagnosisFolder kept(folder / "diagnoses" / trial.name, true);
       for (const std::string& line : log) kept.AppendLog(line);
       kept.Write(diagnosis);
     };
   }
   run.refit_truth = !options.no_true_model;
-  run.num_threads = options.num_threads;
-  run.stop = StopOnInterrupt();
-  const auto write = [&](const std::vector<TrialScore>& scores) {
-    WriteWholeFile(folder / "trials.csv", ScoresAsCsv(scores));
-    WriteWholeFile(folder / "trials.md", ScoresAsMarkdown(scores));
-  };
-  run.done = [&](const std::vector<TrialScore>& scores) {
-    write(scores);
-    display.Show("trials", fmt::format("{} of {}", scores.size(), trials.size()),
-                 static_cast<double>(scores.size()) / static_cast<double>(trials.size()));
-  };
-  const std::vector<TrialScore> scores = RunTrials(trials, Diagnose, run, before);
+  return run;
+}
+
+// The tables of the trials that are done; returns the summary.
+std::string WriteTables(const fs::path& folder, const std::vector<Trial>& trials) {
+  const std::vector<TrialScore> scores = ScoresSoFar(trials, folder / "jobs");
+  WriteWholeFile(folder / "trials.csv", ScoresAsCsv(scores));
+  WriteWholeFile(folder / "trials.md", ScoresAsMarkdown(scores));
+  return ScoresAsMarkdown(scores);
+}
+
+int RunAll(const TrialsOptions& options, const std::vector<Trial>& trials) {
+  if (options.jobs.output.empty()) throw InputError("--output", "is missing: expected a folder");
+  const fs::path folder = options.jobs.output;
+  ProgressDisplay display;
+  std::string stage = "trials";
+  StudyRunOptions run = MakeRunOptions(options.jobs, &display, &stage);
+  Prepare(options, trials, run.folder);
+  run.jobs.folder = folder / "jobs";
+  const bool is_first = run.folder.ranks.rank == 0;
+  JobRunOptions jobs = run.jobs;
+  if (is_first) {
+    jobs.progress = [&](int done, int total) {
+      if (done > 0) WriteTables(folder, trials);
+      if (run.jobs.progress) run.jobs.progress(done, total);
+    };
+  }
+  const JobRunResult done = RunTrials(trials, Diagnose, HowToRun(options), jobs);
   display.Finish();
-  write(scores);
-  fmt::print("{}\n{}\n", ScoresAsMarkdown(scores), folder.string());
-  std::fflush(stdout);
-  if (!*run.stop) return kExitSuccess;
-  fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
-  return kExitInterrupted;
+  StudyRun result;
+  result.num_problems = done.CountProblems();
+  result.first_problem = done.FirstProblem();
+  result.num_hanging = done.num_hanging;
+  if (done.complete) {
+    result.table = RunReportOnCommand([=] { return WriteTables(folder, trials); }, run.jobs);
+  } else if (is_first) {
+    result.table = WriteTables(folder, trials);
+  }
+  return FinishJobs(result, options.jobs, run);
 }
 
 int PrintEffects(const TrialsOptions& options, const std::vector<Trial>& trials) {
   ProgressDisplay display;
   const std::atomic<bool>* const stop = StopOnInterrupt();
   const std::vector<MeasuredEffect> effects = MeasureEffects(
-      trials, options.num_threads,
+      trials, NumThreads(options.jobs.threads),
       [&](double share) { display.Show("effects", fmt::format("{:.0f} %", 100.0 * share), share); },
       stop);
   display.Finish();
@@ -134,8 +139,7 @@ int PrintEffects(const TrialsOptions& options, const std::vector<Trial>& trials)
 }
 
 int RunTrialsCommand(const TrialsOptions& options) {
-  if (options.num_threads < 1)
-    throw InputError("--threads", fmt::format("{}: expected 1 or more", options.num_threads));
+  CheckJobOptions(options.jobs);
   const std::vector<Trial> trials = MakeTrialPlan("PLAN", options.plan, options.size);
   if (options.list) {
     fmt::print("{}", DescribePlan(trials));
@@ -178,7 +182,9 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
 }
 
 void AddRunOptions(CLI::App* command, TrialsOptions* options) {
-  command->add_option("-o,--output", options->output, "folder of the tables")->type_name("FOLDER");
+  options->jobs.patience = 1800.0;  // a diagnosis says little while it fits
+  AddJobOptions(command, &options->jobs);
+  command->get_option("--output")->required(false);  // nothing is written by what only prints
   command->add_flag("--no-projection", options->no_projection,
                     "candidates do not compete with the baseline and the faults");
   command->add_flag("--table-null", options->table_null,
@@ -186,18 +192,10 @@ void AddRunOptions(CLI::App* command, TrialsOptions* options) {
   command->add_flag("--no-proof", options->no_proof, "keep effects without a held-out proof");
   command->add_flag("--no-true-model", options->no_true_model,
                     "do not find what the true model would predict, which costs a fit a trial");
-  command
-      ->add_option("--threads", options->num_threads,
-                   "trials at the same time; no influence on the scores")
-      ->type_name("N")
-      ->capture_default_str();
   command->add_flag("--keep-recordings", options->keep_recordings,
                     "write every recording and leave it in FOLDER/recordings");
   command->add_flag("--keep-diagnoses", options->keep_diagnoses,
                     "leave every diagnosis in FOLDER/diagnoses");
-  command->add_flag("--force", options->force, "replace the trials that are there");
-  command->add_flag("--resume", options->resume, "go on with interrupted trials")
-      ->excludes("--force");
   CLI::Option* const list = command->add_flag("--list", options->list, "print the plan only");
   command
       ->add_flag("--effects", options->effects,
@@ -217,7 +215,8 @@ void AddTrialsCommand(CLI::App* app, Action* action) {
       "Examples:\n"
       "  clothfit trials --list listed\n"
       "  clothfit trials --effects listed --only wind gust\n"
-      "  clothfit trials all --seeds 2 -o trials");
+      "  clothfit trials all --seeds 2 -o trials\n"
+      "  mpirun --enable-recovery -n 64 clothfit trials all --seeds 2 -o trials");
   command->callback(
       [options, action] { *action = [options] { return RunTrialsCommand(*options); }; });
 }

@@ -4,16 +4,17 @@
 
 #include <chrono>
 #include <exception>
-#include <mutex>
+#include <stdexcept>
 
-#include "autodiff_sim/parallel.h"
+#include "fitting/diagnosis/trial_summary.h"
+#include "fitting/jobs/job_ledger.h"
 
 namespace clothfit {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool IsStopped(const TrialRunOptions& options) { return options.stop != nullptr && *options.stop; }
+bool IsStopped(const JobContext& context) { return context.stop != nullptr && *context.stop; }
 
 // Where the recording goes; nowhere, if it can stay in memory.
 fs::path FolderOf(const Trial& trial, const TrialRunOptions& options) {
@@ -23,12 +24,17 @@ fs::path FolderOf(const Trial& trial, const TrialRunOptions& options) {
 }
 
 TrialScore DiagnoseAndScore(const Trial& trial, const TrialRecording& made,
-                            const Diagnoser& diagnose, const TrialRunOptions& options) {
+                            const Diagnoser& diagnose, const TrialRunOptions& options,
+                            const JobContext& context) {
   DiagnosisOptions of_trial = options.diagnosis;
   of_trial.seed = trial.seed;
-  of_trial.stop = options.stop;
+  of_trial.stop = context.stop;
   std::vector<std::string> log;
-  if (options.diagnosed) of_trial.log = [&log](const std::string& line) { log.push_back(line); };
+  of_trial.log = [&](const std::string& line) {
+    context.alive();
+    log.push_back(line);
+  };
+  of_trial.progress = [&](const std::string&, double) { context.alive(); };
   const FitConfig baseline = DefaultConfig(made.recording);
   const auto start = std::chrono::steady_clock::now();
   const Diagnosis diagnosis = diagnose(made.recording, baseline, of_trial);
@@ -36,7 +42,7 @@ TrialScore DiagnoseAndScore(const Trial& trial, const TrialRecording& made,
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (options.diagnosed) options.diagnosed(trial, diagnosis, log);
   std::optional<double> held_out_true;
-  const bool has_gap = !trial.effects.empty() && options.refit_truth && !IsStopped(options);
+  const bool has_gap = !trial.effects.empty() && options.refit_truth && !IsStopped(context);
   if (has_gap) held_out_true = TrueModelError(trial, made, baseline);
   TrialScore score = ScoreDiagnosis(trial, made.truth, diagnosis, held_out_true);
   score.seconds = seconds;
@@ -56,13 +62,14 @@ void Describe(const Trial& trial, const TrialTruth& truth, TrialScore* score) {
 
 }  // namespace
 
-TrialScore RunTrial(const Trial& trial, const Diagnoser& diagnose, const TrialRunOptions& options) {
+TrialScore RunTrial(const Trial& trial, const Diagnoser& diagnose, const TrialRunOptions& options,
+                    const JobContext& context) {
   const TrialTruth truth = PlantedTruth(trial);
   const Commitment commitment = Commit(trial, truth);
   const fs::path folder = FolderOf(trial, options);
   TrialScore score;
   try {
-    score = DiagnoseAndScore(trial, MakeTrialRecording(trial, folder), diagnose, options);
+    score = DiagnoseAndScore(trial, MakeTrialRecording(trial, folder), diagnose, options, context);
   } catch (const std::exception& error) {
     score = TrialScore();
     score.problem = error.what();
@@ -74,35 +81,32 @@ TrialScore RunTrial(const Trial& trial, const Diagnoser& diagnose, const TrialRu
   return score;
 }
 
-std::vector<TrialScore> RunTrials(const std::vector<Trial>& trials, const Diagnoser& diagnose,
-                                  const TrialRunOptions& options,
-                                  const std::vector<TrialScore>& done_before) {
-  std::vector<std::optional<TrialScore>> scores(trials.size());
-  std::vector<int> open;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    for (const TrialScore& known : done_before) {
-      if (known.name == trials[i].name) scores[i] = known;
-    }
-    if (!scores[i]) open.push_back(static_cast<int>(i));
+std::vector<TrialScore> ScoresSoFar(const std::vector<Trial>& trials, const fs::path& ledger) {
+  const JobLedger results(ledger, JobRunOptions().patience, -1);
+  std::vector<TrialScore> scores;
+  for (const Trial& trial : trials) {
+    const std::optional<JobResult> one = results.Read(trial.name);
+    if (!one || !one->IsDone()) continue;
+    const std::string place = (ledger / (trial.name + ".json")).string();
+    scores.push_back(ReadScores(place, one->output.get<std::string>()).front());
   }
-  const auto so_far = [&] {
-    std::vector<TrialScore> done;
-    for (const std::optional<TrialScore>& score : scores) {
-      if (score) done.push_back(*score);
-    }
-    return done;
-  };
-  std::mutex mutex;
-  ParallelFor(static_cast<int>(open.size()), options.num_threads, [&](int i, int) {
-    if (IsStopped(options)) return;
-    const int which = open[static_cast<std::size_t>(i)];
-    TrialScore score = RunTrial(trials[which], diagnose, options);
-    if (IsStopped(options)) return;  // the diagnosis was cut short
-    const std::lock_guard<std::mutex> lock(mutex);
-    scores[which] = std::move(score);
-    if (options.done) options.done(so_far());
-  });
-  return so_far();
+  return scores;
+}
+
+JobRunResult RunTrials(const std::vector<Trial>& trials, const Diagnoser& diagnose,
+                       const TrialRunOptions& options, const JobRunOptions& jobs) {
+  std::vector<Job> list;
+  for (const Trial& trial : trials) list.push_back({trial.name, nullptr});
+  return RunJobs(
+      list,
+      [trials, diagnose, options](const Job& job, const JobContext& context) -> nlohmann::json {
+        for (const Trial& trial : trials) {
+          if (trial.name == job.name)
+            return ScoresAsCsv({RunTrial(trial, diagnose, options, context)});
+        }
+        throw std::logic_error("no such trial");
+      },
+      jobs);
 }
 
 std::string CommitmentsAsCsv(const std::vector<Trial>& trials) {

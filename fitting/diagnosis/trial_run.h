@@ -4,12 +4,13 @@
 // Runs trials: makes each recording, has it diagnosed, scores the answer.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "fitting/diagnosis/trial_score.h"
+#include "fitting/jobs/run_jobs.h"
 
 namespace clothfit {
 
@@ -26,20 +27,20 @@ struct TrialRunOptions {
                      const std::vector<std::string>& log)>
       diagnosed;
   bool refit_truth = true;  // find each trial's TrueModelError, which costs a fit
-  int num_threads = 1;      // trials at the same time; no influence on the scores
-  const std::atomic<bool>* stop = nullptr;
-  // From one thread at a time: the scores so far, in the plan's order, after each trial.
-  std::function<void(const std::vector<TrialScore>&)> done;
 };
 
 // One trial. A diagnosis that throws makes a failed score.
-TrialScore RunTrial(const Trial& trial, const Diagnoser& diagnose, const TrialRunOptions& options);
+TrialScore RunTrial(const Trial& trial, const Diagnoser& diagnose, const TrialRunOptions& options,
+                    const JobContext& context);
 
-// Runs what `done_before` does not hold already, by name. Trials that were stopped are no part of
-// the result. In the plan's order.
-std::vector<TrialScore> RunTrials(const std::vector<Trial>& trials, const Diagnoser& diagnose,
-                                  const TrialRunOptions& options,
-                                  const std::vector<TrialScore>& done_before = {});
+// The scores of those that are done, in the plan's order.
+std::vector<TrialScore> ScoresSoFar(const std::vector<Trial>& trials,
+                                    const std::filesystem::path& ledger);
+
+// Runs what the ledger (see JobRunOptions) does not hold yet, a trial a job, whose output is its
+// score. Trials that were stopped are no part of the result.
+JobRunResult RunTrials(const std::vector<Trial>& trials, const Diagnoser& diagnose,
+                       const TrialRunOptions& options, const JobRunOptions& jobs);
 
 // Every trial's name and digest, to be written before any is scored.
 std::string CommitmentsAsCsv(const std::vector<Trial>& trials);

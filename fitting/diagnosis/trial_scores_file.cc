@@ -152,23 +152,23 @@ std::string ScoresAsCsv(const std::vector<TrialScore>& scores) {
   return text;
 }
 
-std::vector<TrialScore> ReadScores(const std::filesystem::path& file) {
-  std::vector<std::string> lines = Split(ReadTextFile(file), '\n');
+std::vector<TrialScore> ReadScores(const std::string& place, const std::string& csv) {
+  std::vector<std::string> lines = Split(csv, '\n');
   if (lines.back().empty()) lines.pop_back();
   if (lines.empty() || lines.front() != Header())
-    throw InputError(file.string(), "line 1: is no table of this version's trials");
+    throw InputError(place, "line 1: is no table of this version's trials");
   std::vector<TrialScore> scores;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    const std::string place = file.string() + ": line " + std::to_string(i + 1);
+    const std::string line = place + ": line " + std::to_string(i + 1);
     const std::vector<std::string> words = Split(lines[i], ',');
     if (words.size() != Columns().size()) {
-      throw InputError(place, std::to_string(words.size()) + " fields: expected " +
-                                  std::to_string(Columns().size()));
+      throw InputError(line, std::to_string(words.size()) + " fields: expected " +
+                                 std::to_string(Columns().size()));
     }
     TrialScore score;
     for (std::size_t c = 0; c < words.size(); ++c) {
       if (!Columns()[c].read(words[c], &score))
-        throw InputError(place + ": " + Columns()[c].name, "'" + words[c] + "': expected a number");
+        throw InputError(line + ": " + Columns()[c].name, "'" + words[c] + "': expected a number");
     }
     scores.push_back(std::move(score));
   }

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Scores of trials as files: a row a trial, from which an interrupted run goes on, and the summary.
+// Scores of trials as text: a row a trial, which can be read again, and the summary.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,9 +12,10 @@
 
 namespace clothfit {
 
-// One row a trial. ReadScores reads it back; it throws InputError where it is not such a table.
+// One row a trial. ReadScores reads it back; it throws InputError, naming the place, where the text
+// is no such table.
 std::string ScoresAsCsv(const std::vector<TrialScore>& scores);
-std::vector<TrialScore> ReadScores(const std::filesystem::path& file);
+std::vector<TrialScore> ReadScores(const std::string& place, const std::string& csv);
 
 // An effect is a fair trial where it is at least this many times the detection limit.
 constexpr double kFairOverLimit = 3.0;

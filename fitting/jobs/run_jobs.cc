@@ -210,4 +210,13 @@ JobRunResult RunJobs(const std::vector<Job>& jobs, const JobWork& work,
   return result;
 }
 
+JobRunResult RunReport(const std::function<std::string()>& write, const JobRunOptions& options) {
+  JobRunOptions alone = options;
+  alone.num_threads = 1;
+  alone.progress = nullptr;
+  return RunJobs(
+      {{"report", nullptr}},
+      [write](const Job&, const JobContext&) -> nlohmann::json { return write(); }, alone);
+}
+
 }  // namespace clothfit

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "fitting/jobs/job.h"
@@ -39,5 +40,9 @@ struct JobRunResult {
 // have to outlive the process where threads hang.
 JobRunResult RunJobs(const std::vector<Job>& jobs, const JobWork& work,
                      const JobRunOptions& options);
+
+// Has one of the processes, whichever, write the tables of jobs that are done: a job like the
+// others, named "report". Its output is the text that `write` returns, in all processes.
+JobRunResult RunReport(const std::function<std::string()>& write, const JobRunOptions& options);
 
 }  // namespace clothfit

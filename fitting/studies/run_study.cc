@@ -74,7 +74,6 @@ JobRunResult DoJobsTogether(const StudyOptions& options, const StudyPlace& place
   return result;
 }
 
-// By one of the processes, whichever: it is a job like the others.
 JobRunResult Report(const Study& study, const StudyOptions& options, const StudyPlace& place,
                     const std::vector<Job>& jobs, const std::vector<JobResult>& results,
                     const StudyRunOptions& run) {
@@ -84,14 +83,12 @@ JobRunResult Report(const Study& study, const StudyOptions& options, const Study
   }
   JobRunOptions job_options = run.jobs;
   job_options.folder = place.folder / "jobs";
-  job_options.num_threads = 1;
-  job_options.progress = nullptr;
-  const JobWork work = [=](const Job&, const JobContext&) -> nlohmann::json {
+  const auto write = [=] {
     const std::string table = study.report(options, jobs, good, place);
     WriteWholeFile(place.folder / (study.name + ".md"), table);
     return table;
   };
-  return RunJobs({{"report", nullptr}}, work, job_options);
+  return RunReport(write, job_options);
 }
 
 void Take(const JobRunResult& result, StudyRun* run) {

@@ -36,6 +36,10 @@ TEST(TrialsCommand, RunsOneTrialAndKeepsItsDiagnosis) {
       folder.path() / "out" / "diagnoses" / "clean-none-stiff-four-corner-sag-markers-s1";
   EXPECT_TRUE(std::filesystem::exists(kept / "diagnosis.json"));
   EXPECT_TRUE(std::filesystem::exists(kept / "log.txt"));
+  const CommandResult again = Trials({"clean", "-o", output}, folder);
+  EXPECT_THAT(BadInputLine(again), HasSubstr("already holds results"));
+  const CommandResult other = Trials({"clean", "--resume", "-o", output}, folder);
+  EXPECT_THAT(BadInputLine(other), HasSubstr("conditions.yaml"));
 }
 
 TEST(TrialsCommand, MeasuresHowFarEffectsMoveTheCloth) {
@@ -57,7 +61,7 @@ TEST(TrialsCommand, SaysInOneLineWhatIsWrong) {
               HasSubstr("'wimd'"));
   EXPECT_THAT(BadInputLine(Trials({"--list", "listed", "--seeds", "0"}, folder)),
               HasSubstr("--seeds"));
-  EXPECT_THAT(BadInputLine(Trials({"--list", "listed", "--threads", "0"}, folder)),
+  EXPECT_THAT(BadInputLine(Trials({"--list", "listed", "--threads", "-1"}, folder)),
               HasSubstr("--threads"));
 }
 

@@ -315,9 +315,7 @@ TEST(TrialScores, ReadBackAsTheyWereWritten) {
   TrialScore done = Case().Score();
   done.seconds = 12.5;
   done.onset_error = -3;
-  const TestFolder folder;
-  const std::filesystem::path file = folder.Write("trials.csv", ScoresAsCsv({done, failed}));
-  const std::vector<TrialScore> read = ReadScores(file);
+  const std::vector<TrialScore> read = ReadScores("scores", ScoresAsCsv({done, failed}));
   ASSERT_EQ(read.size(), 2U);
   EXPECT_EQ(read[0].status, TrialStatus::kDone);
   EXPECT_EQ(read[1].status, TrialStatus::kFailed);
@@ -326,12 +324,11 @@ TEST(TrialScores, ReadBackAsTheyWereWritten) {
   EXPECT_FALSE(read[1].gap_closed);
   EXPECT_EQ(read[1].problem, "the simulation diverges; in frame 3;indeed");
   EXPECT_EQ(ScoresAsCsv(read), ScoresAsCsv({done, failed}));
-  EXPECT_THAT(InputErrorOf([&] { ReadScores(folder.Write("other.csv", "a,b\n1,2\n")); }),
-              HasSubstr("line 1"));
+  EXPECT_THAT(InputErrorOf([&] { ReadScores("other.csv", "a,b\n1,2\n"); }), HasSubstr("line 1"));
   EXPECT_THAT(InputErrorOf([&] {
                 std::string text = ScoresAsCsv({done});
                 text.replace(text.find("12.5"), 4, "soon");
-                ReadScores(folder.Write("other.csv", text));
+                ReadScores("other.csv", text);
               }),
               HasSubstr("line 2: seconds: 'soon'"));
 }
@@ -367,10 +364,22 @@ std::string Text(std::vector<TrialScore> scores) {
   return ScoresAsCsv(scores);
 }
 
-TEST(RunTrials, ScoresAStandInAndGoesOnAfterAFailure) {
+JobContext Alone() {
+  return {nullptr, [] {}};
+}
+
+std::vector<TrialScore> RunInto(const TestFolder& folder, const Diagnoser& diagnose,
+                                JobRunOptions jobs = {}) {
   const std::vector<Trial> trials = QuickTrials();
-  const std::vector<TrialScore> scores = RunTrials(trials, Oracle, WithoutTruth());
-  ASSERT_EQ(scores.size(), trials.size());
+  jobs.folder = folder.path() / "jobs";
+  RunTrials(trials, diagnose, WithoutTruth(), jobs);
+  return ScoresSoFar(trials, jobs.folder);
+}
+
+TEST(RunTrials, ScoresAStandInAndGoesOnAfterAFailure) {
+  const TestFolder folder;
+  const std::vector<TrialScore> scores = RunInto(folder, Oracle);
+  ASSERT_EQ(scores.size(), QuickTrials().size());
   int failed = 0, right = 0, both = 0, clean = 0;
   for (const TrialScore& score : scores) {
     EXPECT_FALSE(score.digest.empty());
@@ -391,41 +400,46 @@ TEST(RunTrials, ScoresAStandInAndGoesOnAfterAFailure) {
 }
 
 TEST(RunTrials, GivesTheSameForAnyNumberOfThreadsAndWhenItGoesOn) {
-  const std::vector<Trial> trials = QuickTrials();
-  TrialRunOptions options = WithoutTruth();
-  std::vector<TrialScore> after_four;
-  options.done = [&](const std::vector<TrialScore>& so_far) {
-    if (so_far.size() == 4) after_four = so_far;
-  };
-  const std::vector<TrialScore> one = RunTrials(trials, Oracle, options);
-  ASSERT_EQ(after_four.size(), 4U);
-  options.done = {};
-  options.num_threads = 3;
-  EXPECT_EQ(Text(RunTrials(trials, Oracle, options)), Text(one));
+  const TestFolder one_folder, three_folder;
+  const std::vector<TrialScore> one = RunInto(one_folder, Oracle);
+  JobRunOptions three;
+  three.num_threads = 3;
+  EXPECT_EQ(Text(RunInto(three_folder, Oracle, three)), Text(one));
+  std::filesystem::remove(three_folder.path() / "jobs" / (one[4].name + ".json"));
   int calls = 0;
-  options.num_threads = 1;
   const Diagnoser counting = [&](const Recording& recording, const FitConfig& config,
                                  const DiagnosisOptions& diagnosis) {
     ++calls;
     return Oracle(recording, config, diagnosis);
   };
-  EXPECT_EQ(Text(RunTrials(trials, counting, options, after_four)), Text(one));
-  EXPECT_EQ(calls, static_cast<int>(trials.size()) - 4);
+  EXPECT_EQ(Text(RunInto(three_folder, counting)), Text(one));
+  EXPECT_EQ(calls, 1);
 }
 
 TEST(RunTrials, KeepsNothingOfTheTrialThatWasStopped) {
-  const std::vector<Trial> trials = QuickTrials();
+  const TestFolder folder;
   std::atomic<bool> stop = false;
-  TrialRunOptions options = WithoutTruth();
-  options.stop = &stop;
+  JobRunOptions jobs;
+  jobs.stop = &stop;
   int calls = 0;
   const Diagnoser stopping = [&](const Recording&, const FitConfig&, const DiagnosisOptions& of) {
     EXPECT_EQ(of.stop, &stop);
     if (++calls == 3) stop = true;
     return Diagnosis();
   };
-  EXPECT_EQ(RunTrials(trials, stopping, options).size(), 2U);
+  EXPECT_EQ(RunInto(folder, stopping, jobs).size(), 2U);
   EXPECT_EQ(calls, 3);
+}
+
+TEST(RunTrials, GivesSignsOfLifeWhileItDiagnoses) {
+  int signs = 0;
+  const Diagnoser talking = [](const Recording&, const FitConfig&, const DiagnosisOptions& of) {
+    of.log("half of it");
+    of.progress("fit", 0.5);
+    return Diagnosis();
+  };
+  RunTrial(QuickTrials().front(), talking, WithoutTruth(), {nullptr, [&signs] { ++signs; }});
+  EXPECT_EQ(signs, 2);
 }
 
 TEST(RunTrials, PassesTheAblationsOn) {
@@ -437,7 +451,7 @@ TEST(RunTrials, PassesTheAblationsOn) {
     ++calls;
     return Diagnosis();
   };
-  RunTrial(QuickTrials().front(), checking, options);
+  RunTrial(QuickTrials().front(), checking, options, Alone());
   EXPECT_EQ(calls, 1);
 }
 
