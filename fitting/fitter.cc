@@ -212,16 +212,23 @@ void Fitter::FindHandlePaths() {
   FrameByFrameOptions options;
   options.optimiser = "lm";
   FrameByFrame search(scene_, config_, free_, options, callbacks_.stop);
+  int fitted = 0;  // the last frame of the last fit of all that is unknown
   for (int last = 0; last < scene_.last_fitted_frame && !Stopped();) {
     const int next = std::min(last + stride, scene_.last_fitted_frame);
     stage_ = fmt::format("handles, frames 0-{}", next);
     if (!ContinueHandlePaths(&search, last, next)) break;
     last = next;
+    // Such a fit begins at the first frame: the more there are, the more new ones are worth one.
+    constexpr double kGrowth = 0.15;
+    const bool is_last = last == scene_.last_fitted_frame;
+    if (!is_last && last - fitted < kGrowth * last) continue;
     if (observations_.Count(0, last) == 0) continue;
     constexpr int kIterations = 5;
     const WindowStart start = simulator_.FirstStart(progress_.theta);
     Minimise(&simulator_, start, 0, last, kIterations, free_.prior_jacobian(),
-             -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())), ControlsLongBefore(last));
+             -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())),
+             ControlsLongBefore(fitted));
+    fitted = last;
   }
   if (Cost(progress_.theta, &simulator_) < at_start) return;
   Log("handles: what was found explains all frames worse than the start does");

@@ -22,21 +22,21 @@ std::vector<std::size_t> FirstOfFrames(const std::vector<Observation>& sorted, i
   return first;
 }
 
-// d (surface point) / d direction, 3 x directions.
-Eigen::Matrix<double, 3, Eigen::Dynamic> PointDirections(const SurfacePoint& point,
-                                                         const Sensitivity& sensitivity) {
+// The residual's derivatives along all directions.
+void SetDirections(const PointResidual& residual, const Sensitivity& sensitivity,
+                   Eigen::Ref<Eigen::RowVectorXd> row) {
   const int directions = sensitivity.num_directions();
-  Eigen::Matrix<double, 3, Eigen::Dynamic> result(3, directions);
   for (int c = 0; c < directions; c += kLanes) {
-    const Lanes<kLanes>& x = sensitivity.lanes()[c / kLanes].x;
-    Eigen::Matrix<double, 3, kLanes> sum = Eigen::Matrix<double, 3, kLanes>::Zero();
-    for (int k = 0; k < 3; ++k) {
-      if (point.weights[k] != 0.0) sum += point.weights[k] * x.middleRows<3>(3 * point.nodes[k]);
+    const int count = std::min(kLanes, directions - c);
+    const StateLanes& lanes = sensitivity.lanes()[c / kLanes];
+    Eigen::Matrix<double, 1, kLanes> sum = Eigen::Matrix<double, 1, kLanes>::Zero();
+    for (int k = 0; k < 3 && !lanes.is_zero; ++k) {
+      const double weight = residual.point.weights[k];
+      if (weight != 0.0)
+        sum += weight * (residual.slope * lanes.x.middleRows<3>(3 * residual.point.nodes[k]));
     }
-    result.middleCols(c, std::min(kLanes, directions - c)) =
-        sum.leftCols(std::min(kLanes, directions - c));
+    row.segment(c, count) = sum.head(count);
   }
-  return result;
 }
 
 std::unique_ptr<ceres::LossFunction> MakeLoss(const FitConfig& config) {
@@ -100,8 +100,7 @@ template <int kRows>
 void ObservationResiduals::Store(const Eigen::Matrix<double, kRows, 1>& r,
                                  const Eigen::Matrix<double, kRows, 3>& by_point,
                                  const SurfacePoint& point, double weight,
-                                 const Sensitivity* sensitivity, int row,
-                                 Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const {
+                                 PointResidual* residuals) const {
   double scale = weight, scale_slope = 0.0;  // sqrt(rho(s) / s) and its derivative by s, weighted
   const double s = r.squaredNorm();
   if (loss_ != nullptr && s > 1e-12) {
@@ -111,24 +110,37 @@ void ObservationResiduals::Store(const Eigen::Matrix<double, kRows, 1>& r,
     scale = weight * root;
     scale_slope = weight * (rho[1] - rho[0] / s) / (2.0 * s * root);
   }
-  residuals->segment<kRows>(row) = scale * r;
-  if (jacobian == nullptr) return;
-  const Eigen::Matrix<double, kRows, Eigen::Dynamic> d =
-      by_point * PointDirections(point, *sensitivity);
-  jacobian->middleRows<kRows>(row) = scale * d;
-  if (scale_slope != 0.0)
-    jacobian->middleRows<kRows>(row) += (2.0 * scale_slope) * r * (r.transpose() * d);
+  Eigen::Matrix<double, kRows, 3> slopes = scale * by_point;
+  if (scale_slope != 0.0) slopes += (2.0 * scale_slope) * r * (r.transpose() * by_point);
+  for (int k = 0; k < kRows; ++k) residuals[k] = {scale * r[k], point, slopes.row(k)};
 }
 
 bool ObservationResiduals::Evaluate(int frame, const State& state, const Sensitivity* sensitivity,
                                     int row, Eigen::VectorXd* residuals,
                                     RowMajorMatrix* jacobian) const {
+  std::vector<PointResidual> all;
+  if (!EvaluateAtPoints(frame, state, &all)) return false;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    (*residuals)[row + static_cast<Eigen::Index>(i)] = all[i].value;
+  if (jacobian == nullptr) return true;
+  constexpr int kPiece = 256;  // rows at a time
+  const int count = static_cast<int>(all.size());
+  ParallelFor((count + kPiece - 1) / kPiece, NumThreads(0), [&](int piece, int) {
+    for (int i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i)
+      SetDirections(all[i], *sensitivity, jacobian->row(row + i));
+  });
+  return true;
+}
+
+bool ObservationResiduals::EvaluateAtPoints(int frame, const State& state,
+                                            std::vector<PointResidual>* residuals) const {
+  residuals->assign(Count(frame), PointResidual());
   if (!scene_.is_fitted[frame]) return true;
-  for (std::size_t i = first_marker_[frame]; i < first_marker_[frame + 1]; ++i, row += 3) {
+  PointResidual* next = residuals->data();
+  for (std::size_t i = first_marker_[frame]; i < first_marker_[frame + 1]; ++i, next += 3) {
     const MarkerObservation& m = scene_.markers[i];
     const Eigen::Vector3d r = (m.on_cloth.At(state.x) - m.position) / scene_.marker_sigma;
-    Store<3>(r, Eigen::Matrix3d::Identity() / scene_.marker_sigma, m.on_cloth, other_weight_,
-             sensitivity, row, residuals, jacobian);
+    Store<3>(r, Eigen::Matrix3d::Identity() / scene_.marker_sigma, m.on_cloth, other_weight_, next);
   }
   for (std::size_t i = first_track_[frame]; i < first_track_[frame + 1]; ++i) {
     const TrackObservation& t = scene_.tracks[i];
@@ -145,44 +157,39 @@ bool ObservationResiduals::Evaluate(int frame, const State& state, const Sensiti
       r[k] = (pixel[k].a - t.pixel[k]) / scene_.track_sigma;
       by_point.row(k) = pixel[k].v.transpose() / scene_.track_sigma;
     }
-    Store<2>(r, by_point, t.on_cloth, other_weight_, sensitivity, row, residuals, jacobian);
-    row += 2;
+    Store<2>(r, by_point, t.on_cloth, other_weight_, next);
+    next += 2;
   }
-  return EvaluateSilhouettes(frame, state, sensitivity, row, residuals, jacobian);
+  return EvaluateSilhouettes(frame, state, next);
 }
 
 bool ObservationResiduals::EvaluateSilhouettes(int frame, const State& state,
-                                               const Sensitivity* sensitivity, int row,
-                                               Eigen::VectorXd* residuals,
-                                               RowMajorMatrix* jacobian) const {
+                                               PointResidual* residuals) const {
   if (!scene_.silhouettes) return true;
   std::vector<const SilhouetteObservation*> measured;
-  std::vector<int> first_row;
+  std::vector<PointResidual*> first;
   for (std::size_t i = first_silhouette_[frame]; i < first_silhouette_[frame + 1]; ++i) {
     const SilhouetteObservation& s = scene_.silhouettes->observations[i];
     if (!s.field) continue;
     measured.push_back(&s);
-    first_row.push_back(row);
-    row += soft_[s.camera]->Count(s);
+    first.push_back(residuals);
+    residuals += soft_[s.camera]->Count(s);
   }
   std::vector<char> has_failed(measured.size(), 0);
   ParallelFor(static_cast<int>(measured.size()), NumThreads(0), [&](int i, int) {
-    std::vector<SoftSilhouette::Residual> soft;
+    std::vector<PointResidual> soft;
     if (!soft_[measured[i]->camera]->Evaluate(*measured[i], state.x, &soft)) {
       has_failed[i] = 1;
       return;
     }
-    int own_row = first_row[i];
-    for (const SoftSilhouette::Residual& r : soft) {
+    PointResidual* next = first[i];
+    for (const PointResidual& r : soft) {
       using Scalar = Eigen::Matrix<double, 1, 1>;
-      if (r.value != 0.0 || !r.slope.isZero(0.0)) {
+      if (!r.IsZero()) {
         Store<1>(Scalar(r.value / scene_.silhouette_sigma), r.slope / scene_.silhouette_sigma,
-                 r.point, silhouette_weight_, sensitivity, own_row, residuals, jacobian);
-      } else {
-        (*residuals)[own_row] = 0.0;
-        if (jacobian != nullptr) jacobian->row(own_row).setZero();
+                 r.point, silhouette_weight_, next);
       }
-      ++own_row;
+      ++next;
     }
   });
   return std::find(has_failed.begin(), has_failed.end(), 1) == has_failed.end();

@@ -10,6 +10,7 @@
 
 #include <ceres/loss_function.h>
 
+#include "fitting/point_residual.h"
 #include "fitting/scene.h"
 #include "fitting/soft_silhouette.h"
 
@@ -36,16 +37,16 @@ class ObservationResiduals {
   // rho. Returns false where a tracked point lies behind its camera, or SoftSilhouette has none.
   bool Evaluate(int frame, const State& state, const Sensitivity* sensitivity, int row,
                 Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const;
+  // The same with derivatives by the points that move them.
+  bool EvaluateAtPoints(int frame, const State& state, std::vector<PointResidual>* residuals) const;
 
  private:
   template <int kRows>
   void Store(const Eigen::Matrix<double, kRows, 1>& r,
              const Eigen::Matrix<double, kRows, 3>& by_point, const SurfacePoint& point,
-             double weight, const Sensitivity* sensitivity, int row, Eigen::VectorXd* residuals,
-             RowMajorMatrix* jacobian) const;
+             double weight, PointResidual* residuals) const;
 
-  bool EvaluateSilhouettes(int frame, const State& state, const Sensitivity* sensitivity, int row,
-                           Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const;
+  bool EvaluateSilhouettes(int frame, const State& state, PointResidual* residuals) const;
 
   const Scene& scene_;
   double silhouette_weight_, other_weight_;  // of residuals: sqrt(alpha), sqrt(beta)

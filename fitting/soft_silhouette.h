@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/cloth_mesh.h"
-#include "autodiff_sim/surface_point.h"
+#include "fitting/point_residual.h"
 #include "fitting/silhouettes.h"
 #include "tracking/camera.h"
 #include "tracking/silhouette_outline.h"
@@ -32,11 +32,7 @@ namespace clothfit {
 // another.
 class SoftSilhouette {
  public:
-  struct Residual {
-    double value = 0.0;        // px
-    SurfacePoint point;        // of the simulated cloth: it alone moves the residual
-    Eigen::RowVector3d slope;  // px/m, by that point's position (world)
-  };
+  using Residual = PointResidual;  // in px
 
   SoftSilhouette(const Camera& camera, const ClothMesh& mesh);
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "fitting/node_sums.h"
 #include "fitting/simulation_cost.h"
 
 namespace clothfit {
@@ -17,14 +18,18 @@ namespace {
 // Sums up [J r]'[J r], from which rows with the same sums follow.
 class RowCompressor {
  public:
-  explicit RowCompressor(int columns) : sums_(Eigen::MatrixXd::Zero(columns + 1, columns + 1)) {}
+  RowCompressor(const ClothMesh& mesh, int columns)
+      : of_frame_(mesh), sums_(Eigen::MatrixXd::Zero(columns + 1, columns + 1)) {}
 
-  void Add(const Eigen::VectorXd& residuals, const RowMajorMatrix* jacobian) {
-    const Eigen::Index n = sums_.rows() - 1;
-    sums_(n, n) += residuals.squaredNorm();
-    if (jacobian == nullptr) return;
-    sums_.topLeftCorner(n, n).selfadjointView<Eigen::Lower>().rankUpdate(jacobian->transpose());
-    sums_.row(n).head(n) += residuals.transpose() * *jacobian;
+  // sensitivity: null without derivatives
+  void Add(const std::vector<PointResidual>& residuals, const Sensitivity* sensitivity) {
+    if (sensitivity == nullptr) {
+      for (const PointResidual& r : residuals)
+        sums_.bottomRightCorner<1, 1>()(0) += r.value * r.value;
+      return;
+    }
+    of_frame_.Set(residuals);
+    of_frame_.AddTo(*sensitivity, &sums_);
   }
 
   void Finish(Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const {
@@ -45,6 +50,7 @@ class RowCompressor {
   }
 
  private:
+  NodeSums of_frame_;
   Eigen::MatrixXd sums_;  // lower triangle
 };
 
@@ -59,9 +65,8 @@ WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
   const int count = all ? observations.Count(first, last) : 0;
   residuals->resize(count);
   if (jacobian != nullptr) jacobian->resize(count, theta.size());
-  RowCompressor compressor(static_cast<int>(theta.size()));
-  Eigen::VectorXd of_frame;
-  RowMajorMatrix jacobian_of_frame;
+  RowCompressor compressor(simulator->mesh(), static_cast<int>(theta.size()));
+  std::vector<PointResidual> of_frame;
   int row = 0;
   bool usable = true;
   const WindowSimulator::Observer observer = [&](int frame, const State& state,
@@ -72,11 +77,8 @@ WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
       row += observations.Count(frame);
       return;
     }
-    of_frame.resize(observations.Count(frame));
-    if (jacobian != nullptr) jacobian_of_frame.resize(of_frame.size(), theta.size());
-    RowMajorMatrix* const own = jacobian != nullptr ? &jacobian_of_frame : nullptr;
-    usable = observations.Evaluate(frame, state, sensitivity, 0, &of_frame, own);
-    if (usable) compressor.Add(of_frame, own);
+    usable = observations.EvaluateAtPoints(frame, state, &of_frame);
+    if (usable) compressor.Add(of_frame, jacobian != nullptr ? sensitivity : nullptr);
   };
   const bool derivatives = jacobian != nullptr || end != nullptr;
   const WindowSimulator::Outcome outcome =

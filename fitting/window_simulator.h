@@ -47,6 +47,7 @@ class WindowSimulator {
   void Hold(const std::vector<int>& entries) { held_ = entries; }
 
   const Simulation& simulation() const { return simulation_; }
+  const ClothMesh& mesh() const { return scene_.mesh; }
   double simulated_frames() const { return simulated_frames_; }
   // Those of them that had derivatives, each as the share of the directions that had moved
   // anything.

@@ -5,16 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/parameter_table.h"
+#include "tests/support/silhouette_scene.h"
 #include "tests/support/small_recording.h"
 
 namespace clothfit {
 namespace {
 
 // Compressed rows have the sums of all rows: what Levenberg-Marquardt goes by is the same.
-TEST(EvaluateWindow, CompressesRowsWithoutLoss) {
-  const Recording recording = MakeSmallRecording();
-  FitConfig config = DefaultConfig(recording);
-  const Scene scene = MakeScene(recording, config);
+void ExpectTheSameSums(const Scene& scene, const FitConfig& config, int last) {
   const FreeParameters free(config, scene, MakeParameterTable());
   const ObservationResiduals observations(scene, config);
   WindowSimulator simulator(scene, config, free, false, nullptr);
@@ -22,11 +20,12 @@ TEST(EvaluateWindow, CompressesRowsWithoutLoss) {
   const WindowStart start = simulator.FirstStart(theta);
   Eigen::VectorXd all, compressed, value;
   RowMajorMatrix jacobian, compressed_jacobian;
-  EvaluateWindow(&simulator, observations, start, theta, 0, 20, Rows::kAll, &all, &jacobian);
-  EvaluateWindow(&simulator, observations, start, theta, 0, 20, Rows::kCompressed, &compressed,
+  EvaluateWindow(&simulator, observations, start, theta, 0, last, Rows::kAll, &all, &jacobian);
+  EvaluateWindow(&simulator, observations, start, theta, 0, last, Rows::kCompressed, &compressed,
                  &compressed_jacobian);
-  ASSERT_EQ(all.size(), observations.Count(0, 20));
+  ASSERT_EQ(all.size(), observations.Count(0, last));
   ASSERT_EQ(compressed.size(), free.size() + 1);
+  ASSERT_GT(all.squaredNorm(), 0.0);
   EXPECT_NEAR(compressed.squaredNorm(), all.squaredNorm(), 1e-10 * all.squaredNorm());
   const Eigen::VectorXd gradient = jacobian.transpose() * all;
   EXPECT_LT((compressed_jacobian.transpose() * compressed - gradient).norm(),
@@ -35,10 +34,28 @@ TEST(EvaluateWindow, CompressesRowsWithoutLoss) {
   EXPECT_LT((compressed_jacobian.transpose() * compressed_jacobian - information).norm(),
             1e-9 * information.norm());
   // Without derivatives, which leave the simulation's last digits otherwise.
-  EvaluateWindow(&simulator, observations, start, theta, 0, 20, Rows::kAll, &all, nullptr);
-  EvaluateWindow(&simulator, observations, start, theta, 0, 20, Rows::kCompressed, &value, nullptr);
+  EvaluateWindow(&simulator, observations, start, theta, 0, last, Rows::kAll, &all, nullptr);
+  EvaluateWindow(&simulator, observations, start, theta, 0, last, Rows::kCompressed, &value,
+                 nullptr);
   EXPECT_EQ(value.size(), compressed.size());
   EXPECT_NEAR(value.squaredNorm(), all.squaredNorm(), 1e-10 * all.squaredNorm());
+}
+
+TEST(EvaluateWindow, CompressesRowsOfMarkersWithoutLoss) {
+  const Recording recording = MakeSmallRecording();
+  FitConfig config = DefaultConfig(recording);
+  ExpectTheSameSums(MakeScene(recording, config), config, 20);
+  config.loss = LossKind::kCauchy;  // which ties the three coordinates of a marker
+  config.loss_scale = 0.5;
+  ExpectTheSameSums(MakeScene(recording, config), config, 20);
+}
+
+TEST(EvaluateWindow, CompressesRowsOfSilhouettesWithoutLoss) {
+  SilhouetteScene known = MakeSilhouetteScene(), hidden = MakeSilhouetteScene(true);
+  known.config.loss = LossKind::kHuber;
+  known.config.loss_scale = 0.5;
+  ExpectTheSameSums(known.scene, known.config, 8);
+  ExpectTheSameSums(hidden.scene, hidden.config, 8);
 }
 
 }  // namespace

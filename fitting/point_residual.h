@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "autodiff_sim/surface_point.h"
+
+namespace clothfit {
+
+// A residual that one point of the cloth alone moves.
+struct PointResidual {
+  double value = 0.0;
+  SurfacePoint point;
+  Eigen::RowVector3d slope = Eigen::RowVector3d::Zero();  // 1/m, by the point's position (world)
+
+  bool IsZero() const { return value == 0.0 && slope.isZero(0.0); }
+};
+
+}  // namespace clothfit
