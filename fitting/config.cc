@@ -92,6 +92,9 @@ FitConfig DefaultConfig(const Recording& recording) {
   // What is tracked in pictures has outliers.
   if (!recording.tracks.empty() || HasMasks(recording)) config.loss = LossKind::kHuber;
   config.use_silhouettes = HasMasks(recording);
+  // Outlines alone lead over a rugged way: after 30 iterations it is chance how far a fit has come.
+  if (HasMasks(recording) && recording.tracks.empty() && recording.markers.empty())
+    config.max_iterations = 100;
   for (const NamedParameter& named : MakeParameterTable()) {
     config.parameters[named.name] = DefaultSetting(named.parameter);
   }

@@ -23,7 +23,9 @@ std::optional<FitConfig> Coarser(const Scene& scene, const FitConfig& config) {
   if (!scene.mesh.is_grid() || coarse < 2 || 3 * coarse > 2 * longer || !config.polish) {
     return std::nullopt;
   }
+  constexpr int kIterationsToComeNear = 30;
   FitConfig coarser = config;
+  coarser.max_iterations = std::min(config.max_iterations, kIterationsToComeNear);
   for (int k = 0; k < 2; ++k) {
     const double share = static_cast<double>(grid[k] - 1) / (longer - 1);
     coarser.resolution[k] = 1 + std::max(1, static_cast<int>(std::lround(share * (coarse - 1))));
