@@ -156,12 +156,17 @@ std::optional<ReportJson> NullDraws(const ReportJson& gate) {
     const double place = (draw - low) / width * kBins;
     counts[std::min<std::size_t>(kBins - 1, static_cast<std::size_t>(place))] += 1.0;
   }
+  const double own_place = gate.at("left_rms_sigmas").get<double>();
+  const double begin = std::min(low, own_place), end = std::max(low + width, own_place);
+  const double margin = 0.03 * (end - begin);
   // Place, and the heights there: of the draws, of the recording.
   std::vector<std::tuple<double, ReportJson, ReportJson>> points;
+  points.emplace_back(begin - margin, 0.0, nullptr);
   for (std::size_t k = 0; k < kBins; ++k)
     points.emplace_back(low + width * static_cast<double>(k) / kBins, counts[k], nullptr);
   points.emplace_back(low + width, 0.0, nullptr);
-  points.emplace_back(gate.at("left_rms_sigmas").get<double>(), nullptr, 1.0);
+  points.emplace_back(own_place, nullptr, 1.0);
+  points.emplace_back(end + margin, 0.0, nullptr);
   std::stable_sort(points.begin(), points.end(),
                    [](const auto& a, const auto& b) { return std::get<0>(a) < std::get<0>(b); });
   ReportJson places = ReportJson::array(), of_null = places, own = places;
