@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ namespace {
 // px
 constexpr double kWidth = 460.0, kHeight = 330.0;  // of a chart
 constexpr double kLeft = 72.0, kRight = 16.0, kTop = 34.0, kBottom = 48.0;
-constexpr double kLegendRow = 22.0;
+constexpr double kLegendRow = 22.0, kLegendLeft = 24.0;
 
 constexpr std::array<const char*, 7> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                  "#e69f00", "#56b4e9", "#000000"};
@@ -140,19 +141,45 @@ const char* ColourOf(const std::vector<std::string>& names, const std::string& n
   return kColours[static_cast<std::size_t>(place) % kColours.size()];
 }
 
-std::string Legend(const std::vector<std::string>& names, double top) {
-  constexpr double kColumn = 150.0;
-  std::string svg;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const double x = kLeft + kColumn * static_cast<double>(i % 5);
-    const double y = top + kLegendRow * static_cast<double>(i / 5) + 12.0;
-    svg += fmt::format(
-        "<path class='line' stroke='{}' d='M{:.1f} {:.1f}h24'/><text x='{:.1f}' y='{:.1f}'>{}"
-        "</text>\n",
-        ColourOf(names, names[i]), x, y, x + 30.0, y + 4.0, Escaped(names[i]));
-  }
-  return svg;
+// px; most fonts are narrower. A letter is one byte, or several of which the later ones are marked.
+double WidthOf(const std::string& text) {
+  constexpr double kLetter = 7.5;
+  return kLetter * static_cast<double>(std::count_if(text.begin(), text.end(), [](char byte) {
+           return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+         }));
 }
+
+// Rows of entries, each a line and a name; columns are as wide as the longest name.
+struct Legend {
+  explicit Legend(std::vector<std::string> of_lines, double width) : names(std::move(of_lines)) {
+    for (const std::string& name : names)
+      column = std::max(column, kSample + kGap + WidthOf(name) + 2.0 * kGap);
+    columns = std::max<std::size_t>(1, static_cast<std::size_t>((width - kLegendLeft) / column));
+  }
+  double Height() const {
+    return kLegendRow * static_cast<double>((names.size() + columns - 1) / columns);
+  }
+  double Width() const {
+    return kLegendLeft + column * static_cast<double>(std::min(columns, names.size()));
+  }
+  std::string Svg(double top) const {
+    std::string svg;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const double x = kLegendLeft + column * static_cast<double>(i % columns);
+      const double y = top + kLegendRow * static_cast<double>(i / columns) + 12.0;
+      svg += fmt::format(
+          "<path class='line' stroke='{}' d='M{:.1f} {:.1f}h{:.0f}'/><text class='name' x='{:.1f}' "
+          "y='{:.1f}'>{}</text>\n",
+          ColourOf(names, names[i]), x, y, kSample, x + kSample + kGap, y + 4.0, Escaped(names[i]));
+    }
+    return svg;
+  }
+
+  static constexpr double kSample = 24.0, kGap = 6.0;  // px
+  std::vector<std::string> names;
+  double column = 1.0;  // px
+  std::size_t columns = 1;
+};
 
 }  // namespace
 
@@ -165,7 +192,8 @@ std::vector<double> LinearTicks(double low, double high, int most) {
   for (const double factor : {5.0, 2.0, 1.0}) {
     if (factor * power >= raw) step = factor * power;
   }
-  for (double k = std::ceil(low / step); k * step <= high; k += 1.0) ticks.push_back(k * step);
+  for (double k = std::ceil(low / step); k * step <= high; k += 1.0)
+    ticks.push_back(k * step + 0.0);  // no "-0"
   return ticks;
 }
 
@@ -187,9 +215,10 @@ std::vector<double> LogTicks(double low, double high) {
 
 std::string ChartsAsSvg(const std::vector<Chart>& charts) {
   const std::vector<std::string> names = NamesOf(charts);
-  const double width = kWidth * static_cast<double>(std::max<std::size_t>(1, charts.size()));
-  const double rows = std::ceil(static_cast<double>(names.size()) / 5.0);
-  const double height = kHeight + kLegendRow * rows + 8.0;
+  const double of_charts = kWidth * static_cast<double>(std::max<std::size_t>(1, charts.size()));
+  const Legend legend(names, of_charts);
+  const double width = std::max(of_charts, legend.Width());
+  const double height = kHeight + legend.Height() + 8.0;
   std::string svg = fmt::format(
       "<svg xmlns='http://www.w3.org/2000/svg' width='{0:.0f}' height='{1:.0f}' "
       "viewBox='0 0 {0:.0f} {1:.0f}' font-family='sans-serif' font-size='12'>\n"
@@ -206,7 +235,7 @@ std::string ChartsAsSvg(const std::vector<Chart>& charts) {
       svg += Line(chart, line, x, y, ColourOf(names, line.name));
     left += kWidth;
   }
-  return svg + Legend(names, kHeight) + "</svg>\n";
+  return svg + legend.Svg(kHeight) + "</svg>\n";
 }
 
 }  // namespace clothfit

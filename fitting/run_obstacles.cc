@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -55,24 +56,38 @@ Surface SurfaceOf(const Obstacle& obstacle) {
 
 }  // namespace
 
+std::vector<ObstacleSurface> ObstacleSurfaces(const Scene& scene) {
+  std::vector<ObstacleSurface> surfaces;
+  for (const auto& obstacle : scene.world.obstacles) {
+    const Surface surface = SurfaceOf(*obstacle);
+    ObstacleSurface moving{obstacle->name, {}, {}};
+    for (int frame = 0; frame < scene.recording.frame_count; ++frame)
+      moving.positions.push_back(
+          PlaceInWorld(obstacle->PoseAt(scene.FrameTime(frame)), surface.points));
+    for (const std::array<int, 3>& triangle : surface.triangles)
+      moving.triangles.insert(moving.triangles.end(), triangle.begin(), triangle.end());
+    surfaces.push_back(std::move(moving));
+  }
+  return surfaces;
+}
+
 void WriteObstacles(const Scene& scene, const RunFolder& run) {
-  if (scene.world.obstacles.empty()) return;
+  const std::vector<ObstacleSurface> surfaces = ObstacleSurfaces(scene);
+  if (surfaces.empty()) return;
   std::error_code ignored;  // what cannot be written is told below
   std::filesystem::create_directories(run.path() / "report", ignored);
   std::string json;
-  for (std::size_t i = 0; i < scene.world.obstacles.size(); ++i) {
-    const Obstacle& obstacle = *scene.world.obstacles[i];
-    const Surface surface = SurfaceOf(obstacle);
-    std::vector<Eigen::VectorXd> positions;
-    for (int frame = 0; frame < scene.recording.frame_count; ++frame)
-      positions.push_back(PlaceInWorld(obstacle.PoseAt(scene.FrameTime(frame)), surface.points));
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const ObstacleSurface& surface = surfaces[i];
     const std::string file = fmt::format("obstacle_{}.npy", i);
-    WriteWholeFile(run.path() / "report" / file, PointsAsNpy(positions));
+    WriteWholeFile(run.path() / "report" / file, PointsAsNpy(surface.positions));
     std::string triangles, name;
-    for (const auto& [a, b, c] : surface.triangles)
-      triangles += fmt::format("{}[{},{},{}]", triangles.empty() ? "" : ",", a, b, c);
+    for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
+      triangles += fmt::format("{}[{},{},{}]", t == 0 ? "" : ",", surface.triangles[t],
+                               surface.triangles[t + 1], surface.triangles[t + 2]);
+    }
     // A name has no control characters and no backslash.
-    for (const char c : obstacle.name) name += c == '"' ? std::string("\\\"") : std::string(1, c);
+    for (const char c : surface.name) name += c == '"' ? std::string("\\\"") : std::string(1, c);
     json += fmt::format(R"({}{{"name":"{}","positions":"{}","triangles":[{}]}})",
                         json.empty() ? "" : ",\n", name, file, triangles);
   }

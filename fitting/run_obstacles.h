@@ -4,13 +4,26 @@
 // The obstacles of a scene as surfaces that a report can draw.
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "fitting/run_folder.h"
 #include "fitting/scene.h"
 
 namespace clothfit {
 
+struct ObstacleSurface {
+  std::string name;
+  std::vector<Eigen::VectorXd> positions;  // 3N, m, world: one a frame, or one for all
+  std::vector<std::int32_t> triangles;     // three vertices each
+};
+
+// Round ones with flat faces; positions in every frame of the recording.
+std::vector<ObstacleSurface> ObstacleSurfaces(const Scene& scene);
+
 // Writes report/obstacles.json and report/obstacle_N.npy (frames x vertices x 3, m) into the run;
-// nothing where the scene has no obstacles. Round ones are drawn with flat faces.
+// nothing where the scene has no obstacles.
 void WriteObstacles(const Scene& scene, const RunFolder& run);
 
 }  // namespace clothfit

@@ -418,6 +418,8 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   if (!is_first) SpendOn(ranking);
   if (is_first) {
     diagnosis_.gate_p_value = ranking.gate_p_value;
+    diagnosis_.left_rms = ranking.left_rms;
+    diagnosis_.null_left_rms = ranking.null_left_rms;
     diagnosis_.residual_rms = ranking.residual_rms;
     diagnosis_.floor_rms = ranking.floor_rms;
     diagnosis_.promised = ranking.promised;

@@ -152,7 +152,11 @@ struct Diagnosis {
   double residual_rms = 0.0;  // of the baseline's fit, in sigmas
   double floor_rms = 0.0;     // that mesh and step leave, in sigmas
   double gate_p_value = 1.0;  // of the whole residual against the null
-  double promised = 0.0;      // share of the cost that a full step of the baseline's fit would take
+  // What is left when the observation's faults have taken their part, in sigmas: of the recording,
+  // and of every draw of the null.
+  double left_rms = 0.0;
+  std::vector<double> null_left_rms;
+  double promised = 0.0;  // share of the cost that a full step of the baseline's fit would take
   std::optional<Mismatch> mismatch;
   std::optional<MismatchClass> mismatch_class;
   std::optional<MismatchPictures> mismatch_pictures;

@@ -234,6 +234,8 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
   json["gate"] = {{"residual_rms_sigmas", OrNull(diagnosis.residual_rms)},
                   {"floor_rms_sigmas", OrNull(diagnosis.floor_rms)},
                   {"p_value", OrNull(diagnosis.gate_p_value)},
+                  {"left_rms_sigmas", OrNull(diagnosis.left_rms)},
+                  {"null_left_rms_sigmas", diagnosis.null_left_rms},
                   {"promised_decrease", OrNull(diagnosis.promised)}};
   const std::optional<Splits::FrameRange>& held_out = diagnosis.motions.held_out;
   json["held_out_frames"] = held_out ? Json({held_out->first, held_out->last}) : Json(nullptr);

@@ -377,6 +377,10 @@ void Ranker::PassGate(Ranking* ranking) {
   ranking->num_rows = frames_.num_rows();
   ranking->null_mean = null_mean_;
   ranking->gate_p_value = TailProbability(left, own);
+  const auto rms = [&](double sum) { return std::sqrt(std::max(0.0, sum) / frames_.num_rows()); };
+  ranking->left_rms = rms(own);
+  ranking->null_left_rms.clear();  // the gate is passed twice
+  for (const double sum : left) ranking->null_left_rms.push_back(rms(sum));
   ranking->unexplained = std::max(0.0, own - null_mean_);
   ranking->residual_rms = std::sqrt(1.0 / residual2 / frames_.num_rows());
   ranking->floor_rms = Floor(projection);

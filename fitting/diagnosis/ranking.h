@@ -30,8 +30,10 @@ struct RankedCandidate {
 struct Ranking {
   std::vector<RankedCandidate> candidates;  // the highest score first
   std::vector<Fault> faults;
-  double gate_p_value = 1.0;  // of what is left when the faults have taken their part
-  double unexplained = 0.0;   // the same in sums of squares, above what the null leaves
+  double gate_p_value = 1.0;          // of what is left when the faults have taken their part
+  double left_rms = 0.0;              // root mean square of the same, in sigmas
+  std::vector<double> null_left_rms;  // the same of every draw of the null
+  double unexplained = 0.0;           // the same in sums of squares, above what the null leaves
   double residual_rms = 0.0, floor_rms = 0.0;  // in sigmas: of all rows, and of mesh and step alone
   double null_mean = 0.0;                      // sum of squares that the null leaves
   double promised = 0.0;  // share of the sum that a full step of the baseline's own fit would take

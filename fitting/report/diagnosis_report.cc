@@ -164,6 +164,8 @@ ReportPage MakeDiagnosisReport(const fs::path& folder, const ReportAssets& asset
   fields.insert(fields.begin() + 1, std::make_move_iterator(forces.begin()),
                 std::make_move_iterator(forces.end()));
   const ReportExtras extras = ReadReportExtras(folder, report);
+  std::vector<ObstacleSurface> obstacles = ObstacleSurfaces(report.scene());
+  obstacles.insert(obstacles.end(), extras.obstacles.begin(), extras.obstacles.end());
   return MakeScenePage({report,
                         {GradeOf(record.verdict), HeadlineOf(record),
                          Sentences(record.words, JoinNames(record.effects))},
@@ -172,7 +174,7 @@ ReportPage MakeDiagnosisReport(const fs::path& folder, const ReportAssets& asset
                                                : "Error of the baseline → with what was found",
                         ErrorsOf(report, misfits),
                         std::move(fields),
-                        extras.obstacles,
+                        std::move(obstacles),
                         std::move(sections),
                         std::move(blobs)},
                        assets, options);

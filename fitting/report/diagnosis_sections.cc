@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,6 +18,7 @@ namespace clothfit {
 namespace {
 
 constexpr std::size_t kMostBars = 12;  // of candidates; the table has all
+constexpr std::size_t kBins = 24;      // of the null's draws
 
 bool IsAmong(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -137,6 +141,51 @@ ReportJson ModelTable(const ReportJson& models, double factor, const std::string
             Column("", false),
             Column("", false)}},
           {"rows", rows}};
+}
+
+// How often the null's draws left how much, and the recording's own beside them. Nothing where no
+// null was drawn.
+std::optional<ReportJson> NullDraws(const ReportJson& gate) {
+  if (!gate.contains("null_left_rms_sigmas") || !gate.at("left_rms_sigmas").is_number()) return {};
+  const auto draws = gate.at("null_left_rms_sigmas").get<std::vector<double>>();
+  if (draws.empty()) return {};
+  const auto [least, most] = std::minmax_element(draws.begin(), draws.end());
+  const double low = *least, width = std::max(*most - low, 1e-6 * std::max(1.0, *most));
+  std::vector<double> counts(kBins, 0.0);
+  for (const double draw : draws) {
+    const double place = (draw - low) / width * kBins;
+    counts[std::min<std::size_t>(kBins - 1, static_cast<std::size_t>(place))] += 1.0;
+  }
+  const double own_place = gate.at("left_rms_sigmas").get<double>();
+  const double begin = std::min(low, own_place), end = std::max(low + width, own_place);
+  const double margin = 0.03 * (end - begin);
+  // Place, and the heights there: of the draws, of the recording.
+  std::vector<std::tuple<double, ReportJson, ReportJson>> points;
+  points.emplace_back(begin - margin, 0.0, nullptr);
+  for (std::size_t k = 0; k < kBins; ++k)
+    points.emplace_back(low + width * static_cast<double>(k) / kBins, counts[k], nullptr);
+  points.emplace_back(low + width, 0.0, nullptr);
+  points.emplace_back(own_place, nullptr, 1.0);
+  points.emplace_back(end + margin, 0.0, nullptr);
+  std::stable_sort(points.begin(), points.end(),
+                   [](const auto& a, const auto& b) { return std::get<0>(a) < std::get<0>(b); });
+  ReportJson places = ReportJson::array(), of_null = places, own = places;
+  for (const auto& [place, height, own_height] : points) {
+    places.push_back(place);
+    of_null.push_back(height);
+    own.push_back(own_height);
+  }
+  return ReportJson{
+      {"kind", "lines"},
+      {"title", fmt::format("What the baseline leaves: {} recordings of the null, and this one",
+                            draws.size())},
+      {"x",
+       {{"title", "root mean square"}, {"unit", "sigmas"}, {"log", false}, {"values", places}}},
+      {"y", {{"title", "recordings"}, {"unit", ""}, {"log", false}, {"from_zero", true}}},
+      {"narrow", false},
+      {"series",
+       {{{"name", "of the null"}, {"role", "after"}, {"steps", true}, {"values", of_null}},
+        {{"name", "this recording"}, {"role", "before"}, {"points", true}, {"values", own}}}}};
 }
 
 }  // namespace
@@ -271,6 +320,7 @@ ReportJson NullSection(const DiagnosisRecord& record) {
         "A recording of nothing but the baseline would leave as much with a probability of {:.2g}.",
         gate.at("p_value").get<double>())}));
   }
+  if (const std::optional<ReportJson> draws = NullDraws(gate)) blocks.push_back(*draws);
   blocks.push_back({{"kind", "bars"},
                     {"title", "Residuals, root mean square"},
                     {"unit", "sigmas"},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -45,9 +46,9 @@ ScalarField ReadField(const fs::path& folder, const ReportJson& json, const Repo
   return field;
 }
 
-ReportObstacle ReadObstacle(const fs::path& folder, const ReportJson& json) {
+ObstacleSurface ReadObstacle(const fs::path& folder, const ReportJson& json) {
   const fs::path file = folder / json.at("positions").get<std::string>();
-  ReportObstacle obstacle{json.value("name", "obstacle"), ReadPointsNpy(file), {}};
+  ObstacleSurface obstacle{json.value("name", "obstacle"), ReadPointsNpy(file), {}};
   if (obstacle.positions.empty()) throw InputError(file.string(), "holds no frame");
   const Eigen::Index vertices = obstacle.positions[0].size() / 3;
   for (const ReportJson& triangle : json.at("triangles")) {

@@ -4,25 +4,17 @@
 // What other commands leave for a report in the run's folder report/: sections, fields, obstacles.
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 #include "fitting/report/report_sections.h"
+#include "fitting/run_obstacles.h"
 
 namespace clothfit {
-
-// Something solid beside the cloth.
-struct ReportObstacle {
-  std::string name;
-  std::vector<Eigen::VectorXd> positions;  // 3N, m, world: one a frame, or one for all
-  std::vector<std::int32_t> triangles;     // three vertices each
-};
 
 struct ReportExtras {
   std::vector<ReportJson> sections;
   std::vector<ScalarField> fields;
-  std::vector<ReportObstacle> obstacles;
+  std::vector<ObstacleSurface> obstacles;
 };
 
 // Reads report/*.json in the order of their names: {"sections": [...], "fields": [{"name",

@@ -41,9 +41,9 @@ Json SceneAsJson(const Scene& scene) {
   return json;
 }
 
-Json ObstaclesAsJson(const std::vector<ReportObstacle>& obstacles, ReportBlobs* blobs) {
+Json ObstaclesAsJson(const std::vector<ObstacleSurface>& obstacles, ReportBlobs* blobs) {
   Json json = Json::array();
-  for (const ReportObstacle& obstacle : obstacles) {
+  for (const ObstacleSurface& obstacle : obstacles) {
     json.push_back({{"name", obstacle.name},
                     {"positions", blobs->AddNumbers(obstacle.positions, 3)},
                     {"triangles", blobs->AddIntegers(obstacle.triangles, 3)}});

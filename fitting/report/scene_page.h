@@ -19,7 +19,7 @@ struct ScenePage {
   std::string errors_title;  // what before and after mean in `errors`
   std::vector<ErrorChange> errors;
   std::vector<ScalarField> fields;  // the most telling first; at least one
-  std::vector<ReportObstacle> obstacles;
+  std::vector<ObstacleSurface> obstacles;
   std::vector<ReportJson> sections;  // those without blocks are left out
   ReportBlobs blobs;                 // that the sections name
 };

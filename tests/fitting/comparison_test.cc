@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/comparison.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -132,6 +133,49 @@ TEST(LineChart, LeavesOutWhatCannotBeDrawn) {
   EXPECT_THAT(svg, testing::Not(HasSubstr("nan")));
   EXPECT_THAT(svg, testing::Not(HasSubstr("inf")));
   EXPECT_THAT(ChartsAsSvg({Chart()}), HasSubstr("</svg>"));
+}
+
+// The numbers after each ` key='` of the elements that begin with `element`.
+std::vector<double> NumbersOf(const std::string& svg, const std::string& element,
+                              const std::string& key) {
+  std::vector<double> numbers;
+  for (std::size_t at = svg.find(element); at != std::string::npos; at = svg.find(element, at + 1))
+    numbers.push_back(std::stod(svg.substr(svg.find(" " + key + "='", at) + key.size() + 3)));
+  return numbers;
+}
+
+TEST(LineChart, ZeroHasNoSign) {
+  const std::vector<double> ticks = LinearTicks(-0.4, 0.4, 4);
+  const auto zero = std::find(ticks.begin(), ticks.end(), 0.0);
+  ASSERT_NE(zero, ticks.end());
+  EXPECT_FALSE(std::signbit(*zero));
+  const Chart chart{"", "x", "y", false, false, {{"one", {{0.0, 0.0}, {1.0, 1.0}}}}};
+  EXPECT_THAT(ChartsAsSvg({chart}), testing::Not(HasSubstr(">-0<")));
+}
+
+// Wide names make fewer columns: no name reaches into the line of the next, and none is cut off.
+TEST(LineChart, LegendHasRoomForItsNames) {
+  constexpr double kWide = 7.0;  // px of a letter of 12 px
+  for (const std::size_t length : {1U, 15U, 40U, 90U}) {
+    Chart chart;
+    for (int i = 0; i < 6; ++i) {
+      chart.lines.push_back(
+          {std::string(length, static_cast<char>('a' + i)), {{0.0, 0.0}, {1.0, 1.0}}});
+    }
+    const std::string svg = ChartsAsSvg({chart});
+    const std::vector<double> x = NumbersOf(svg, "<text class='name'", "x");
+    const std::vector<double> y = NumbersOf(svg, "<text class='name'", "y");
+    ASSERT_EQ(x.size(), 6U);
+    const double width = NumbersOf(svg, "<svg", "width").at(0);
+    const double letters = kWide * static_cast<double>(length);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      EXPECT_LE(x[i] + letters, width) << length;
+      if (i == 0) continue;
+      const bool is_right_of = y[i] == y[i - 1] && x[i] - 30.0 > x[i - 1] + letters;
+      EXPECT_TRUE(is_right_of || y[i] > y[i - 1] + 12.0) << length;
+    }
+    EXPECT_GT(NumbersOf(svg, "<svg", "height").at(0), y.back());
+  }
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/small_diagnosis.h"
 
+#include <cmath>
+
 #include "fitting/diagnosis/diagnosis_folder.h"
 #include "fitting/npy_file.h"
 #include "tests/support/small_run.h"
@@ -49,6 +51,8 @@ fs::path MakeSmallDiagnosis(const fs::path& folder) {
   diagnosis.residual_rms = 1.4;
   diagnosis.floor_rms = 0.2;
   diagnosis.gate_p_value = 1e-6;
+  diagnosis.left_rms = 1.35;
+  for (int k = 0; k < 400; ++k) diagnosis.null_left_rms.push_back(1.0 + 0.04 * std::sin(k));
   diagnosis.mismatch.emplace();
   diagnosis.mismatch->is_significant = true;
   diagnosis.mismatch->low_uv = diagnosis.mismatch->high_uv = Eigen::Vector2d::Zero();

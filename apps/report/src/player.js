@@ -3,6 +3,8 @@
 //
 // The one clock of the page: which frame is shown, and whether it runs.
 
+const kSlowly = 120;  // ms
+
 export class Player {
   constructor({ frames, rate }) {
     this.frames = frames;
@@ -19,6 +21,19 @@ export class Player {
     this.frameListeners.add(listener);
     listener(this.frame);
     return () => this.frameListeners.delete(listener);
+  }
+
+  // For what nobody reads 30 times a second, such as numbers: while the clock runs only now and then,
+  // so that the browser does not draw its part of the page with every picture.
+  onFrameSlowly(listener) {
+    let last = -Infinity;
+    this.onFrame((frame) => {
+      const now = performance.now();
+      if (this.isPlaying && now - last < kSlowly) return;
+      last = now;
+      listener(frame);
+    });
+    this.onState(() => listener(this.frame));
   }
 
   onState(listener) {

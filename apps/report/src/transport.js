@@ -42,7 +42,12 @@ export function makeTransport(player, clock) {
   const play = h('button', { type: 'button', class: 'play', onclick: () => player.toggle() });
   const slider = h('input', {
     type: 'range', min: 0, max: clock.frames - 1, step: 1, value: 0, 'aria-label': 'Frame',
-    id: 'frame-slider', oninput: () => { player.pause(); player.seek(Number(slider.value)); },
+    id: 'frame-slider',
+    oninput: () => {
+      const frame = Number(slider.value);  // pausing sets the slider to the clock's
+      player.pause();
+      player.seek(frame);
+    },
   });
   const text = h('output', { class: 'now', for: 'frame-slider' });
   const speed = select('Speed',
@@ -52,7 +57,7 @@ export function makeTransport(player, clock) {
     play.textContent = player.isPlaying ? '❚❚' : '►';
     play.setAttribute('aria-label', player.isPlaying ? 'Pause' : 'Play');
   });
-  player.onFrame((frame) => {
+  player.onFrameSlowly((frame) => {
     slider.value = frame;
     const isHeldOut = clock.held_out.some(([first, last]) => frame >= first && frame <= last);
     const state = isHeldOut ? 'held out' : frame <= clock.last_fitted ? 'fitted' : 'not fitted';

@@ -70,6 +70,11 @@ TEST(Diagnose, NamesTheWind) {
   EXPECT_THAT(diagnosis.words, HasSubstr("wind"));
   EXPECT_THAT(DiagnosisAsJson(diagnosis), HasSubstr("\"verdict\": \"named\""));
   EXPECT_LT(diagnosis.gate_p_value, 0.01);
+  const std::vector<double>& draws = diagnosis.null_left_rms;
+  ASSERT_EQ(draws.size(), static_cast<std::size_t>(Quick().num_nulls));
+  EXPECT_GT(diagnosis.left_rms, *std::max_element(draws.begin(), draws.end()));
+  EXPECT_LE(diagnosis.left_rms,
+            diagnosis.residual_rms);  // faults of the observation only take away
 }
 
 TEST(Diagnose, FindsNothingMissingWhereNothingIs) {

@@ -107,6 +107,69 @@ TEST_F(DiagnosisReport, MarksWhatCannotBeToldApart) {
   EXPECT_EQ(bars[2].at("muted"), true);
 }
 
+// Every draw of the null stands in one bin, and the recording where it belongs.
+TEST_F(DiagnosisReport, ShowsTheRecordingBesideTheDrawsOfTheNull) {
+  const json block = SectionNamed("nulls").at("blocks")[1];
+  ASSERT_EQ(block.at("kind"), "lines");
+  const json places = block.at("x").at("values");
+  const json of_null = block.at("series")[0].at("values"), own = block.at("series")[1].at("values");
+  ASSERT_EQ(of_null.size(), places.size());
+  ASSERT_EQ(own.size(), places.size());
+  double draws = 0.0, recordings = 0.0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_GE(places[i], places[i == 0 ? 0 : i - 1]);
+    if (of_null[i].is_number() && of_null[i] != 0.0) {
+      draws += of_null[i].get<double>();
+      EXPECT_NEAR(places[i].get<double>(), 1.0, 0.041);
+    }
+    if (own[i].is_number()) {
+      recordings += own[i].get<double>();
+      EXPECT_EQ(places[i], 1.35);
+    }
+  }
+  EXPECT_EQ(draws, 400.0);
+  EXPECT_EQ(recordings, 1.0);
+}
+
+TEST_F(DiagnosisReport, ShowsObstaclesThatMove) {
+  const fs::path other = spoilt_.path() / "rec";
+  fs::copy(made_->path() / "rec", other, fs::copy_options::recursive);
+  Recording recording = ReadRecording(other);
+  ObstacleDescription ball;
+  ball.name = "ball";
+  ball.shape = BallShape{0.1};
+  ball.path.assign(static_cast<std::size_t>(recording.frame_count), {});
+  for (std::size_t f = 0; f < ball.path.size(); ++f)
+    ball.path[f].position = Eigen::Vector3d(0.0, 0.0, -3.0 + 0.01 * static_cast<double>(f));
+  recording.obstacles = {ball};
+  WriteRecording(recording, other, Overwrite::kAllow);
+  FitConfig config = DefaultConfig(ReadRecording(other));
+  ReadConfig(folder_ / "config.yaml", &config);
+  config.recording = other.string();
+  WriteWholeFile(folder_ / "config.yaml", ConfigToYaml(config));
+  const std::string html = MakeReport(folder_, kAssets).html;
+  const json data = DataOfPage(html);
+  ASSERT_EQ(data.at("obstacles").size(), 1u);
+  const json& positions = data.at("obstacles")[0].at("positions");
+  const std::vector<double> numbers = NumbersOfBlock(html, positions);
+  const auto frames = static_cast<std::size_t>(recording.frame_count);
+  ASSERT_EQ(positions.at("shape")[0], frames);
+  const std::size_t last = numbers.size() / frames * (frames - 1);
+  EXPECT_NEAR(numbers[last + 2] - numbers[2], 0.01 * static_cast<double>(frames - 1), 1e-4);
+}
+
+TEST_F(DiagnosisReport, OfChiSquaredTablesHasNoDraws) {
+  const fs::path file = folder_ / "diagnosis.json";
+  json record = json::parse(ReadTextFile(file));
+  record.at("gate")["null_left_rms_sigmas"] = json::array();
+  WriteWholeFile(file, record.dump());
+  const json data = DataOfPage(MakeReport(folder_, kAssets).html);
+  for (const json& section : data.at("sections")) {
+    if (section.at("id") != "nulls") continue;
+    for (const json& block : section.at("blocks")) EXPECT_NE(block.at("kind"), "lines");
+  }
+}
+
 TEST_F(DiagnosisReport, NamesWhatIsMissing) {
   int checked = 0;
   for (const char* name :

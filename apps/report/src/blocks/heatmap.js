@@ -4,7 +4,7 @@
 // Blocks of kind "heatmap": numbers over (u, v), or over any two axes; one map, or one a frame that
 // follows the clock. Maps of one group share their colours.
 import { cssGradient, kUnknown, mapColour } from '../colours.js';
-import { h, whenNear } from '../dom.js';
+import { h, onSeen, whenNear } from '../dom.js';
 import { number, unitText } from '../format.js';
 
 function frameOf(block, frame) {
@@ -71,8 +71,15 @@ export function heatmapBlock(block, { player, section }) {
       h('span', {}, `${block.value.title}, ${unit}`), h('span', {}, number(range[0], 2)),
       h('span', { class: 'ramp', style: `background: ${cssGradient(block.diverging)}` }),
       h('span', {}, number(range[1], 3))));
-  whenNear(element, () => {
-    if (block.frames) player.onFrame(draw); else draw(0);
-  });
+  if (block.frames) {
+    let isSeen = false;
+    onSeen(element, (seen) => {
+      isSeen = seen;
+      if (seen) draw(player.frame);
+    });
+    player.onFrame((frame) => { if (isSeen) draw(frame); });
+  } else {
+    whenNear(element, () => draw(0));
+  }
   return element;
 }

@@ -4,7 +4,7 @@
 // Blocks of kind "lines": series over the recording's frames, linked to the clock, or over any x.
 import uPlot from 'uplot';
 
-import { h, whenNear } from '../dom.js';
+import { h, onSeen, whenNear } from '../dom.js';
 import { number, unitText } from '../format.js';
 import { colour, onTheme } from '../theme.js';
 
@@ -117,11 +117,23 @@ function optionsOf(block, clock, width) {
 function link(plot, player, clock) {
   const now = h('div', { class: 'now-line' });
   plot.over.append(now);
-  const show = (frame) => {
+  const mark = (frame) => {
     now.style.transform = `translateX(${plot.valToPos(frame / clock.rate, 'x')}px)`;
+  };
+  const tell = (frame) => {
     if (plot.cursor.left < 0) plot.setLegend({ idx: frame }, false);
   };
-  player.onFrame(show);
+  const show = (frame) => {
+    mark(frame);
+    tell(frame);
+  };
+  let isSeen = false;
+  onSeen(plot.root, (seen) => {
+    isSeen = seen;
+    if (seen) show(player.frame);
+  });
+  player.onFrame((frame) => { if (isSeen) mark(frame); });
+  player.onFrameSlowly((frame) => { if (isSeen) tell(frame); });
   plot.over.addEventListener('pointerdown', (event) => {
     const { left } = plot.over.getBoundingClientRect();
     const seek = (at) => player.seek(plot.posToVal(at.clientX - left, 'x') * clock.rate);

@@ -75,7 +75,7 @@ export class CameraView {
     this.fit();
     const frame = this.frame();
     this.drawn = frame;
-    const context = this.canvas.getContext('2d', kByProcessor);
+    const context = this.canvas.getContext('2d', { ...kByProcessor, alpha: false });
     const scale = this.canvas.width / this.camera.size[0];
     context.setTransform(1, 0, 0, 1, 0, 0);
     this.drawPicture(context);

@@ -79,9 +79,10 @@ export class ViewPanel {
     this.first = report.cameras.length ? panes[panes.length - 1].motion.name : '';
     this.legend = h('div', { class: 'legend' });
     this.titles = h('div', { class: 'pane-titles', 'aria-hidden': 'true' });
+    this.divider = h('div', { class: 'pane-divider' });
     this.probe = new Probe(report.fields, uv, () => this.choose(null));
-    this.view = h('div', { class: 'view', id: 'view-3d' }, this.titles, this.legend,
-      this.probe.element);
+    this.view = h('div', { class: 'view', id: 'view-3d' }, this.divider, this.titles,
+      this.legend, this.probe.element);
     this.viewer = new Viewer(this.view, panes, up, box);
     this.viewer.canvas.setAttribute('aria-label', 'The cloth in 3D: drag to turn, wheel to zoom, ' +
       'right-drag to move, click for the values of a particle; keys W, A, S, D turn, + and - ' +
@@ -128,6 +129,7 @@ export class ViewPanel {
     this.viewer.show(shown);
     this.titles.replaceChildren(...this.viewer.shown.map((pane) =>
       h('span', { class: `is-${pane.motion.name}` }, pane.motion.title)));
+    this.divider.hidden = this.viewer.shown.length < 2;
     this.updateProbe();
   }
 

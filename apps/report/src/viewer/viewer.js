@@ -67,11 +67,9 @@ export class Viewer {
     this.shown = panes.slice(-1);
     this.mostPixels = isSoftware() ? 1 : 2;  // per CSS pixel
     this.pace = new Pace(this.mostPixels > 1 ? 1 : 0.75);
-    this.renderer = new WebGLRenderer({
-      antialias: this.mostPixels > 1, powerPreference: 'low-power',
-    });
+    this.canvas = document.createElement('canvas');
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, context: this.makeContext() });
     this.renderer.setScissorTest(true);
-    this.canvas = this.renderer.domElement;
     container.prepend(this.canvas);
     this.eye = new PerspectiveCamera(32, 1, 0.01, 100);
     this.eye.up.copy(up);
@@ -80,11 +78,21 @@ export class Viewer {
     this.controls.addEventListener('change', () => this.invalidate());
     this.controls.addEventListener('start', () => { if (!this.isPlaying) this.move(true, 1 / 30); });
     this.controls.addEventListener('end', () => { if (!this.isPlaying) this.move(false, 0); });
+    this.background = colour('--panel');
     this.home = { up, box };
     this.lookHome();
     new ResizeObserver(() => this.resize()).observe(container);
     onTheme(() => this.applyTheme());
     this.frames = 0;  // drawn so far
+  }
+
+  // Opaque, unlike three's own, so that the browser need not draw what lies below.
+  makeContext() {
+    const context = this.canvas.getContext('webgl2', {
+      alpha: false, stencil: false, antialias: this.mostPixels > 1, powerPreference: 'low-power',
+    });
+    if (!context) throw new Error('this browser has none');
+    return context;
   }
 
   // From the front right and a little above, as far as all of the motion needs.
@@ -147,6 +155,7 @@ export class Viewer {
   }
 
   applyTheme() {
+    this.background = colour('--panel');
     for (const pane of this.panes) pane.applyTheme();
     this.invalidate();
   }
@@ -192,7 +201,7 @@ export class Viewer {
   }
 
   draw() {
-    this.renderer.setClearColor(colour('--panel'));
+    this.renderer.setClearColor(this.background);
     this.shown.forEach((pane, index) => {
       const { left, width, height } = this.rectangle(index);
       this.eye.aspect = width / height;
