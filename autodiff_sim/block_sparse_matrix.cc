@@ -13,9 +13,14 @@
 namespace clothfit {
 
 int BlockPattern::Find(int row, int col) const {
-  const auto begin = column.begin() + row_begin[row], end = column.begin() + row_begin[row + 1];
-  const auto found = std::lower_bound(begin, end, col);
-  return found != end && *found == col ? static_cast<int>(found - column.begin()) : -1;
+  // Without branches, which could not be predicted.
+  const int* first = column.data() + row_begin[row];
+  for (int size = row_begin[row + 1] - row_begin[row]; size > 1;) {
+    const int half = size / 2;
+    first += first[half] <= col ? half : 0;
+    size -= half;
+  }
+  return *first == col ? static_cast<int>(first - column.data()) : -1;
 }
 
 BlockPattern MakePattern(int num_particles, const std::vector<std::vector<int>>& cliques) {

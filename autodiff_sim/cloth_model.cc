@@ -158,6 +158,25 @@ void ClothModel::UpdateMemoryOfOff(const ForcePoint& all, const std::vector<bool
   }
 }
 
+double Total(const std::vector<NamedEnergy>& energies) {
+  double sum = 0.0;
+  for (const NamedEnergy& part : energies) sum += part.energy;
+  return sum;
+}
+
+std::vector<NamedEnergy> ClothModel::Energies(const ForcePoint& all) const {
+  double kinetic = 0.0;
+  for (int i = 0; i < mesh_.num_particles(); ++i)
+    kinetic += 0.5 * topology_.areas[i] * all.v.segment<3>(3 * i).squaredNorm();
+  std::vector<NamedEnergy> energies = {{"kinetic", all.parameters[kArealDensity] * kinetic}};
+  for (const Part& part : parts_) {
+    const std::optional<double> energy = part.batch->Energy(PointOf(part, all));
+    if (energy)
+      energies.push_back({part.batch->info().name, IsOff(part, all.parameters) ? 0.0 : *energy});
+  }
+  return energies;
+}
+
 void ClothModel::AddMass(double areal_density, BlockSparseMatrix* a) const {
   for (int i = 0; i < mesh_.num_particles(); ++i) {
     double* block = a->block(pattern_.diagonal[i]);

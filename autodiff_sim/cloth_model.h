@@ -11,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -45,6 +46,13 @@ struct ForcePoint {
   const Eigen::VectorXd& parameters;  // all of them, see parameter_table.h
   const Eigen::VectorXd& memory;      // at the start of the step
 };
+
+// A part of the cloth's energy.
+struct NamedEnergy {
+  std::string name;  // kinetic, or the term's
+  double energy;     // J; of gravity, nothing at the world's origin
+};
+double Total(const std::vector<NamedEnergy>& energies);
 
 // kLanes directions in which all of that may move, a row for each number.
 struct ForceDirections {
@@ -125,6 +133,8 @@ class ClothModel {
   // what they have.
   void UpdateMemoryOfOff(const ForcePoint& point, const std::vector<bool>& awake,
                          Eigen::VectorXd* new_memory) const;
+  // The kinetic energy, and that of each term that has one; nothing in those that are off.
+  std::vector<NamedEnergy> Energies(const ForcePoint& point) const;
   // jacobian = M - gamma (df/dv + gamma df/dx + 1/gamma df/da). Where the cloth is in contact with
   // itself, `without` (may be null) gets the same without the term of that; else it is left alone.
   // Returns whether it is.

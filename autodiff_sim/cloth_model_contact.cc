@@ -154,10 +154,7 @@ void ClothModel::AddContactStiffness(const ForcePoint& point, double gamma,
     const double gap = closest.offset.norm(), s = gap / thickness;
     if (!(s < 1.0)) continue;
     double push = parameter[SelfContact::kStiffness] * pair.area;
-    if (pair.kind == PairKind::kEdgeEdge) {
-      const double c = (x[1] - x[0]).cross(x[3] - x[2]).squaredNorm() / pair.parallel;
-      if (c < 1.0) push *= c * (2.0 - c);
-    }
+    if (pair.kind == PairKind::kEdgeEdge) push *= Fading(x, pair.parallel);
     const std::array<double, 4>& w = closest.weights;
     const Eigen::Vector3d normal = closest.offset / gap;
     const Eigen::Vector3d relative = v[0] * w[0] + v[1] * w[1] + v[2] * w[2] + v[3] * w[3];

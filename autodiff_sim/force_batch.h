@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,8 @@ class ForceBatch {
 
   // force += the forces, N, 3N; the new memory is written to `memory`.
   virtual void AddForces(const BatchPoint& point, double* force, double* memory) const = 0;
+  // J, of all elements; none where the term has none.
+  virtual std::optional<double> Energy(const BatchPoint& point) const = 0;
   // jacobian += -gamma d force / d velocity, where positions move by gamma times velocities and
   // accelerations by velocities over gamma.
   virtual void AddStepJacobian(const BatchPoint& point, double gamma,

@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -21,6 +22,11 @@ constexpr bool kTermFollowsContacts = false;
 template <class Term>
 constexpr bool kTermFollowsContacts<Term, std::void_t<decltype(Term::kFollowsContacts)>> =
     Term::kFollowsContacts;
+
+template <class Term, class = void>
+constexpr bool kTermHasEnergy = false;
+template <class Term>
+constexpr bool kTermHasEnergy<Term, std::void_t<decltype(&Term::Energy)>> = true;
 
 template <class Term>
 class TermBatch final : public ForceBatch {
@@ -72,6 +78,21 @@ class TermBatch final : public ForceBatch {
         for (int k = 0; k < 3; ++k) force[3 * elements_[e].nodes[a] + k] += out.force[a][k];
       }
       for (int m = 0; m < Term::kMemory; ++m) memory[e * Term::kMemory + m] = out.memory[m];
+    }
+  }
+
+  std::optional<double> Energy(const BatchPoint& point) const override {
+    if constexpr (kTermHasEnergy<Term>) {
+      ElementInput<Term, double> in = MakeInput<double>(point);
+      double energy = 0.0;
+      for (const Element& element : elements_) {
+        LoadNodes(point, element, &in);
+        LoadInputs(element, &in);
+        energy += Term::Energy(element, in);
+      }
+      return energy;
+    } else {
+      return std::nullopt;
     }
   }
 

@@ -33,6 +33,7 @@ StepReport& StepReport::operator+=(const StepReport& other) {
   pattern_rebuilds += other.pattern_rebuilds;
   blocked_steps += other.blocked_steps;
   intersections += other.intersections;
+  handle_work += other.handle_work;
   error = std::max(error, other.error);
   return *this;
 }
@@ -85,6 +86,16 @@ int Simulation::CountObstacleIntersections(const Eigen::VectorXd& x, double time
                              options_.self_contact ? world.ground_height : std::nullopt);
   obstacles.BeginStep(time, time);
   return obstacles.CountIntersections(x, names);
+}
+
+std::vector<NamedEnergy> Simulation::Energies(const State& state) {
+  if (model_->HasContact(parameters_)) {
+    model_->BeginContactStep(state.time, state.time);
+    model_->FollowContacts(state.x, parameters_);
+  }
+  const Eigen::VectorXd no_acceleration = Eigen::VectorXd::Zero(state.x.size());
+  return model_->Energies(
+      {state.time, 0.0, state.x, state.v, no_acceleration, state.x, parameters_, state.memory});
 }
 
 void Simulation::Reset() { solver_->solver.ResetAll(); }
@@ -165,6 +176,7 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
     return report;
   }
   handle_forces_ = (solver.full_residual() - solver.reduced_residual()) / problem.formula.gamma;
+  report.handle_work = h * handle_forces_.dot(v);
   if (sensitivity != nullptr && !solver.Differentiate(problem, inputs, v, sensitivity, &report)) {
     report.status = StepStatus::kSensitivityFailed;
   }

@@ -65,7 +65,11 @@ struct StepReport {
   int pattern_rebuilds = 0;  // of the matrices, to make room for new contacts
   int blocked_steps = 0;     // tried in vain, since the handles' own motion met something
   int intersections = 0;     // of all steps, where they are checked
-  double error = 0.0;        // m, the largest estimated error of a position
+  // J, that the handles did: each step's length times their power at its end. Backward Euler and
+  // BDF2 then gain no energy beyond it where the forces' energy is convex, BDF2 but for terms that
+  // fall with the step.
+  double handle_work = 0.0;
+  double error = 0.0;  // m, the largest estimated error of a position
 
   StepReport& operator+=(const StepReport& other);
 };
@@ -125,6 +129,10 @@ class Simulation {
   // The force (N, 3N) that a handle exerts on the cloth to hold it: the last step's residual at the
   // held particles over gamma; zero elsewhere.
   const Eigen::VectorXd& handle_forces() const { return handle_forces_; }
+
+  // Where the state's energy is: kinetic, and of each term that has one. Drag, damping and friction
+  // have none and only take.
+  std::vector<NamedEnergy> Energies(const State& state);
 
   // Forgets the factor kept from earlier steps, so that what follows does not depend on them.
   void Reset();

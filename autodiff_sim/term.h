@@ -32,7 +32,10 @@
 // A term that is a part of another's force (wind is of the air's drag) names the other's parameters
 // in kReads.
 //
-// Forces, not energies: drag and friction have none.
+// Forces, not energies: drag and friction have none. A term whose force has one, but for damping
+// and friction, may give it too, so that a simulation's energy can be balanced
+// (Simulation::Energies):
+//     static double Energy(const Element&, const ElementInput<Example, double>&);  // J
 #pragma once
 
 #include <array>

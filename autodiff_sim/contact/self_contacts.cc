@@ -21,10 +21,14 @@ namespace {
 constexpr double kVertexShare = 0.25, kEdgeShare = 0.2;
 // Of |e|^2 |f|^2 at rest: Li et al. 2020, sec. 4.4.1.
 constexpr double kParallel = 1e-3;
-// How far the list reaches beyond the contact and the motion that it is made for, and how far the
-// pattern does, in thicknesses. Where a list would reach further than this share of the clearance,
-// neighbours would crowd it.
-constexpr double kMargin = 1.0, kNear = 2.0, kClearanceShare = 0.8;
+// How far the list has to reach, and how far it does where it is made for a motion and where for
+// none, and how far the pattern does, in thicknesses.
+constexpr double kLeast = 2.0, kReach = 3.0, kStillReach = 4.0, kNear = 5.0;
+// Of the clearance, how far it may reach before neighbours crowd it.
+constexpr double kClearanceShare = 0.8;
+// How many motions as long as the one that a list is made for it reaches over: from the middle of
+// the first to the end of the second, by both sides of a pair.
+constexpr double kMotions = 3.0;
 // A motion ends where a gap is this share of what it was, or of the thickness if that is smaller.
 constexpr double kSlack = 0.2, kTolerance = 0.1;
 
@@ -112,15 +116,16 @@ void SelfContacts::Prepare(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1,
   double longest = 0.0;
   for (Eigen::Index i = 0; i < x0.size(); i += 3)
     longest = std::max(longest, (x1.segment<3>(i) - x0.segment<3>(i)).norm());
-  const double reach = (1.0 + kMargin) * thickness + longest;
-  if (reach <= std::max((1.0 + kMargin) * thickness, kClearanceShare * rest_clearance_))
-    List(0.5 * (x0 + x1), reach);
+  const double most = std::max(kLeast * thickness, kClearanceShare * rest_clearance_);
+  if (kLeast * thickness + longest <= most)
+    List(0.5 * (x0 + x1), std::min(most, kReach * thickness + kMotions * longest));
 }
 
 const std::vector<ContactPair>& SelfContacts::Find(const Eigen::VectorXd& x, double thickness) {
   if (found_thickness_ == thickness && found_x_.size() == x.size() && found_x_ == x) return found_;
   if (!(2.0 * Measure(x) < reach_ - thickness)) {
-    List(x, (1.0 + kMargin) * thickness);
+    List(x, std::max(kLeast * thickness,
+                     std::min(kStillReach * thickness, kClearanceShare * rest_clearance_)));
     Measure(x);
   }
   found_.clear();
@@ -140,7 +145,7 @@ std::vector<std::array<int, 4>> SelfContacts::FindNear() const {
   const PlacedMesh mesh{surface_.features(), found_x_};
   for (const Listed& listed : list_) {
     if (MeasureContact(listed.pair, PairPoints(listed.pair, mesh, mesh)).distance <
-        (1.0 + kNear) * found_thickness_)
+        kNear * found_thickness_)
       pairs.push_back(listed.contact.nodes);
   }
   return pairs;

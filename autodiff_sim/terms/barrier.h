@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "autodiff_sim/contact/feature_pair.h"
 #include "autodiff_sim/term.h"
 
 namespace clothfit {
@@ -33,6 +34,12 @@ T Barrier(const T& s) {
 inline double BarrierCurvature(double s) {
   const double open = 1.0 - s;
   return -2.0 * std::log(s) + 4.0 * open / s + open * open / (s * s);
+}
+
+// m of the edges from x[0] to x[1] and from x[2] to x[3]; `parallel` is e, m^4.
+inline double Fading(const FourPoints& x, double parallel) {
+  const double share = (x[1] - x[0]).cross(x[3] - x[2]).squaredNorm() / parallel;
+  return share < 1.0 ? share * (2.0 - share) : 1.0;
 }
 
 // m, and what it does to the edges from x[0] to x[1] and from x[2] to x[3]: adds -energy grad m.

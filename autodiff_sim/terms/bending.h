@@ -57,6 +57,11 @@ struct Bending {
       for (int k = 0; k < 3; ++k) out->force[i][k] += moment * u[i][k];
     }
   }
+
+  static double Energy(const Element& element, const ElementInput<Bending, double>& in) {
+    const double angle = MakeFold<double>(in.x).angle;
+    return 2.0 * in.parameter[0] * element.shape * (1.0 - std::cos(0.5 * angle));
+  }
 };
 
 }  // namespace clothfit

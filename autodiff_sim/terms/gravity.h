@@ -44,6 +44,10 @@ struct Gravity {
     const T mass = in.areal_density * element.area;
     for (int k = 0; k < 3; ++k) out->force[0][k] += in.parameter[0] * mass * element.gravity[k];
   }
+
+  static double Energy(const Element& element, const ElementInput<Gravity, double>& in) {
+    return -in.parameter[0] * in.areal_density * element.area * element.gravity.dot(in.x[0]);
+  }
 };
 
 }  // namespace clothfit

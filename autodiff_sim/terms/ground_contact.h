@@ -8,6 +8,7 @@
 // Below the slip speed s a sticking point creeps; it is the model's error at rest.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "autodiff_sim/term.h"
@@ -72,6 +73,13 @@ struct GroundContact {
     out->force[0].x() -= drag * vx;
     out->force[0].y() -= drag * vy;
     out->force[0].z() += normal_force;
+  }
+
+  // Of the push without damping, A k (d - g)^3 / (3 d).
+  static double Energy(const Element& element, const ElementInput<GroundContact, double>& in) {
+    const double distance = in.parameter[3];
+    const double depth = std::max(0.0, distance - (in.x[0].z() - element.height));
+    return element.area * in.parameter[0] * depth * depth * depth / (3.0 * distance);
   }
 };
 

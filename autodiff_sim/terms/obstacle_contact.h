@@ -52,17 +52,10 @@ struct ObstacleBarrier : TermDefaults {
                        ElementOutput<ObstacleBarrier, T>* out) {
     if (element.is_ground) return AddGroundForce<T>(element, in, out);
     using std::sqrt;
-    std::array<Vector3<T>, 4> x, v;
-    FourPoints plain = element.points;
-    for (int i = 0; i < 4; ++i) {
-      x[i] = Constant<T>(element.points[i]);
-      v[i] = Constant<T>(element.velocities[i]);
-    }
-    for (int i = 0; i < element.count; ++i) {
-      x[element.first + i] = in.x[i];
-      v[element.first + i] = in.v[i];
-      plain[element.first + i] = {Value(in.x[i].x()), Value(in.x[i].y()), Value(in.x[i].z())};
-    }
+    const std::array<Vector3<T>, 4> x = Complete<T>(element, element.points, in.x);
+    const std::array<Vector3<T>, 4> v = Complete<T>(element, element.velocities, in.v);
+    FourPoints plain;
+    for (int i = 0; i < 4; ++i) plain[i] = {Value(x[i].x()), Value(x[i].y()), Value(x[i].z())};
     const ClosestOffset<T> closest = FindClosestOffset<T>(element.kind, plain, x);
     const T distance = sqrt(closest.offset.dot(closest.offset));
     const T s = (distance - element.radius) / in.parameter[kThickness];
@@ -89,7 +82,31 @@ struct ObstacleBarrier : TermDefaults {
     }
   }
 
+  static double Energy(const Element& element, const ElementInput<ObstacleBarrier, double>& in) {
+    const double thickness =
+        element.is_ground ? in.read[0] * kGroundShare : in.parameter[kThickness];
+    const FourPoints x = Complete<double>(element, element.points, in.x);
+    const double gap =
+        element.is_ground
+            ? in.x[0].z() - element.points[1].z()
+            : FindClosestOffset<double>(element.kind, x, x).offset.norm() - element.radius;
+    const double s = gap / thickness;
+    if (!(s < 1.0)) return 0.0;
+    const double energy = in.parameter[kStiffness] * element.area * thickness * Barrier<double>(s);
+    if (element.is_ground || element.kind != PairKind::kEdgeEdge) return energy;
+    return element.parallel > 0.0 ? energy * Fading(x, element.parallel) : 0.0;
+  }
+
  private:
+  // The pair's four points, or their velocities: the obstacle's, with the cloth's in their places.
+  template <class T>
+  static std::array<Vector3<T>, 4> Complete(const Element& element, const FourPoints& obstacle,
+                                            const std::array<Vector3<T>, 3>& cloth) {
+    std::array<Vector3<T>, 4> all;
+    for (int i = 0; i < 4; ++i) all[i] = Constant<T>(obstacle[i]);
+    for (int i = 0; i < element.count; ++i) all[element.first + i] = cloth[i];
+    return all;
+  }
   template <class T>
   static Vector3<T> Constant(const Eigen::Vector3d& value) {
     return Vector3<T>(T(value.x()), T(value.y()), T(value.z()));

@@ -120,6 +120,14 @@ struct SelfContact {
     AddFriction<T>(in, closest, normal, normal_force, out);
   }
 
+  static double Energy(const Element& element, const ElementInput<SelfContact, double>& in) {
+    const double thickness = in.parameter[kThickness];
+    const double s = FindClosestOffset<double>(element.kind, in.x, in.x).offset.norm() / thickness;
+    if (!(s < 1.0)) return 0.0;
+    const double energy = in.parameter[kStiffness] * element.area * thickness * Barrier<double>(s);
+    return element.kind == PairKind::kEdgeEdge ? energy * Fading(in.x, element.parallel) : energy;
+  }
+
  private:
   // Whether the edges are not exactly parallel: else their force is 0, and so are its derivatives.
   static bool HasCross(const FourPoints& x) {

@@ -40,6 +40,13 @@ void AddSpringForce(const Spring& spring, const T& stiffness, const T& damping,
   }
 }
 
+// J.
+inline double SpringEnergy(const Spring& spring, double stiffness,
+                           const std::array<double, 2>& shrinkage, const Eigen::Vector3d& dx) {
+  const double extension = dx.norm() - RestLength<double>(spring, shrinkage);
+  return 0.5 * stiffness * spring.weight * extension * extension;
+}
+
 struct StretchSpring {
   static constexpr const char* kName = "stretch";
   static constexpr const char* kDoc = "structural springs along warp and weft, with damping";
@@ -67,6 +74,10 @@ struct StretchSpring {
                        ElementOutput<StretchSpring, T>* out) {
     AddSpringForce<T>(element, in.parameter[0], in.parameter[1], in.shrinkage, in.x[1] - in.x[0],
                       in.v[1] - in.v[0], &out->force[0], &out->force[1]);
+  }
+
+  static double Energy(const Element& element, const ElementInput<StretchSpring, double>& in) {
+    return SpringEnergy(element, in.parameter[0], in.shrinkage, in.x[1] - in.x[0]);
   }
 };
 
@@ -96,6 +107,10 @@ struct ShearSpring {
                        ElementOutput<ShearSpring, T>* out) {
     AddSpringForce<T>(element, in.parameter[0], in.parameter[1], in.shrinkage, in.x[1] - in.x[0],
                       in.v[1] - in.v[0], &out->force[0], &out->force[1]);
+  }
+
+  static double Energy(const Element& element, const ElementInput<ShearSpring, double>& in) {
+    return SpringEnergy(element, in.parameter[0], in.shrinkage, in.x[1] - in.x[0]);
   }
 };
 

@@ -8,8 +8,9 @@
 namespace clothfit {
 
 std::vector<Study> Studies() {
-  return {AttractionStudy(), ReconstructionStudy(), LocalParameterStudy(), AugmentedStudy(),
-          CameraStudy(),     RuntimeStudy(),        OptimiserStudy(),      GradientStudy()};
+  return {AttractionStudy(), ReconstructionStudy(), LocalParameterStudy(),
+          AugmentedStudy(),  CameraStudy(),         RuntimeStudy(),
+          OptimiserStudy(),  GradientStudy(),       ContactStudy()};
 }
 
 std::vector<DoneFit> DoneFits(const std::vector<Job>& jobs, const std::vector<JobResult>& results) {

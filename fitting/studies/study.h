@@ -45,6 +45,7 @@ Study RuntimeStudy();
 Study OptimiserStudy();
 Study ReconstructionStudy();
 Study GradientStudy();
+Study ContactStudy();
 
 // All of the above.
 std::vector<Study> Studies();

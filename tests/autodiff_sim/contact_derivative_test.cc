@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/scenes/contact_scenes.h"
 #include "tests/autodiff_sim/rollout.h"
-#include "tests/support/contact_scenes.h"
 
 namespace clothfit {
 namespace {

@@ -45,6 +45,14 @@ void ExpectForceOfEnergy(const Eigen::VectorXd& parameters, const Energy& energy
   EXPECT_GT(acting, 10);
 }
 
+// The same with the energy that the term itself gives.
+template <class Term>
+void ExpectForceOfEnergy(const Eigen::VectorXd& parameters) {
+  ExpectForceOfEnergy<Term>(parameters, [](const auto& element, const Eigen::VectorXd& numbers) {
+    return Term::Energy(element, MakeElementInput<Term, double>(numbers));
+  });
+}
+
 template <int kNode>
 Eigen::Vector3d Node(const Eigen::VectorXd& numbers) {
   return numbers.segment<3>(3 * kNode);

@@ -72,12 +72,11 @@ inline Eigen::VectorXd Numbers(const std::vector<double>& numbers) {
                                            static_cast<Eigen::Index>(numbers.size()));
 }
 
-// All outputs of an element, forces then memory, from all its numbers.
+// What an element is given, from all its numbers.
 template <class Term, class T>
-VectorX<T> EvaluateTerm(const typename Term::Element& element, const VectorX<T>& numbers) {
+ElementInput<Term, T> MakeElementInput(const VectorX<T>& numbers) {
   using Layout = TermLayout<Term>;
   ElementInput<Term, T> in;
-  ElementOutput<Term, T> out;
   in.time = kSampleTime;
   in.step = 0.01;
   for (int n = 0; n < Term::kNodes; ++n) {
@@ -86,7 +85,6 @@ VectorX<T> EvaluateTerm(const typename Term::Element& element, const VectorX<T>&
       in.v[n][k] = numbers[Layout::kV + 3 * n + k];
       if constexpr (Term::kUsesAcceleration) in.a[n][k] = numbers[Layout::kA + 3 * n + k];
       if constexpr (Term::kMemory > 0) in.start[n][k] = numbers[Layout::kStart + 3 * n + k];
-      out.force[n][k] = T(0.0);
     }
   }
   for (int i = 0; i < Layout::kDensity - Layout::kParameter; ++i)
@@ -95,6 +93,16 @@ VectorX<T> EvaluateTerm(const typename Term::Element& element, const VectorX<T>&
   for (int i = 0; i < 2; ++i) in.shrinkage[i] = numbers[Layout::kShrinkage + i];
   for (int i = 0; i < Term::kInputs; ++i) in.input[i] = numbers[Layout::kInput + i];
   for (int i = 0; i < Layout::kSize - Layout::kRead; ++i) in.read[i] = numbers[Layout::kRead + i];
+  return in;
+}
+
+// All outputs of an element, forces then memory, from all its numbers.
+template <class Term, class T>
+VectorX<T> EvaluateTerm(const typename Term::Element& element, const VectorX<T>& numbers) {
+  using Layout = TermLayout<Term>;
+  const ElementInput<Term, T> in = MakeElementInput<Term, T>(numbers);
+  ElementOutput<Term, T> out;
+  for (Vector3<T>& force : out.force) force = Vector3<T>(T(0.0), T(0.0), T(0.0));
   for (int i = 0; i < Term::kMemory; ++i) out.memory[i] = numbers[Layout::kMemory + i];
   Term::template AddForce<T>(element, in, &out);
   VectorX<T> result(Layout::kOutputs);

@@ -6,20 +6,16 @@
 //   detection, response   shares of the step with contact: finding pairs and checking motions;
 //   forces
 //               and Jacobians of contact, patterns and matrices made anew. The rest is solving.
-//   gain        of scenes that nothing drives: the most by which kinetic energy and that of the
-//               height ever exceed what they were at first, as a share of it
-// The hard scenes are run without a counterpart.
-#include <algorithm>
-
+// What the hard scenes cost tells clothfit study contact.
 #include <benchmark/benchmark.h>
 
 #include "autodiff_sim/contact/contact_clock.h"
 #include "autodiff_sim/contact/continuous.h"
 #include "autodiff_sim/contact/proximity.h"
 #include "autodiff_sim/contact/self_contacts.h"
+#include "autodiff_sim/scenes/contact_scenes.h"
 #include "tests/benchmarks/cholmod_reference.h"
 #include "tests/support/all_pairs.h"
-#include "tests/support/contact_scenes.h"
 
 namespace clothfit {
 namespace {
@@ -29,9 +25,9 @@ constexpr double kThickness = 0.002;   // m, contact.thickness's initial value
 
 // One simulation, and the time it took.
 struct Run {
-  Run(const TestScene& scene, bool self_contact)
+  Run(const ClothScene& scene, bool self_contact)
       : simulation(scene.mesh, scene.world, scene.handles, Options(self_contact)),
-        drive(scene.handles.empty() ? FreeDrive() : scene.MakeDrive()) {
+        drive(scene.MakeDrive()) {
     UseSuppleCloth(&simulation);
     state = simulation.MakeState(scene.x);
   }
@@ -71,7 +67,7 @@ void SetCounters(const Run& run, int steps, benchmark::State* state) {
   state->counters["response"] = contact_times.response / run.seconds;
 }
 
-void Compare(const TestScene& scene, int steps, benchmark::State* state) {
+void Compare(const ClothScene& scene, int steps, benchmark::State* state) {
   for (auto _ : *state) {
     Run contact(scene, true), plain(scene, false);
     contact_times = {};
@@ -85,38 +81,6 @@ void Compare(const TestScene& scene, int steps, benchmark::State* state) {
     SetCounters(contact, steps, state);
     state->counters["intersections"] = intersections;
     state->counters["ratio"] = contact.seconds / plain.seconds;
-  }
-}
-
-double MotionEnergy(const Simulation& simulation, const State& state) {
-  const std::vector<double>& areas = simulation.model().topology().areas;
-  double energy = 0.0;
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    const auto row = 3 * static_cast<Eigen::Index>(i);
-    energy += areas[i] * (0.5 * state.v.segment<3>(row).squaredNorm() + 9.81 * state.x[row + 2]);
-  }
-  return energy;
-}
-
-// One scene by itself: does all hold?
-void Hard(const TestScene& scene, int steps, benchmark::State* state) {
-  for (auto _ : *state) {
-    Run run(scene, true);
-    contact_times = {};
-    const double energy = MotionEnergy(run.simulation, run.state);
-    double gain = -1.0;
-    int intersections = 0, failed = 0;
-    for (int step = 0; step < steps && failed == 0; ++step) {
-      failed += run.Advance() ? 0 : 1;
-      intersections += run.simulation.CountIntersections(run.state.x) +
-                       run.simulation.CountObstacleIntersections(run.state.x, run.state.time);
-      gain = std::max(gain, MotionEnergy(run.simulation, run.state) / energy - 1.0);
-    }
-    state->SetIterationTime(run.seconds);
-    SetCounters(run, steps, state);
-    state->counters["intersections"] = intersections;
-    state->counters["failed"] = failed;
-    if (scene.handles.empty()) state->counters["gain"] = gain;
   }
 }
 
@@ -135,37 +99,17 @@ void Dropped(benchmark::State& state) {
   Compare(DroppedCloth(static_cast<int>(state.range(0)), 0.5), 60, &state);
 }
 
-// A corner goes up and over, and hangs there: 300 frames at 30 Hz.
-void LiftedFor300Frames(benchmark::State& state) {
-  Hard(LiftedCloth(static_cast<int>(state.range(0)), 1.0), 1200, &state);
-}
-void Crumpled(benchmark::State& state) {
-  Hard(DroppedCloth(static_cast<int>(state.range(0)), 0.5), 120, &state);
-}
-void FoldedAndDragged(benchmark::State& state) {
-  Hard(FoldedCloth(static_cast<int>(state.range(0)), 0.4, 0.008), 120, &state);
-}
-void OverBall(benchmark::State& state) {
-  Hard(ClothOverBall(static_cast<int>(state.range(0)), 0.5), 120, &state);
-}
-void OverBarAndOff(benchmark::State& state) {
-  Hard(ClothOverBar(static_cast<int>(state.range(0)), 0.5), 150, &state);
-}
-void Twisted(benchmark::State& state) {
-  Hard(TwistedCloth(static_cast<int>(state.range(0)), 0.5, 1.0), 120, &state);
-}
-
 // What a step grows with: 20 steps, when the corner that is drawn over has come down.
 void Growth(benchmark::State& state) {
   const bool in_contact = state.range(1) != 0;
   const int n = static_cast<int>(state.range(0));
-  TestScene scene = in_contact ? FoldedCloth(n, 1.0, 0.0019) : LiftedCloth(n, 1.0);
+  ClothScene scene = in_contact ? FoldedCloth(n, 1.0, 0.0019) : LiftedCloth(n, 1.0);
   Compare(scene, 20, &state);
 }
 
 // Finding what is close and what meets, in a scene's state after 60 steps, by trees of k planes and
 // by all pairs (0): ms. Names end in the scene, 0 crumpled, 1 over a ball, 2 folded, and k.
-TestScene DetectionScene(int64_t scene) {
+ClothScene DetectionScene(int64_t scene) {
   if (scene == 0) return DroppedCloth(20, 0.5);
   return scene == 1 ? ClothOverBall(20, 0.5) : FoldedCloth(20, 0.4, 0.008);
 }
@@ -209,12 +153,6 @@ void Detection(benchmark::State& state) {
 BENCHMARK(Lifted)->Arg(15)->Arg(30)->Arg(60)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(DrawnOver)->Arg(15)->Arg(30)->Arg(60)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(Dropped)->Arg(15)->Arg(30)->UseManualTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(LiftedFor300Frames)->Arg(15)->Iterations(1)->UseManualTime()->Unit(benchmark::kSecond);
-BENCHMARK(Crumpled)->Arg(20)->Iterations(1)->UseManualTime()->Unit(benchmark::kSecond);
-BENCHMARK(FoldedAndDragged)->Arg(20)->Iterations(1)->UseManualTime()->Unit(benchmark::kSecond);
-BENCHMARK(OverBall)->Arg(20)->Iterations(1)->UseManualTime()->Unit(benchmark::kSecond);
-BENCHMARK(OverBarAndOff)->Arg(20)->Iterations(1)->UseManualTime()->Unit(benchmark::kSecond);
-BENCHMARK(Twisted)->Arg(20)->Iterations(1)->UseManualTime()->Unit(benchmark::kSecond);
 BENCHMARK(Growth)
     ->ArgsProduct({{15, 30, 60, 100}, {0, 1}})
     ->Iterations(1)

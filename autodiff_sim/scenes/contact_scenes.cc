@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/contact_scenes.h"
+#include "autodiff_sim/scenes/contact_scenes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ double Ramp(double time, double begin, double end) {
 
 }  // namespace
 
-TestScene DroppedCloth(int n, double side) {
-  TestScene scene;
+ClothScene DroppedCloth(int n, double side) {
+  ClothScene scene;
   scene.mesh = MakeGrid({side, side}, {n, n});
   scene.world.ground_height = 0.0;
   scene.x.resize(3 * scene.mesh.num_particles());
@@ -36,8 +36,8 @@ TestScene DroppedCloth(int n, double side) {
   return scene;
 }
 
-TestScene FoldedCloth(int n, double side, double gap) {
-  TestScene scene;
+ClothScene FoldedCloth(int n, double side, double gap) {
+  ClothScene scene;
   scene.mesh = MakeGrid({side, side}, {n, n});
   scene.world.ground_height = 0.0;
   scene.x.resize(3 * scene.mesh.num_particles());
@@ -60,8 +60,8 @@ TestScene FoldedCloth(int n, double side, double gap) {
   return scene;
 }
 
-TestScene CornerDrawnOver(int n, double side) {
-  TestScene scene = LiftedCloth(n, side);
+ClothScene CornerDrawnOver(int n, double side) {
+  ClothScene scene = LiftedCloth(n, side);
   const Eigen::Vector3d origin = scene.x.head<3>();
   scene.path = [origin, side](double time) {
     const double over = Ramp(time, 0.0, 1.0);
@@ -74,8 +74,8 @@ TestScene CornerDrawnOver(int n, double side) {
 
 namespace {
 
-TestScene FlatCloth(int n, double side, double height) {
-  TestScene scene;
+ClothScene FlatCloth(int n, double side, double height) {
+  ClothScene scene;
   scene.mesh = MakeGrid({side, side}, {n, n});
   scene.x =
       LayFlat(scene.mesh, {0.0, 0.0, height}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
@@ -92,8 +92,8 @@ std::shared_ptr<const Obstacle> Place(Obstacle obstacle, const std::string& name
 
 }  // namespace
 
-TestScene ClothOverBall(int n, double side) {
-  TestScene scene = FlatCloth(n, side, 0.5 * side);
+ClothScene ClothOverBall(int n, double side) {
+  ClothScene scene = FlatCloth(n, side, 0.5 * side);
   scene.world.ground_height = 0.0;
   RigidPose pose;
   pose.origin_in_world = {0.53 * side, 0.48 * side, 0.27 * side};
@@ -101,8 +101,8 @@ TestScene ClothOverBall(int n, double side) {
   return scene;
 }
 
-TestScene ClothOverBar(int n, double side) {
-  TestScene scene = FlatCloth(n, side, 0.4 * side);
+ClothScene ClothOverBar(int n, double side) {
+  ClothScene scene = FlatCloth(n, side, 0.4 * side);
   scene.world.ground_height = 0.0;
   RigidPose pose;
   pose.origin_in_world = {0.45 * side, 0.5 * side, 0.33 * side};
@@ -119,8 +119,8 @@ TestScene ClothOverBar(int n, double side) {
   return scene;
 }
 
-TestScene TwistedCloth(int n, double side, double turns) {
-  TestScene scene = FlatCloth(n, side, 2.0 * side);
+ClothScene TwistedCloth(int n, double side, double turns) {
+  ClothScene scene = FlatCloth(n, side, 2.0 * side);
   scene.handles = LocateOnCloth(scene.mesh, {{0.0, 0.0}, {0.0, side}, {side, 0.0}, {side, side}});
   std::vector<Eigen::Vector3d> start;
   for (const SurfacePoint& handle : scene.handles) start.push_back(handle.At(scene.x));
@@ -139,8 +139,8 @@ TestScene TwistedCloth(int n, double side, double turns) {
   return scene;
 }
 
-TestScene BoxIntoCloth(int n, double side) {
-  TestScene scene;
+ClothScene BoxIntoCloth(int n, double side) {
+  ClothScene scene;
   scene.mesh = MakeGrid({side, side}, {n, n});
   scene.x =
       LayFlat(scene.mesh, {0.0, 0.0, side}, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ());

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "autodiff_sim/scenes/cloth_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace clothfit {
+
+Drive ClothScene::MakeDrive() const {
+  return [points = handles, path = path](double time, bool) {
+    StepInputs inputs;
+    if (points.empty()) return inputs;
+    const std::vector<Eigen::Vector3d> places = path(time);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      inputs.handles.push_back({points[i], places[i]});
+    return inputs;
+  };
+}
+
+Drive FreeDrive() {
+  return [](double, bool) { return StepInputs(); };
+}
+
+void UseSuppleCloth(Simulation* simulation) {
+  const std::pair<const char*, double> values[] = {
+      {"cloth.areal_density", 0.15}, {"gravity.scale", 1.0},        {"stretch.stiffness", 200.0},
+      {"stretch.damping", 0.2},      {"shear.stiffness", 20.0},     {"shear.damping", 0.1},
+      {"bending.stiffness", 1e-4},   {"bending.damping", 1e-5},     {"air_drag.normal", 1.0},
+      {"air_drag.saturation", 0.0},  {"air_drag.tangential", 0.02}, {"ground.stiffness", 1e5},
+      {"ground.friction", 0.4},      {"ground.damping", 0.0},       {"ground.distance", 0.002},
+      {"ground.slip_speed", 0.005}};
+  Eigen::VectorXd parameters = simulation->parameters();
+  for (const auto& [name, value] : values) {
+    const int index = FindParameter(simulation->model().parameters(), name);
+    if (index >= 0) parameters[index] = value;
+  }
+  simulation->SetParameters(parameters);
+}
+
+Eigen::VectorXd LayFlat(const ClothMesh& mesh, const Eigen::Vector3d& origin,
+                        const Eigen::Vector3d& along, const Eigen::Vector3d& across) {
+  Eigen::VectorXd x(3 * mesh.num_particles());
+  for (int i = 0; i < mesh.num_particles(); ++i) {
+    x.segment<3>(3 * i) = origin + mesh.uv[i].x() * along + mesh.uv[i].y() * across;
+  }
+  return x;
+}
+
+ClothScene LiftedCloth(int n, double side) {
+  ClothScene scene;
+  scene.mesh = MakeGrid({side, side}, {n, n});
+  scene.world.ground_height = 0.0;
+  const Eigen::Vector3d origin(0.0, 0.0, 0.0017);  // where the ground about bears the weight
+  scene.x = LayFlat(scene.mesh, origin, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
+  scene.handles = LocateOnCloth(scene.mesh, {{0.0, 0.0}});
+  scene.path = [origin, side](double time) {
+    const double s = 0.5 * (1.0 - std::cos(M_PI * std::min(time, 1.0)));  // 0 to 1 in one second
+    const Eigen::Vector3d lifted(0.4 * side, 0.4 * side, 0.5 * side);
+    return std::vector<Eigen::Vector3d>{origin + s * lifted};
+  };
+  return scene;
+}
+
+}  // namespace clothfit
