@@ -47,7 +47,7 @@ class HardSceneTest : public testing::TestWithParam<Expected> {
 
 // As clothfit simulates. What falls at every step of BDF2 is a quadratic form of two steps, which
 // energy follows up to what a step changes of it, so that it may rise for a moment where something
-// hits the ground: at 120 steps a second by 5.6e-3 at most, measured on 10 and on 11 x 11
+// hits: at 120 steps a second by 5.6e-3 at most, measured on 10 and on 11 x 11
 // particles.
 TEST_P(HardSceneTest, HoldsAndGainsNoEnergy) { ExpectHolds(SceneOptions(), 1e-2); }
 
