@@ -31,8 +31,8 @@ std::vector<HardScene> HardScenes() {
   return {
       {"crumpled", "stands on end and falls into a heap", 0.5,
        [](int n) { return DroppedCloth(n, 0.5); }, 30},
-      {"lifted", "a corner is lifted and over, and hangs: 300 frames", 1.0,
-       [](int n) { return LiftedCloth(n, 1.0); }, 300},
+      {"over", "a corner is lifted, drawn over the rest and left there: 300 frames", 1.0,
+       [](int n) { return CornerDrawnOver(n, 1.0); }, 300},
       {"folded", "two layers, the upper dragged over the lower", 0.4,
        [](int n) { return FoldedCloth(n, 0.4, 0.008); }, 30},
       {"ball", "falls on a ball", 0.5, [](int n) { return ClothOverBall(n, 0.5); }, 30},

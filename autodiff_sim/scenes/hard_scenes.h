@@ -21,7 +21,7 @@ struct HardScene {
   int num_frames;
 };
 
-// A fall that crumples, a corner lifted for 300 frames, two layers, a ball, a bar, a twist. No
+// A fall that crumples, a corner drawn over for 300 frames, two layers, a ball, a bar, a twist. No
 // obstacle moves in any.
 std::vector<HardScene> HardScenes();
 // Throws InputError where there is none of this name.

@@ -171,7 +171,7 @@ std::string Rows(const std::vector<Done>& done, bool markdown) {
 
 Chart BalanceChart(const std::vector<Done>& done, const Way& way) {
   Chart chart{way.strict ? "Backward Euler, lossless" : "BDF2",
-              "time, s",
+              "time, of the whole scene",
               "energy gained, of weight times side",
               false,
               false,
@@ -179,9 +179,11 @@ Chart BalanceChart(const std::vector<Done>& done, const Way& way) {
   for (const Done& one : done) {
     if (one.Rate() != way.rate || one.IsStrict() != way.strict) continue;
     ChartLine line{one.Scene(), {}, false, false};
-    for (const nlohmann::json& row : one.output.at("rows")) {
-      line.points.emplace_back(row[0].get<double>(), row[one.Column("balance")].get<double>() /
-                                                         one.output.at("scale").get<double>());
+    const nlohmann::json& rows = one.output.at("rows");
+    const double end = rows.back()[0], scale = one.output.at("scale");
+    for (const nlohmann::json& row : rows) {
+      const double time = row[0], balance = row[one.Column("balance")];
+      line.points.emplace_back(time / end, balance / scale);
     }
     chart.lines.push_back(line);
   }

@@ -47,22 +47,22 @@ class HardSceneTest : public testing::TestWithParam<Expected> {
 
 // As clothfit simulates. What falls at every step of BDF2 is a quadratic form of two steps, which
 // energy follows up to what a step changes of it, so that it may rise for a moment where something
-// hits the ground: at 120 steps a second by 5.6e-3 at most, measured on 10 and on 11 x 11
+// hits: at 120 steps a second by 5.6e-3 at most, measured on 10 and on 11 x 11
 // particles.
 TEST_P(HardSceneTest, HoldsAndGainsNoEnergy) { ExpectHolds(SceneOptions(), 1e-2); }
 
 // Backward Euler's steps minimise energy wherever it is convex, and nothing else takes any here
-// that might hide what contact gave. It rose in no step of any scene, and may by what the steps'
-// own tolerance, 1e-9 of an edge, leaves.
+// that might hide what contact gave. It rises in one scene only, before anything touches, where a
+// handle compresses the cloth: by 4.0e-5 at 120 steps a second, 1.5e-5 at 240 and 5.7e-6 at 480.
 TEST_P(HardSceneTest, GainsNoEnergyWhereNothingTakesAny) {
   SceneOptions options;
   options.integrator = Integrator::kBackwardEuler;
   options.lossless = true;
-  ExpectHolds(options, 1e-7);
+  ExpectHolds(options, 1e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, HardSceneTest,
-                         testing::Values(Expected{"crumpled", 500, 1}, Expected{"lifted", 0, 0},
+                         testing::Values(Expected{"crumpled", 500, 1}, Expected{"over", 1, 0},
                                          Expected{"folded", 500, 0}, Expected{"ball", 5, 10},
                                          Expected{"bar", 50, 20}, Expected{"twisted", 50, 0}),
                          SceneName);

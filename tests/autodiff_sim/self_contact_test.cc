@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A cloth that gets into its own way never passes through itself, and contact keeps what it must.
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -165,6 +167,42 @@ TEST(SelfContact, KeepsMomentumAndGainsNoEnergy) {
     EXPECT_LE(Total(simulation.Energies(state)), energy);
   }
   EXPECT_GT(most_pairs, 50);
+}
+
+// The same with nothing that takes energy: how much of it is lost by this many steps a second, as a
+// share. None may be gained on the way.
+double LossOfABounce(double rate) {
+  TestScene scene = FoldedCloth(7, 0.2, 0.006);
+  scene.handles.clear();
+  scene.world.ground_height.reset();
+  Simulation simulation = MakeSimulation(scene, true);
+  KeepOnly({"stretch", "shear", "contact"}, &simulation);
+  Set("stretch.stiffness", 20.0, &simulation);
+  for (const char* loss : {"stretch.damping", "shear.damping", "contact.friction"})
+    Set(loss, 0.0, &simulation);
+  State state = simulation.MakeState(scene.x);
+  for (Eigen::Index i = 2; i < state.v.size(); i += 3) state.v[i] = state.x[i] > 0.004 ? -0.2 : 0.2;
+  const double energy = Total(simulation.Energies(state));
+  double stored = 0.0;
+  for (int i = 0; i < static_cast<int>(0.05 * rate); ++i) {
+    const StepReport report = simulation.Advance(1.0 / rate, FreeDrive(), &state);
+    EXPECT_EQ(report.status, StepStatus::kConverged);
+    const std::vector<NamedEnergy> now = simulation.Energies(state);
+    EXPECT_LE(Total(now), energy);
+    for (const NamedEnergy& part : now) {
+      if (part.name == "contact") stored = std::max(stored, part.energy);
+    }
+  }
+  EXPECT_GT(stored, 0.05 * energy);  // contact had some to give back
+  return 1.0 - Total(simulation.Energies(state)) / energy;
+}
+
+// What the barrier takes it gives back; what is lost is the integrator's, of second order and more
+// in the step.
+TEST(SelfContact, GivesBackTheEnergyOfABounce) {
+  const double coarse = LossOfABounce(8000.0), fine = LossOfABounce(16000.0);
+  EXPECT_LE(fine, 0.01);
+  EXPECT_LE(fine, 0.25 * coarse);
 }
 
 // Two layers, joined at nothing: a small patch lies on a large one whose corners are held, and

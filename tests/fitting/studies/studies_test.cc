@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -66,6 +68,30 @@ TEST(Studies, HaveJobsOfDifferentNamesAtEachSize) {
     }
   }
   EXPECT_GT(count, 100);
+}
+
+// One job of the study of contact in earnest, the cheapest, and the report that is made of it.
+TEST(Studies, ContactReportsEveryFrame) {
+  const TestFolder folder;
+  const Study study = ContactStudy();
+  const StudyOptions options;
+  const std::vector<Job> jobs = study.jobs(options);
+  const auto job =
+      std::find_if(jobs.begin(), jobs.end(), [](const Job& one) { return one.name == "ball-120"; });
+  ASSERT_NE(job, jobs.end());
+  JobContext context;
+  int alive = 0;
+  context.alive = [&] { ++alive; };
+  const JobResult result = {job->name, study.work(options, *job, context), "", 1.0};
+  EXPECT_EQ(alive, 30);
+  const std::string table = study.report(options, jobs, {result}, {folder.path(), folder.path()});
+  EXPECT_THAT(table, HasSubstr("| ball | BDF2 | 120 | 30 | yes | 0 |"));
+  const std::string frames = ReadTextFile(folder.path() / "contact-ball.csv");
+  EXPECT_EQ(std::count(frames.begin(), frames.end(), '\n'), 32);  // a header, the start, 30 frames
+  EXPECT_THAT(frames, HasSubstr("integrator,steps_per_second,time,kinetic,gravity,stretch"));
+  for (const char* file : {"contact.csv", "contact.svg", "contact.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / file)) << file;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "contact-bar.csv"));
 }
 
 TEST(Studies, AFitIsWhatItsJobSays) {
