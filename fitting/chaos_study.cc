@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/scenes/contact_scenes.h"
 #include "fitting/line_chart.h"
 #include "fitting/picture.h"
 
@@ -16,17 +16,6 @@ namespace {
 
 constexpr double kFrameRate = 30.0;  // Hz
 constexpr double kParted = 0.1;      // of the side: beyond this the runs have little in common
-
-// Standing on end a little above the ground, bent, so that it falls to no side in particular.
-Eigen::VectorXd StandingCloth(const ClothMesh& mesh, double side) {
-  Eigen::VectorXd x(3 * mesh.num_particles());
-  for (int i = 0; i < mesh.num_particles(); ++i) {
-    const Eigen::Vector2d uv = mesh.uv[i] / side;
-    const double bend = 0.04 * std::sin(2.5 * M_PI * uv.y()) + 0.02 * std::sin(3.0 * uv.x());
-    x.segment<3>(3 * i) = side * Eigen::Vector3d(uv.x(), bend, 0.01 + uv.y());
-  }
-  return x;
-}
 
 // The particle that is moved: in the middle of the upper half.
 int MovedParticle(const ChaosOptions& options) {
@@ -74,15 +63,15 @@ double MeanGrowth(const ChaosOptions& options, const std::vector<ChaosFrame>& fr
 
 ChaosResult RunChaosStudy(const ChaosOptions& options, const std::function<void(int)>& progress) {
   ChaosResult result;
-  result.mesh = MakeGrid({options.side, options.side}, {options.particles, options.particles});
-  World world;
-  world.ground_height = 0.0;
+  const ClothScene scene = DroppedCloth(options.particles, options.side);
+  result.mesh = scene.mesh;
   SimulationOptions steps;
   steps.self_contact = options.self_contact;
   steps.tolerance = 1e-7;
-  Simulation simulation(result.mesh, world, {}, steps), other(result.mesh, world, {}, steps);
+  Simulation simulation(scene.mesh, scene.world, {}, steps),
+      other(scene.mesh, scene.world, {}, steps);
   const int particle = MovedParticle(options);
-  State given = simulation.MakeState(StandingCloth(result.mesh, options.side));
+  State given = simulation.MakeState(scene.x);
   State moved = given;
   const Eigen::Index row = 3 * static_cast<Eigen::Index>(particle) + 1;
   moved.x[row] += options.offset;
@@ -91,7 +80,7 @@ ChaosResult RunChaosStudy(const ChaosOptions& options, const std::function<void(
   Eigen::MatrixXd dx = Eigen::MatrixXd::Zero(given.x.size(), 1);
   dx(row, 0) = 1.0;
   sensitivity.SetInitial(dx, Eigen::MatrixXd::Zero(given.x.size(), 1));
-  const Drive nothing = [](double, bool) { return StepInputs(); };
+  const Drive nothing = FreeDrive();
   const int frames = static_cast<int>(std::lround(options.duration * kFrameRate));
   const int per_frame =
       std::max(1, static_cast<int>(std::lround(1.0 / (kFrameRate * options.step))));

@@ -197,15 +197,6 @@ SyntheticScenario ParseSyntheticScenario(const std::string& place, const std::st
   throw InputError(place, "'" + name + "': " + Suggestion(name, SyntheticScenarioNames()));
 }
 
-Eigen::VectorXd LaidFlat(const FlatPlacement& flat, const std::vector<Eigen::Vector2d>& uv) {
-  Eigen::VectorXd x(3 * static_cast<Eigen::Index>(uv.size()));
-  for (std::size_t i = 0; i < uv.size(); ++i) {
-    x.segment<3>(3 * static_cast<Eigen::Index>(i)) =
-        flat.origin + uv[i].x() * flat.u_axis + uv[i].y() * flat.v_axis;
-  }
-  return x;
-}
-
 SyntheticMotion MakeSyntheticMotion(SyntheticScenario scenario, const Vector2d& size,
                                     double duration) {
   switch (scenario) {

@@ -43,9 +43,6 @@ struct SyntheticMotion {
   std::vector<SyntheticHandle> handles;
 };
 
-// 3N, m, world; uv: N points of the cloth, m.
-Eigen::VectorXd LaidFlat(const FlatPlacement& flat, const std::vector<Eigen::Vector2d>& uv);
-
 // For a cloth of this size (m). The motion starts and stops smoothly within `duration` seconds;
 // its amplitudes are fixed shares of the size, its frequencies (Hz) do not depend on either.
 SyntheticMotion MakeSyntheticMotion(SyntheticScenario scenario, const Eigen::Vector2d& size,

@@ -12,6 +12,7 @@
 
 #include "autodiff_sim/error.h"
 #include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/scenes/cloth_scene.h"
 #include "tracking/picture_writer.h"
 #include "tracking/synthetic_keys.h"
 #include "tracking/synthetic_observations.h"
@@ -55,7 +56,8 @@ class Generator {
                                 ? generator_.make(mesh_, world, handles_, simulation_options)
                                 : Simulation(mesh_, world, handles_, simulation_options);
     SetParameters(&simulation);
-    State state = simulation.MakeState(LaidFlat(motion_.initial, mesh_.uv));
+    const FlatPlacement& flat = motion_.initial;
+    State state = simulation.MakeState(LayFlat(mesh_, flat.origin, flat.u_axis, flat.v_axis));
     const Drive drive = [this](double time, bool) {
       StepInputs inputs;
       for (std::size_t h = 0; h < handles_.size(); ++h)

@@ -39,13 +39,19 @@ void UseSuppleCloth(Simulation* simulation) {
   simulation->SetParameters(parameters);
 }
 
-Eigen::VectorXd LayFlat(const ClothMesh& mesh, const Eigen::Vector3d& origin,
+Eigen::VectorXd LayFlat(const std::vector<Eigen::Vector2d>& uv, const Eigen::Vector3d& origin,
                         const Eigen::Vector3d& along, const Eigen::Vector3d& across) {
-  Eigen::VectorXd x(3 * mesh.num_particles());
-  for (int i = 0; i < mesh.num_particles(); ++i) {
-    x.segment<3>(3 * i) = origin + mesh.uv[i].x() * along + mesh.uv[i].y() * across;
+  Eigen::VectorXd x(3 * static_cast<Eigen::Index>(uv.size()));
+  for (std::size_t i = 0; i < uv.size(); ++i) {
+    x.segment<3>(3 * static_cast<Eigen::Index>(i)) =
+        origin + uv[i].x() * along + uv[i].y() * across;
   }
   return x;
+}
+
+Eigen::VectorXd LayFlat(const ClothMesh& mesh, const Eigen::Vector3d& origin,
+                        const Eigen::Vector3d& along, const Eigen::Vector3d& across) {
+  return LayFlat(mesh.uv, origin, along, across);
 }
 
 ClothScene LiftedCloth(int n, double side) {

@@ -27,7 +27,9 @@ struct ClothScene {
   Drive MakeDrive() const;
 };
 
-// The cloth's rest shape in space: origin + u along + v across, m.
+// N points (u, v) of the cloth (m), or its particles, in space: origin + u along + v across, 3N, m.
+Eigen::VectorXd LayFlat(const std::vector<Eigen::Vector2d>& uv, const Eigen::Vector3d& origin,
+                        const Eigen::Vector3d& along, const Eigen::Vector3d& across);
 Eigen::VectorXd LayFlat(const ClothMesh& mesh, const Eigen::Vector3d& origin,
                         const Eigen::Vector3d& along, const Eigen::Vector3d& across);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "autodiff_sim/error.h"
+#include "autodiff_sim/scenes/cloth_scene.h"
 #include "fitting/diagnosis/finite_elements/fem_cloth.h"
 
 namespace clothfit {
@@ -37,7 +38,8 @@ FemCloth MakeCloth(const SyntheticOptions& options, const SyntheticMotion& motio
                    const FemParameters& parameters) {
   const Eigen::Vector2i cells = options.refinement * (options.resolution.array() - 1).matrix();
   FemMesh mesh = MakeFemMesh(options.size, cells, options.seed);
-  Eigen::VectorXd x = LaidFlat(motion.initial, mesh.uv);
+  const FlatPlacement& flat = motion.initial;
+  Eigen::VectorXd x = LayFlat(mesh.uv, flat.origin, flat.u_axis, flat.v_axis);
   std::optional<FemGround> ground;
   if (motion.ground_height) {
     ground = FemGround{*motion.ground_height, parameters.at("ground.stiffness"),
