@@ -48,9 +48,7 @@ int RunBatchCommand(const BatchOptions& options) {
       run.jobs);
   display.Finish();
   StudyRun result;
-  result.num_problems = done.CountProblems();
-  result.first_problem = done.FirstProblem();
-  result.num_hanging = done.num_hanging;
+  result.Add(done);
   if (done.complete) {
     result.table = RunReportOnCommand(
         [folder, results = done.results] { return WriteBatchTables(folder, results); }, run.jobs);

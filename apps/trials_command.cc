@@ -108,16 +108,14 @@ int RunAll(const TrialsOptions& options, const std::vector<Trial>& trials) {
   JobRunOptions jobs = run.jobs;
   if (is_first) {
     jobs.progress = [&](int done, int total) {
-      if (done > 0) WriteTables(folder, trials);
+      if (done > 0 && done < total) WriteTables(folder, trials);  // the last time by the report
       if (run.jobs.progress) run.jobs.progress(done, total);
     };
   }
   const JobRunResult done = RunTrials(trials, Diagnose, HowToRun(options), jobs);
   display.Finish();
   StudyRun result;
-  result.num_problems = done.CountProblems();
-  result.first_problem = done.FirstProblem();
-  result.num_hanging = done.num_hanging;
+  result.Add(done);
   if (done.complete) {
     result.table = RunReportOnCommand([=] { return WriteTables(folder, trials); }, run.jobs);
   } else if (is_first) {

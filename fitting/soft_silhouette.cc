@@ -67,10 +67,7 @@ SoftSilhouette::Residual SoftSilhouette::OfParticle(const SignedDistanceField& f
   residual.point.nodes = {particle, particle, particle};
   const Eigen::Matrix<Jet, 2, 1> at = Project(camera_, x.segment<3>(3 * particle));
   const SignedDistance distance = field.At({at.x().a, at.y().a});
-  if (distance.value <= 0.0) {
-    residual.slope.setZero();
-    return residual;
-  }
+  if (distance.value <= 0.0) return residual;
   residual.value = weight * distance.value;
   residual.slope =
       weight * (distance.gradient.x() * at.x().v + distance.gradient.y() * at.y().v).transpose();

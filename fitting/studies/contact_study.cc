@@ -101,14 +101,16 @@ struct Done {
     return static_cast<int>(std::find(columns.begin(), columns.end(), name) - columns.begin());
   }
   double Sum(const std::string& name) const {
+    const int column = Column(name);
     double sum = 0.0;
-    for (const nlohmann::json& row : output.at("rows")) sum += row[Column(name)].get<double>();
+    for (const nlohmann::json& row : output.at("rows")) sum += row[column].get<double>();
     return sum;
   }
   double Most(const std::string& name) const {
+    const int column = Column(name);
     double most = 0.0;
     for (const nlohmann::json& row : output.at("rows"))
-      most = std::max(most, row[Column(name)].get<double>());
+      most = std::max(most, row[column].get<double>());
     return most;
   }
   std::string Scene() const { return input.at("scene"); }

@@ -91,14 +91,14 @@ JobRunResult Report(const Study& study, const StudyOptions& options, const Study
   return RunReport(write, job_options);
 }
 
-void Take(const JobRunResult& result, StudyRun* run) {
-  run->complete = result.complete;
-  run->num_problems += result.CountProblems();
-  if (run->first_problem.empty()) run->first_problem = result.FirstProblem();
-  run->num_hanging += result.num_hanging;
-}
-
 }  // namespace
+
+void StudyRun::Add(const JobRunResult& result) {
+  complete = result.complete;
+  num_problems += result.CountProblems();
+  if (first_problem.empty()) first_problem = result.FirstProblem();
+  num_hanging += result.num_hanging;
+}
 
 StudyRun RunStudy(const Study& study, const StudyOptions& options, const StudyPlace& place,
                   const StudyRunOptions& run) {
@@ -110,7 +110,7 @@ StudyRun RunStudy(const Study& study, const StudyOptions& options, const StudyPl
   StudyRun result;
   if (study.uses_recordings) {
     tell("recordings");
-    Take(MakeRecordings(options, place, run), &result);
+    result.Add(MakeRecordings(options, place, run));
     if (!result.complete || result.num_problems > 0) return result;
   }
   tell("fits");
@@ -118,11 +118,11 @@ StudyRun RunStudy(const Study& study, const StudyOptions& options, const StudyPl
   const JobRunResult done = options.share_search && !study.work
                                 ? DoJobsTogether(options, place, jobs, run)
                                 : DoJobs(study, options, place, jobs, run);
-  Take(done, &result);
+  result.Add(done);
   if (!done.complete || result.num_problems == static_cast<int>(jobs.size())) return result;
   tell("report");
   const JobRunResult report = Report(study, options, place, jobs, done.results, run);
-  Take(report, &result);
+  result.Add(report);
   if (report.complete && report.results[0].IsDone())
     result.table = report.results[0].output.get<std::string>();
   return result;

@@ -24,6 +24,9 @@ struct StudyRun {
   int num_problems = 0;  // jobs that failed; the table is without them
   std::string first_problem;
   int num_hanging = 0;  // see JobRunResult
+
+  // What came of one more list of jobs.
+  void Add(const JobRunResult& result);
 };
 
 // Makes the recordings that are missing, does the jobs, writes table and pictures. The folder then
