@@ -65,6 +65,17 @@ void TileColumn(int depth, int stride, const float* panel, int begin, const floa
 
 int RoundDown(int row) { return row / kWide * kWide; }
 
+// Takes column `before` of a strip out of column `column`, from row `begin` on.
+void TakeOut(int begin, int stride, const float* before, float factor, float* column) {
+  for (int i = begin; i < stride; i += kWide) WideAt(column + i) -= factor * WideAt(before + i);
+}
+
+// Divides by the pivot's root and clears what is above it.
+void ScaleColumn(int begin, int pivot_row, int stride, float inverse, float* column) {
+  for (int i = begin; i < stride; i += kWide) WideAt(column + i) *= inverse;
+  std::fill(column + begin, column + pivot_row, 0.0f);
+}
+
 // Factors kCols columns from `first` on, to which all columns before have been applied.
 template <int kCols>
 bool FinishColumns(int first, int stride, float* strip, float* inverse_diagonal) {
@@ -73,14 +84,12 @@ bool FinishColumns(int first, int stride, float* strip, float* inverse_diagonal)
     float* column = strip + c * stride;
     for (int k = 0; k < c; ++k) {
       const float* before = strip + k * stride;
-      const float factor = before[first + c];
-      for (int i = begin; i < stride; i += kWide) WideAt(column + i) -= factor * WideAt(before + i);
+      TakeOut(begin, stride, before, before[first + c], column);
     }
     const float pivot = column[first + c];
     if (!(pivot > 0.0f) || !std::isfinite(pivot)) return false;
     const float inverse = 1.0f / std::sqrt(pivot);
-    for (int i = begin; i < stride; i += kWide) WideAt(column + i) *= inverse;
-    std::fill(column + begin, column + first + c, 0.0f);
+    ScaleColumn(begin, first + c, stride, inverse, column);
     inverse_diagonal[c] = inverse;
   }
   return true;
@@ -91,6 +100,32 @@ bool FactorColumns(int first, int stride, float* panel, float* inverse_diagonal)
   float* strip = panel + static_cast<std::ptrdiff_t>(first) * stride;
   TileColumn<kCols, true>(first, stride, panel, RoundDown(first), panel + first, strip);
   return FinishColumns<kCols>(first, stride, strip, inverse_diagonal + first);
+}
+
+// As FactorColumns, of both panels.
+template <int kCols>
+bool FactorColumnPairs(int first, int stride, float* lower, float* upper, float* inverse_diagonal) {
+  const int begin = RoundDown(first);
+  const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(first) * stride;
+  float *lower_strip = lower + offset, *upper_strip = upper + offset;
+  TileColumn<kCols, true>(first, stride, lower, begin, upper + first, lower_strip);
+  TileColumn<kCols, true>(first, stride, upper, begin, lower + first, upper_strip);
+  for (int c = 0; c < kCols; ++c) {
+    float *lower_column = lower_strip + c * stride, *upper_column = upper_strip + c * stride;
+    for (int k = 0; k < c; ++k) {
+      const float *l = lower_strip + k * stride, *u = upper_strip + k * stride;
+      TakeOut(begin, stride, l, u[first + c], lower_column);
+      TakeOut(begin, stride, u, l[first + c], upper_column);
+    }
+    const float pivot = lower_column[first + c];
+    if (!(pivot > 0.0f) || !std::isfinite(pivot)) return false;
+    const float inverse = 1.0f / std::sqrt(pivot);
+    ScaleColumn(begin, first + c, stride, inverse, lower_column);
+    ScaleColumn(begin, first + c, stride, inverse, upper_column);
+    upper_column[first + c] = lower_column[first + c];  // but for rounding
+    inverse_diagonal[first + c] = inverse;
+  }
+  return true;
 }
 
 // For the rows [row, row + 16): t -= sum_k panel(:, k) t_k, k < depth.
@@ -125,6 +160,14 @@ void SolveUpperColumnsOfEight(int first, int stride, const float* panel,
 
 }  // namespace
 
+bool FactorPanels(int columns, int stride, float* lower, float* upper, float* inverse_diagonal) {
+  int first = 0;
+  for (; first + 6 <= columns; first += 6) {
+    if (!FactorColumnPairs<6>(first, stride, lower, upper, inverse_diagonal)) return false;
+  }
+  return first == columns || FactorColumnPairs<3>(first, stride, lower, upper, inverse_diagonal);
+}
+
 bool FactorPanel(int columns, int stride, float* panel, float* inverse_diagonal) {
   int first = 0;
   for (; first + 6 <= columns; first += 6) {
@@ -133,12 +176,12 @@ bool FactorPanel(int columns, int stride, float* panel, float* inverse_diagonal)
   return first == columns || FactorColumns<3>(first, stride, panel, inverse_diagonal);
 }
 
-void OuterProductColumns(int columns, int stride, const float* panel, int row, int count,
-                         float* product) {
+void ProductColumns(int columns, int stride, const float* left, const float* right, int row,
+                    int count, float* product) {
   if (count == 3) {
-    TileColumn<3, false>(columns, stride, panel, RoundDown(row), panel + row, product);
+    TileColumn<3, false>(columns, stride, left, RoundDown(row), right + row, product);
   } else {
-    TileColumn<6, false>(columns, stride, panel, RoundDown(row), panel + row, product);
+    TileColumn<6, false>(columns, stride, left, RoundDown(row), right + row, product);
   }
 }
 

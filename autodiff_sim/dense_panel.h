@@ -13,11 +13,16 @@ namespace clothfit {
 // L's diagonal. Returns false where a pivot is not positive.
 bool FactorPanel(int columns, int stride, float* panel, float* inverse_diagonal);
 
-// product(i, c) = sum_k panel(i, k) panel(row + c, k) for the `count` (3 or 6) rows from `row` on:
-// columns of the outer product, from row `row` rounded down to a multiple of 16 on, `stride`
-// numbers each.
-void OuterProductColumns(int columns, int stride, const float* panel, int row, int count,
-                         float* product);
+// A = L U on the first `columns` rows, where `lower` holds A's lower triangle and what is below it,
+// `upper` the transpose of its upper triangle and of what is right of it; in place, U transposed
+// likewise. L and U have the same diagonal. Returns false where a pivot is not positive.
+bool FactorPanels(int columns, int stride, float* lower, float* upper, float* inverse_diagonal);
+
+// product(i, c) = sum_k left(i, k) right(row + c, k) for the `count` (3 or 6) rows from `row` on:
+// columns of the product with the transpose, from row `row` rounded down to a multiple of 16 on,
+// `stride` numbers each.
+void ProductColumns(int columns, int stride, const float* left, const float* right, int row,
+                    int count, float* product);
 
 // L y = t for the first rows, t2 -= L21 y for the others, in place. kColumns (1 or 8) right-hand
 // sides, row after row.

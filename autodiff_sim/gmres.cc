@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "autodiff_sim/flush_denormals.h"
@@ -94,7 +95,7 @@ Row<kColumns> Norms(const FloatLanes<kColumns>& a) {
 // P^-1 r, each column as a vector of ordinary size times `scale`: the squares of small numbers
 // would leave the range of single precision.
 template <int kColumns>
-FloatLanes<kColumns> Precondition(const SparseCholesky* preconditioner, const Lanes<kColumns>& r,
+FloatLanes<kColumns> Precondition(const SupernodalFactor* preconditioner, const Lanes<kColumns>& r,
                                   Row<kColumns>* scale) {
   const Row<kColumns> largest = r.cwiseAbs().colwise().maxCoeff().array();
   *scale = (largest > 0.0).select(largest, 1.0);
@@ -107,10 +108,32 @@ FloatLanes<kColumns> Precondition(const SparseCholesky* preconditioner, const La
   return z;
 }
 
+// x += d, in units of scale.
+template <int kColumns>
+void AddTo(const FloatLanes<kColumns>& d, const Row<kColumns>& scale, Lanes<kColumns>* x) {
+  const Eigen::Matrix<double, 1, kColumns> factor = scale.matrix();
+  for (Eigen::Index i = 0; i < d.rows(); ++i) {
+    x->row(i) += d.row(i).template cast<double>().cwiseProduct(factor);
+  }
+}
+
+// |x + z|, z in units of scale: about the size of the solution.
+template <int kColumns>
+Row<kColumns> SizeWith(const Lanes<kColumns>& x, const FloatLanes<kColumns>& z,
+                       const Row<kColumns>& scale) {
+  const Eigen::Matrix<double, 1, kColumns> factor = scale.matrix();
+  const Eigen::Matrix<double, 1, kColumns> inverse = scale.inverse().matrix();
+  Row<kColumns> sum = Row<kColumns>::Zero();
+  for (Eigen::Index i = 0; i < x.rows(); ++i) {
+    sum += (x.row(i).cwiseProduct(inverse) + z.row(i).template cast<double>()).array().square();
+  }
+  return sum.sqrt() * factor.array();
+}
+
 // One cycle for P^-1 A d = z, down to the norms in `target`. Adds d to x and returns the norms of
 // the residuals.
 template <int kColumns>
-Row<kColumns> Cycle(const FloatBlockMatrix& a, const SparseCholesky* preconditioner,
+Row<kColumns> Cycle(const FloatBlockMatrix& a, const SupernodalFactor* preconditioner,
                     FloatLanes<kColumns> z, const Row<kColumns>& norm, const Row<kColumns>& target,
                     const Row<kColumns>& scale, int max_iterations, int* iterations,
                     Lanes<kColumns>* x) {
@@ -142,53 +165,90 @@ Row<kColumns> Cycle(const FloatBlockMatrix& a, const SparseCholesky* preconditio
   const std::vector<Row<kColumns>> y = problem.Solve();
   FloatLanes<kColumns> d = FloatLanes<kColumns>::Zero(z.rows(), kColumns);
   for (std::size_t k = 0; k < basis.size(); ++k) AddScaled<kColumns>(basis[k], y[k], &d);
-  const Eigen::Matrix<double, 1, kColumns> factor = scale.matrix();
-  for (Eigen::Index i = 0; i < d.rows(); ++i) {
-    x->row(i) += d.row(i).template cast<double>().cwiseProduct(factor);
-  }
+  AddTo<kColumns>(d, scale, x);
   return residual;
 }
+
+template <int kColumns>
+Row<kColumns> Relative(const Row<kColumns>& error, const Row<kColumns>& size) {
+  return error / (size > 0.0).select(size, 1.0);
+}
+
+// Whether to add P^-1 (b - A x) to x as it is, time after time: with an exact factor, as long as
+// each takes most of the error that the one before has left.
+template <int kColumns>
+class Refinement {
+ public:
+  explicit Refinement(const GmresOptions& options)
+      : serves_(options.factor_is_exact), tolerance_(options.relative_tolerance) {}
+
+  // error: what is to be added now, size: of the solution. `relative` becomes what is left then.
+  bool Serves(const Row<kColumns>& error, const Row<kColumns>& size, Row<kColumns>* relative) {
+    if (!serves_) return false;
+    const Row<kColumns> contraction =
+        (before_ > 0.0).select(error / before_.max(kTiny), 1.0).min(1.0);
+    *relative = Relative<kColumns>(error * contraction, size);
+    serves_ = is_first_ || (*relative <= tolerance_ || contraction <= kRefines).all();
+    is_first_ = false;
+    before_ = error;
+    return serves_;
+  }
+
+ private:
+  static constexpr double kRefines = 0.1;
+  static constexpr double kTiny = std::numeric_limits<double>::min();
+
+  bool serves_, is_first_ = true;
+  double tolerance_;
+  Row<kColumns> before_ = Row<kColumns>::Zero();
+};
 
 }  // namespace
 
 template <int kColumns>
-GmresReport Gmres::Solve(const SparseCholesky* preconditioner, const Lanes<kColumns>& b,
+GmresReport Gmres::Solve(const SupernodalFactor* preconditioner, const Lanes<kColumns>& b,
                          const GmresOptions& options, Lanes<kColumns>* x) const {
   const FlushDenormals flush;
   GmresReport report;
-  Row<kColumns> scale;
-  FloatLanes<kColumns> z = Precondition<kColumns>(preconditioner, b, &scale);
-  const Row<kColumns> size = Norms<kColumns>(z) * scale;
-  if (!size.allFinite()) return report;
   for (int c = 0; c < kColumns; ++c) {
-    if (size[c] == 0.0) x->col(c).setZero();
+    if (b.col(c).isZero(0.0)) x->col(c).setZero();
   }
-  const Row<kColumns> unit = (size > 0.0).select(size, 1.0);
-  bool fresh = x->isZero(0.0);  // z is P^-1 (b - A x)
-  while (report.iterations <= options.max_iterations) {
-    if (!fresh) {
-      Lanes<kColumns> r = b;
-      matrix_->AddProduct<kColumns>(*x, -1.0, &r);
-      z = Precondition<kColumns>(preconditioner, r, &scale);
-    }
+  bool is_fresh = x->isZero(0.0);
+  Refinement<kColumns> refinement(options);
+  while (report.iterations <= options.max_iterations && !report.converged) {
+    Lanes<kColumns> r = b;
+    if (!is_fresh) matrix_->AddProduct<kColumns>(*x, -1.0, &r);
+    is_fresh = false;
+    Row<kColumns> scale, relative;
+    FloatLanes<kColumns> z = Precondition<kColumns>(preconditioner, r, &scale);  // P^-1 (b - A x)
     const Row<kColumns> norm = Norms<kColumns>(z);
-    const Row<kColumns> wanted = options.relative_tolerance * size / scale;
-    const int left = std::min(kLongestCycle, options.max_iterations - report.iterations);
-    const Row<kColumns> residual =
-        Cycle<kColumns>(rounded_, preconditioner, std::move(z), norm,
-                        wanted.max(kCycleReduction * norm), scale, left, &report.iterations, x);
-    report.relative_residual = (residual * scale / unit).maxCoeff();
-    if (!residual.allFinite()) return report;
-    report.converged = (residual <= wanted).all();
-    if (report.converged || report.iterations >= options.max_iterations) return report;
-    fresh = false;
+    if (!norm.allFinite()) return report;
+    const Row<kColumns> size = SizeWith<kColumns>(*x, z, scale);
+    if (refinement.Serves(norm * scale, size, &relative)) {
+      AddTo<kColumns>(z, scale, x);
+      ++report.iterations;
+    } else {
+      const Row<kColumns> wanted =
+          (options.relative_tolerance * size / scale).max(kCycleReduction * norm);
+      const int left = std::min(kLongestCycle, options.max_iterations - report.iterations);
+      if (left <= 0) return report;
+      const Row<kColumns> residual = Cycle<kColumns>(rounded_, preconditioner, std::move(z), norm,
+                                                     wanted, scale, left, &report.iterations, x);
+      if (!residual.allFinite()) return report;
+      // Of what was reached, as a guess may have been far too large; at least |x + P^-1 r|, so that
+      // what is not small enough here is not small enough for the next cycle either.
+      const Row<kColumns> error = residual * scale;
+      relative = Relative<kColumns>(error, x->colwise().norm().array() + error);
+    }
+    report.relative_residual = relative.maxCoeff();
+    report.converged = (relative <= options.relative_tolerance).all();
   }
   return report;
 }
 
-template GmresReport Gmres::Solve<1>(const SparseCholesky*, const Lanes<1>&, const GmresOptions&,
+template GmresReport Gmres::Solve<1>(const SupernodalFactor*, const Lanes<1>&, const GmresOptions&,
                                      Lanes<1>*) const;
-template GmresReport Gmres::Solve<kLanes>(const SparseCholesky*, const Lanes<kLanes>&,
+template GmresReport Gmres::Solve<kLanes>(const SupernodalFactor*, const Lanes<kLanes>&,
                                           const GmresOptions&, Lanes<kLanes>*) const;
 
 }  // namespace clothfit

@@ -9,19 +9,21 @@
 #include <vector>
 
 #include "autodiff_sim/block_sparse_matrix.h"
-#include "autodiff_sim/sparse_cholesky.h"
+#include "autodiff_sim/supernodal_factor.h"
 
 namespace clothfit {
 
 struct GmresOptions {
-  double relative_tolerance = 1e-11;  // of |P^-1 r| to |P^-1 b|, column by column; never absolute
+  double relative_tolerance = 1e-11;  // of |P^-1 r| to |x|, column by column; never absolute
   int max_iterations = 60;            // of all cycles together
+  // The factor is of A itself, so that refinement without Krylov spaces does, as long as it does.
+  bool factor_is_exact = false;
 };
 
 struct GmresReport {
   bool converged = false;
   int iterations = 0;
-  double relative_residual = 0.0;  // the worst column's |P^-1 (b - A x)| / |P^-1 b|
+  double relative_residual = 0.0;  // the worst column's |P^-1 (b - A x)| / |x|, estimated
 };
 
 class Gmres {
@@ -39,7 +41,7 @@ class Gmres {
   // and triangular solves are done for all at once. A column with b = 0 gets x = 0. For 1 or kLanes
   // columns.
   template <int kColumns>
-  GmresReport Solve(const SparseCholesky* preconditioner, const Lanes<kColumns>& b,
+  GmresReport Solve(const SupernodalFactor* preconditioner, const Lanes<kColumns>& b,
                     const GmresOptions& options, Lanes<kColumns>* x) const;
 
  private:

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A right-looking supernodal factorisation: each panel is factored, then its outer product is
-// subtracted from the panels after it.
+// The symmetric part gathered, then factored panel by panel.
 #include "autodiff_sim/sparse_cholesky.h"
 
 #include <algorithm>
@@ -22,12 +21,7 @@ double RelativeShift(int rung) { return rung == 0 ? 0.0 : 1e-4 * std::ldexp(1.0,
 }  // namespace
 
 SparseCholesky::SparseCholesky(const BlockPattern* pattern, Ordering ordering)
-    : supernodes_(FindSupernodes(*pattern, ordering)) {
-  const std::size_t n = 3 * supernodes_.order.size();
-  values_.resize(supernodes_.num_values);
-  inverse_diagonal_.resize(n);
-  product_.resize(6 * static_cast<std::size_t>(supernodes_.largest_stride));
-}
+    : SupernodalFactor(std::make_shared<const Supernodes>(FindSupernodes(*pattern, ordering))) {}
 
 void SparseCholesky::Forget() {
   has_factor_ = false;
@@ -58,10 +52,10 @@ bool SparseCholesky::Factorize(const BlockSparseMatrix& a) {
 }
 
 void SparseCholesky::Gather(const BlockSparseMatrix& a, float shift) {
-  std::fill(values_.begin(), values_.end(), 0.0f);
-  for (const BlockPlace& place : supernodes_.places) {
+  std::fill(lower_.begin(), lower_.end(), 0.0f);
+  for (const BlockPlace& place : supernodes_->places) {
     const double *block = a.block(place.block), *mirror = a.block(place.mirror);
-    float* target = &values_[place.values];
+    float* target = &lower_[place.values];
     for (int q = 0; q < 3; ++q) {
       for (int p = 0; p < 3; ++p) {
         target[q * place.stride + p] =
@@ -73,81 +67,15 @@ void SparseCholesky::Gather(const BlockSparseMatrix& a, float shift) {
 }
 
 bool SparseCholesky::FactorPanels() {
-  for (const Panel& panel : supernodes_.panels) {
-    if (!FactorPanel(3 * panel.width, panel.stride, &values_[panel.values],
+  for (const Panel& panel : supernodes_->panels) {
+    float* lower = &lower_[panel.values];
+    if (!FactorPanel(3 * panel.width, panel.stride, lower,
                      &inverse_diagonal_[3 * static_cast<std::size_t>(panel.first)])) {
       return false;
     }
-    ScatterOuterProduct(panel);
+    ScatterProduct(panel, lower, lower, lower_.data());
   }
   return true;
 }
-
-void SparseCholesky::ScatterOuterProduct(const Panel& panel) {
-  const int* rows = &supernodes_.rows[panel.rows];
-  for (int t = panel.targets_begin; t < panel.targets_end; ++t) {
-    const PanelTarget& target = supernodes_.targets[t];
-    const Panel& after = supernodes_.panels[target.panel];
-    const int* position = &supernodes_.positions[target.positions] - target.row_begin;
-    int together = 2;
-    for (int j = target.row_begin; j < target.row_end; j += together) {
-      together = std::min(2, target.row_end - j);
-      OuterProductColumns(3 * panel.width, panel.stride, &values_[panel.values], 3 * j,
-                          3 * together, product_.data());
-      for (int c = 0; c < 3 * together; ++c) {
-        const float* product = &product_[static_cast<std::size_t>(c * panel.stride)];
-        float* column =
-            &values_[after.values] + (3 * (rows[j + c / 3] - after.first) + c % 3) * after.stride;
-        for (int i = j + c / 3; i < panel.height; ++i) {
-          for (int p = 0; p < 3; ++p) column[3 * position[i] + p] -= product[3 * i + p];
-        }
-      }
-    }
-  }
-}
-
-template <int kColumns>
-void SparseCholesky::Solve(const FloatLanes<kColumns>& b, FloatLanes<kColumns>* x) const {
-  const FlushDenormals flush;
-  constexpr int kBlock = 3 * kColumns;  // numbers of a particle
-  const std::vector<int>& order = supernodes_.order;
-  // In elimination order; of one panel. Each thread has its own.
-  thread_local std::vector<float> right_hand_side, gathered;
-  right_hand_side.resize(kBlock * order.size());
-  gathered.resize(kColumns * static_cast<std::size_t>(supernodes_.largest_stride));
-  float *all = right_hand_side.data(), *part = gathered.data();
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    std::copy_n(b.data() + kBlock * order[i], kBlock, all + kBlock * i);
-  }
-  for (const Panel& panel : supernodes_.panels) {
-    const int* rows = &supernodes_.rows[panel.rows];
-    float* own = all + kBlock * panel.first;
-    std::copy_n(own, kBlock * panel.width, part);
-    std::fill(part + kBlock * panel.width, part + kColumns * panel.stride, 0.0f);
-    SolvePanelLower<kColumns>(3 * panel.width, panel.stride, &values_[panel.values],
-                              &inverse_diagonal_[3 * panel.first], part);
-    std::copy_n(part, kBlock * panel.width, own);
-    for (int i = panel.width; i < panel.height; ++i) {
-      for (int p = 0; p < kBlock; ++p) all[kBlock * rows[i] + p] += part[kBlock * i + p];
-    }
-  }
-  for (auto panel = supernodes_.panels.rbegin(); panel != supernodes_.panels.rend(); ++panel) {
-    const int* rows = &supernodes_.rows[panel->rows];
-    for (int i = 0; i < panel->height; ++i) {
-      std::copy_n(all + kBlock * rows[i], kBlock, part + kBlock * i);
-    }
-    std::fill(part + kBlock * panel->height, part + kColumns * panel->stride, 0.0f);
-    SolvePanelUpper<kColumns>(3 * panel->width, panel->stride, &values_[panel->values],
-                              &inverse_diagonal_[3 * panel->first], part);
-    std::copy_n(part, kBlock * panel->width, all + kBlock * panel->first);
-  }
-  x->resize(b.rows(), kColumns);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    std::copy_n(all + kBlock * i, kBlock, x->data() + kBlock * order[i]);
-  }
-}
-
-template void SparseCholesky::Solve<1>(const FloatLanes<1>&, FloatLanes<1>*) const;
-template void SparseCholesky::Solve<kLanes>(const FloatLanes<kLanes>&, FloatLanes<kLanes>*) const;
 
 }  // namespace clothfit

@@ -5,14 +5,11 @@
 // preconditioner, never the last word.
 #pragma once
 
-#include <vector>
-
-#include "autodiff_sim/block_sparse_matrix.h"
-#include "autodiff_sim/supernodes.h"
+#include "autodiff_sim/supernodal_factor.h"
 
 namespace clothfit {
 
-class SparseCholesky {
+class SparseCholesky : public SupernodalFactor {
  public:
   // Analyses the pattern, once.
   explicit SparseCholesky(const BlockPattern* pattern,
@@ -26,24 +23,13 @@ class SparseCholesky {
   void Forget();
   // Begins on the other's rung: for a factor of much the same matrix with another pattern.
   void TakeShift(const SparseCholesky& other) { rung_ = other.rung_; }
-  bool has_factor() const { return has_factor_; }
   double shift() const { return shift_; }
   int num_factorizations() const { return num_factorizations_; }
-
-  // x = (L L')^-1 b, for 1 or kLanes columns.
-  template <int kColumns>
-  void Solve(const FloatLanes<kColumns>& b, FloatLanes<kColumns>* x) const;
 
  private:
   void Gather(const BlockSparseMatrix& a, float shift);
   bool FactorPanels();
-  // Adds the panel's outer product to the panels after it.
-  void ScatterOuterProduct(const Panel& panel);
 
-  Supernodes supernodes_;
-  std::vector<float> values_, inverse_diagonal_;
-  std::vector<float> product_;  // six columns of an outer product
-  bool has_factor_ = false;
   int rung_ = 0;
   double shift_ = 0.0;
   int num_factorizations_ = 0;

@@ -67,6 +67,7 @@ void StepSolver::MakeMatrices(Ordering ordering) {
   SparseCholesky factor(&model_->pattern(), ordering);
   factor.TakeShift(factor_);
   factor_ = std::move(factor);
+  whole_.reset();
   gmres_ = Gmres(&model_->pattern());
   factor_is_current_ = false;
   excess_ = 0;

@@ -82,14 +82,20 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
                                const Eigen::VectorXd& v, Sensitivity* sensitivity,
                                StepReport* report) {
   AssembleJacobian(problem, v, report);
-  if ((FactorIsWorn(false) || !factor_.has_factor()) && !RefreshFactor(report)) return false;
+  const int count = static_cast<int>(sensitivity->lanes().size());
+  bool is_idle = true;
+  for (int b = 0; b < count; ++b)
+    is_idle = is_idle && IsIdle(*sensitivity, inputs, static_cast<std::size_t>(b));
+  use_whole_ = !is_idle && FactorWhole(report);
+  const bool is_worn = FactorIsWorn(false) || !factor_.has_factor();
+  if (!use_whole_ && is_worn && !RefreshFactor(report)) return false;
   const std::vector<bool> awake = model_->Awake(*problem.parameters, sensitivity->parameters());
   model_->UpdateMemoryOfOff(StepMotion(problem, v).Point(problem), awake, &new_memory_);
-  const int count = static_cast<int>(sensitivity->lanes().size());
   std::vector<LanesStep> steps(static_cast<std::size_t>(count));
   int done = 0;
-  // The first that needs it finds out whether the factor is good enough; then the others at once.
-  for (bool is_tried = false; done < count && !is_tried; ++done) {
+  // The first that needs it finds out whether the factor is good enough, unless it is of now; then
+  // the others at once.
+  for (bool is_tried = use_whole_; done < count && !is_tried; ++done) {
     LanesStep& step = steps[static_cast<std::size_t>(done)];
     step = BeginLanes(problem, inputs, v, awake, *sensitivity, static_cast<std::size_t>(done));
     is_tried = !step.is_idle && !step.is_still;
@@ -104,6 +110,7 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
     if (step.is_idle || step.is_still) continue;
     if (!step.is_solved && !SolveStubbornLanes(&step, report)) return false;
     slowest = std::max(slowest, step.iterations);
+    if (use_whole_) continue;
     excess_ += kCostOfLanes * std::max(0, step.iterations - kIterationsForNothing);
   }
   report->sensitivity_iterations += slowest;
@@ -136,18 +143,28 @@ StepSolver::LanesStep StepSolver::BeginLanes(const StepProblem& problem, const S
   return step;
 }
 
+bool StepSolver::FactorWhole(StepReport* report) {
+  if (!whole_) whole_.emplace(factor_.supernodes());
+  ++report->factorizations;
+  return whole_->Factorize(jacobian_);
+}
+
 GmresReport StepSolver::SolveLanes(LanesStep* step) const {
+  const SupernodalFactor* factor = &factor_;
+  if (use_whole_) factor = &*whole_;
   GmresOptions options;
   options.relative_tolerance = options_.sensitivity_tolerance;
-  options.max_iterations = factor_is_current_ ? kPatience : kTooManyIterations;
-  const GmresReport linear = gmres_.Solve<kLanes>(&factor_, step->rhs, options, &step->dv);
+  options.factor_is_exact = use_whole_;
+  options.max_iterations = use_whole_ || factor_is_current_ ? kPatience : kTooManyIterations;
+  const GmresReport linear = gmres_.Solve<kLanes>(factor, step->rhs, options, &step->dv);
   step->iterations += linear.iterations;
   return linear;
 }
 
 bool StepSolver::SolveStubbornLanes(LanesStep* step, StepReport* report) {
   // The factor may have become another one since the try.
-  if (factor_is_current_ ? step->iterations < kPatience : RefreshFactor(report))
+  const bool is_of_now = use_whole_ || factor_is_current_;
+  if (is_of_now ? step->iterations < kPatience : RefreshFactor(report))
     step->is_solved = SolveLanes(step).converged;
   if (step->is_solved) return true;
   ++report->factorizations;

@@ -5,12 +5,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "autodiff_sim/cloth_model.h"
 #include "autodiff_sim/gmres.h"
 #include "autodiff_sim/simulation.h"
 #include "autodiff_sim/sparse_cholesky.h"
+#include "autodiff_sim/sparse_lu.h"
 
 namespace clothfit {
 
@@ -113,6 +115,8 @@ class StepSolver {
   void FinishLanes(const StepProblem& problem, const Eigen::VectorXd& v,
                    const std::vector<bool>& awake, LanesStep* step, StateLanes* lanes) const;
   GmresReport SolveLanes(LanesStep* step) const;
+  // Factors the Jacobian whole. False where that takes pivots.
+  bool FactorWhole(StepReport* report);
   ClothModel* model_;
   SimulationOptions options_;
   double position_tolerance_;  // m
@@ -124,6 +128,9 @@ class StepSolver {
   SparseCholesky factor_;
   Gmres gmres_;
   bool factor_is_current_ = false;  // of jacobian_
+  std::optional<SparseLu> whole_;   // of the last step with derivatives
+  // What the derivatives of this step are solved with, where it is that; else factor_.
+  bool use_whole_ = false;
   // Linear iterations since the last factorisation beyond those that a fresh factor needs.
   int excess_ = 0;
   Eigen::VectorXd full_residual_, reduced_residual_, force_, new_memory_;

@@ -16,6 +16,7 @@
 #include "autodiff_sim/gmres.h"
 #include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/sparse_cholesky.h"
+#include "autodiff_sim/sparse_lu.h"
 
 namespace clothfit {
 namespace {
@@ -119,6 +120,31 @@ TEST_P(OnGrids, TheFactorSolvesWithTheSymmetricPart) {
   EXPECT_LT((x1.cast<double>() - expected.col(3)).norm(), kFloatTolerance * expected.norm());
 }
 
+TEST_P(OnGrids, TheWholeFactorSolvesWithTheMatrixItself) {
+  const BlockSparseMatrix a = RandomMatrix(&pattern_, 4.0, 13);
+  const Eigen::MatrixXd dense = Dense(a), b = RandomColumns(size_, kLanes, 14);
+  SparseLu factor(SparseCholesky(&pattern_).supernodes());
+  ASSERT_TRUE(factor.Factorize(a));
+  const Eigen::MatrixXd expected = dense.partialPivLu().solve(b);
+  FloatLanes<kLanes> x;
+  factor.Solve<kLanes>(b.cast<float>(), &x);
+  EXPECT_LT((x.cast<double>() - expected).norm(), kFloatTolerance * expected.norm());
+  FloatLanes<1> x1;
+  factor.Solve<1>(b.col(3).cast<float>(), &x1);
+  EXPECT_LT((x1.cast<double>() - expected.col(3)).norm(), kFloatTolerance * expected.norm());
+}
+
+TEST_P(OnGrids, TheWholeFactorRefusesWhatWantsPivoting) {
+  BlockSparseMatrix a = RandomMatrix(&pattern_, 1.0, 15);
+  SparseLu factor(SparseCholesky(&pattern_).supernodes());
+  ASSERT_TRUE(factor.Factorize(a));
+  for (int k = 0; k < 3; ++k) a.block(pattern_.diagonal[0])[4 * k] = -5.0;
+  EXPECT_FALSE(factor.Factorize(a));
+  EXPECT_FALSE(factor.has_factor());
+  a.block(0)[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(factor.Factorize(a));
+}
+
 TEST_P(OnGrids, AnIndefiniteMatrixIsShiftedUntilItIsDefinite) {
   BlockSparseMatrix a = RandomMatrix(&pattern_, 0.0, 5);
   for (int k = 0; k < 3; ++k) a.block(pattern_.diagonal[0])[4 * k] = -5.0;
@@ -173,10 +199,52 @@ TEST_P(OnGrids, GmresSolvesWithAnotherMatrixThanItsFactor) {
     EXPECT_TRUE(gmres.Solve<1>(&factor, b.col(0), options, &x1).converged);
     EXPECT_LE((x1 - expected.col(0)).norm(), 10.0 * tolerance * expected.col(0).norm());
   }
+  for (const double rough : {0.05, 0.3, 0.9}) {  // as of a first Newton direction
+    options.relative_tolerance = rough;
+    Lanes<1> x = Lanes<1>::Zero(size_);
+    EXPECT_TRUE(gmres.Solve<1>(&factor, b.col(0), options, &x).converged);
+    EXPECT_LE((x - expected.col(0)).norm(), 10.0 * rough * expected.col(0).norm());
+  }
   options.max_iterations = 1;
   options.relative_tolerance = 1e-12;
   Lanes<kLanes> x = Lanes<kLanes>::Zero(size_, kLanes);
   EXPECT_FALSE(gmres.Solve<kLanes>(&factor, b, options, &x).converged);
+}
+
+// With the factor of the matrix itself a few refinements do; with one that only claims to be that,
+// the result is none the worse.
+TEST_P(OnGrids, RefinementSolvesAsFarAsItsFactorAllows) {
+  const BlockSparseMatrix before = RandomMatrix(&pattern_, 0.0, 16);
+  const BlockSparseMatrix a = RandomMatrix(&pattern_, 4.0, 17);
+  SparseLu exact(SparseCholesky(&pattern_).supernodes()), other = exact;
+  ASSERT_TRUE(exact.Factorize(a));
+  ASSERT_TRUE(other.Factorize(before));
+  Gmres gmres(&pattern_);
+  gmres.SetMatrix(&a);
+  Eigen::MatrixXd b = RandomColumns(size_, kLanes, 18);
+  b.col(1) *= 1e-30;
+  b.col(2).setZero();
+  const Eigen::MatrixXd expected = Dense(a).partialPivLu().solve(b);
+  GmresOptions options;
+  options.factor_is_exact = true;
+  options.max_iterations = 200;
+  for (const double tolerance : {1e-3, 1e-8, 1e-12}) {
+    options.relative_tolerance = tolerance;
+    for (const SparseLu* factor : {&exact, &other}) {
+      Lanes<kLanes> x = RandomColumns(size_, kLanes, 19);
+      const GmresReport report = gmres.Solve<kLanes>(factor, b, options, &x);
+      EXPECT_TRUE(report.converged);
+      if (factor == &exact) {  // from a guess 1e30 times too large
+        EXPECT_LE(report.iterations, 12);
+      }
+      for (int c = 0; c < kLanes; ++c) {
+        EXPECT_LE((x - expected).col(c).norm(), 10.0 * tolerance * expected.col(c).norm()) << c;
+      }
+    }
+  }
+  Lanes<kLanes> x = expected;
+  options.relative_tolerance = 1e-10;
+  EXPECT_EQ(gmres.Solve<kLanes>(&exact, b, options, &x).iterations, 1);
 }
 
 TEST(HandleReduction, IsTheProductWithTheSubstitutionsMatrix) {

@@ -228,7 +228,7 @@ TEST(ObstacleContact, RefusesToStartInside) {
 
 SimulationOptions PreciseOptions() {
   SimulationOptions options;
-  options.tolerance = 1e-12;
+  options.tolerance = 1e-13;
   return options;
 }
 

@@ -7,6 +7,7 @@
 #include "autodiff_sim/gmres.h"
 #include "autodiff_sim/simulation.h"
 #include "autodiff_sim/sparse_cholesky.h"
+#include "autodiff_sim/sparse_lu.h"
 #include "tests/benchmarks/cholmod_reference.h"
 #include "tests/support/scenes.h"
 
@@ -66,6 +67,12 @@ void Factor(benchmark::State& state) {
   for (auto _ : state) parts.factor.Factorize(parts.jacobian);
 }
 
+void WholeFactor(benchmark::State& state) {
+  Parts parts(static_cast<int>(state.range(0)));
+  SparseLu factor(parts.factor.supernodes());
+  for (auto _ : state) factor.Factorize(parts.jacobian);
+}
+
 template <int kColumns>
 void TriangularSolves(benchmark::State& state) {
   Parts parts(static_cast<int>(state.range(0)));
@@ -90,6 +97,7 @@ CLOTHFIT_KERNEL(Forces);
 CLOTHFIT_KERNEL(Jacobian);
 CLOTHFIT_KERNEL(CholmodFactor)->UseManualTime();
 CLOTHFIT_KERNEL(Factor);
+CLOTHFIT_KERNEL(WholeFactor);
 CLOTHFIT_KERNEL(TriangularSolves<1>);
 CLOTHFIT_KERNEL(TriangularSolves<kLanes>);
 CLOTHFIT_KERNEL(Product<1>);

@@ -165,6 +165,7 @@ BENCHMARK(HangingForward)->Arg(30)->UseManualTime()->Unit(benchmark::kMillisecon
 BENCHMARK(LiftedDerivatives)
     ->Args({30, 8})
     ->Args({30, 24})
+    ->Args({30, 184})
     ->Args({60, 8})
     ->Args({60, 24})
     ->UseManualTime()
