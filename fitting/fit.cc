@@ -94,9 +94,12 @@ FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks
   }
   const Scene coarse_scene = MakeScene(scene.recording, *coarser, &scene);
   const FitCallbacks coarse_callbacks = OfCoarseFit(callbacks, coarse_scene.mesh);
-  const FitResult coarse = Fitter(coarse_scene, *coarser, coarse_callbacks).Run(resume);
+  Fitter coarse_fitter(coarse_scene, *coarser, coarse_callbacks);
+  coarse_fitter.OnlyComeNear();
+  const FitResult coarse = coarse_fitter.Run(resume);
   const FitCallbacks fine_callbacks = OfFineFit(callbacks, coarse);
   Fitter fine(scene, config, fine_callbacks);
+  fine.BeginNear();
   const FitCheckpoint reached = fine.AfterWindows(coarse.theta);
   FitResult result = fine.Run(&reached);
   result.iterations += coarse.iterations;

@@ -13,6 +13,7 @@
 
 #include "fitting/evaluation.h"
 #include "fitting/levenberg_marquardt.h"
+#include "fitting/simulation_cost.h"
 
 namespace clothfit {
 namespace {
@@ -45,7 +46,8 @@ Fitter::Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& 
       free_(config, scene, MakeParameterTable()),
       observations_(scene, config),
       simulator_(scene, config, free_, false, callbacks.stop),
-      attracting_(scene, config, free_, config.attract, callbacks.stop) {
+      attracting_(scene, config, free_, config.attract, callbacks.stop),
+      polish_tolerance_(config.function_tolerance) {
   window_frames_ =
       config.window > 0.0
           ? std::max(1, static_cast<int>(std::lround(config.window * scene.recording.frame_rate)))
@@ -59,8 +61,17 @@ Fitter::Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& 
   num_windows_ = (std::max(1, scene.last_fitted_frame) + window_frames_ - 1) / window_frames_;
 }
 
+void Fitter::OnlyComeNear() {
+  constexpr double kTolerance = 1e-3;
+  polish_tolerance_ = kTolerance;
+}
+
 void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
-  if (iteration.step_is_successful) best_ = progress_.theta;
+  if (iteration.step_is_successful) {
+    best_ = progress_.theta;
+    best_cost_ = iteration.cost;
+    at_best_ = newest_.IsAt(best_) ? newest_ : Linearisation{};
+  }
   if (iteration.step_is_successful && callbacks_.checkpoint) {
     FitCheckpoint checkpoint = progress_;
     if (first_offsets_.size() > 0) checkpoint.theta(offsets_) = first_offsets_;
@@ -70,8 +81,8 @@ void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
   FitProgress progress;
   progress.stage = stage_;
   progress.iteration = iteration.iteration;
-  progress.cost = iteration.cost;
-  progress.rms = std::sqrt(2.0 * iteration.cost / std::max(1, rows));
+  progress.cost = best_cost_;
+  progress.rms = std::sqrt(2.0 * best_cost_ / std::max(1, rows));
   constexpr double kExpectedIterations = 8.0;
   progress.fraction =
       stage_begin_ + stage_share_ * std::min(1.0, iteration.iteration / kExpectedIterations);
@@ -81,21 +92,33 @@ void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
 }
 
 ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const WindowStart& start,
-                                        int first, int last, int max_iterations,
+                                        int first, int last, const Patience& patience,
                                         const Eigen::MatrixXd& prior, const Eigen::VectorXd& offset,
                                         const std::vector<int>& held) {
   ceres::Problem problem;
   double* theta = progress_.theta.data();
-  ceres::CostFunction* cost =
-      MakeWindowCost(simulator, &observations_, &start, free_.size(), first, last);
+  newest_ = at_best_ = {};
+  const bool is_whole = simulator == &simulator_ && held.empty() && start.frame == 0 &&
+                        first == 0 && last == scene_.last_fitted_frame;
+  const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
+                            RowMajorMatrix* jacobian) {
+    const Outcome outcome = EvaluateWindow(simulator, observations_, start, at, first, last,
+                                           Rows::kCompressed, residuals, jacobian);
+    if (outcome == Outcome::kComplete && jacobian != nullptr && is_whole)
+      newest_ = {at, *residuals, *jacobian, simulator->last_report()};
+    return outcome == Outcome::kComplete;
+  };
+  problem.AddResidualBlock(new SimulationCost(free_.size() + 1, free_.size(), evaluate), nullptr,
+                           theta);
   const int rows = observations_.NumObserved(first, last);
-  problem.AddResidualBlock(cost, nullptr, theta);
   problem.AddResidualBlock(new LinearCost(prior, offset), nullptr, theta);
   SetBounds(free_.lower(), free_.upper(), theta, &problem);
   if (!held.empty()) problem.SetManifold(theta, new ceres::SubsetManifold(free_.size(), held));
   simulator->Hold(held);
-  ceres::Solver::Options options =
-      LevenbergMarquardtOptions(max_iterations, config_.function_tolerance);
+  // Half a Gauss-Newton step first, as the cost is rugged; a longer one near a minimum.
+  constexpr double kFirstRadius = 1.0, kRadiusNear = 10.0;
+  ceres::Solver::Options options = LevenbergMarquardtOptions(
+      patience.iterations, patience.tolerance, is_near_ ? kRadiusNear : kFirstRadius);
   options.update_state_every_iteration = true;
   IterationReporter reporter([&](const ceres::IterationSummary& s) { Report(s, rows); },
                              callbacks_.stop);
@@ -168,8 +191,8 @@ bool Fitter::RunWindow(int window, WindowStart* start) {
     constexpr int kIterationsToComeNear = 6;
     const int most = config_.polish ? std::min(kIterationsToComeNear, config_.max_iterations)
                                     : config_.max_iterations;
-    Minimise(&attracting_, *start, first, last, most, progress_.information,
-             progress_.information * progress_.mean);
+    Minimise(&attracting_, *start, first, last, {most, config_.function_tolerance},
+             progress_.information, progress_.information * progress_.mean);
   }
   if (Stopped()) return false;
   Eigen::VectorXd residuals;
@@ -223,9 +246,10 @@ void Fitter::FindHandlePaths() {
     const bool is_last = last == scene_.last_fitted_frame;
     if (!is_last && last - fitted < kGrowth * last) continue;
     if (observations_.Count(0, last) == 0) continue;
-    constexpr int kIterations = 5;
+    // The tolerance is of a cost of which most may be the masks' own.
+    constexpr Patience kPatience{5, 1e-6};
     const WindowStart start = simulator_.FirstStart(progress_.theta);
-    Minimise(&simulator_, start, 0, last, kIterations, free_.prior_jacobian(),
+    Minimise(&simulator_, start, 0, last, kPatience, free_.prior_jacobian(),
              -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())),
              ControlsLongBefore(fitted));
     fitted = last;
@@ -310,16 +334,15 @@ void Fitter::Polish() {
   stage_begin_ = 1.0 - (stage_share_ = num_windows_ > 1 ? 0.6 : 1.0);
   const Eigen::VectorXd reached = progress_.theta;
   const double at_reached = Cost(reached, &simulator_);
-  const double at_start = Cost(free_.start(), &simulator_);
-  if (at_start < at_reached) {
+  if (cost_before_ < at_reached) {
     Log("the windows' result explains all frames worse than the start does; going on from the "
         "start");
     progress_.theta = free_.start();
   }
   const WindowStart start = simulator_.FirstStart(progress_.theta);
-  const ceres::Solver::Summary summary =
-      Minimise(&simulator_, start, 0, scene_.last_fitted_frame, config_.max_iterations,
-               free_.prior_jacobian(), -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
+  const ceres::Solver::Summary summary = Minimise(
+      &simulator_, start, 0, scene_.last_fitted_frame, {config_.max_iterations, polish_tolerance_},
+      free_.prior_jacobian(), -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
   converged_ = summary.termination_type == ceres::CONVERGENCE;
 }
 
@@ -330,7 +353,7 @@ FitResult Fitter::Start() {
   progress_.mean = free_.PriorMean();
   result.before = EvaluateScene(scene_, config_, free_, free_.start());
   WindowSimulator unstopped(scene_, config_, free_, false, nullptr);
-  result.cost_before = Cost(free_.start(), &unstopped);
+  result.cost_before = cost_before_ = Cost(free_.start(), &unstopped);
   return result;
 }
 

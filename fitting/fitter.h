@@ -22,6 +22,10 @@ class Fitter {
   // The arguments must outlive this object.
   Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks);
 
+  // A finer fit follows, which changes the cost by more than this one's last iterations would.
+  void OnlyComeNear();
+  // It begins where a coarser one has ended.
+  void BeginNear() { is_near_ = true; }
   FitResult Run(const FitCheckpoint* resume);
   // What is to be said of this free vector, wherever it comes from.
   FitResult At(const Eigen::VectorXd& theta);
@@ -31,10 +35,14 @@ class Fitter {
   }
 
  private:
+  struct Patience {
+    int iterations;
+    double tolerance;  // relative change of the cost at which to stop
+  };
   // Levenberg-Marquardt on one window and what is known besides; entries that are held stay as they
   // are. Returns Ceres' summary.
   ceres::Solver::Summary Minimise(WindowSimulator* simulator, const WindowStart& start, int first,
-                                  int last, int max_iterations, const Eigen::MatrixXd& prior,
+                                  int last, const Patience& patience, const Eigen::MatrixXd& prior,
                                   const Eigen::VectorXd& offset, const std::vector<int>& held = {});
   // Finds the paths of unknown handles: all that is unknown is fitted to the first frames, then to
   // more and more of them, each stretch of the paths found frame by frame before. So a path never
@@ -85,8 +93,20 @@ class Fitter {
   WindowSimulator simulator_, attracting_;
   int window_frames_ = 0, num_windows_ = 0;
   FitCheckpoint progress_;
-  std::vector<int> offsets_;       // entries of the free vector that offset a state
-  Eigen::VectorXd best_;           // of the stage under way
+  std::vector<int> offsets_;  // entries of the free vector that offset a state
+  Eigen::VectorXd best_;      // of the stage under way
+  double best_cost_ = 0.0;
+  // All frames simulated open loop, with derivatives: the newest of the stage under way, and that
+  // of its best.
+  struct Linearisation {
+    Eigen::VectorXd theta, residuals;
+    RowMajorMatrix jacobian;
+    StepReport steps;
+    bool IsAt(const Eigen::VectorXd& point) const {
+      return theta.size() == point.size() && theta == point;
+    }
+  };
+  Linearisation newest_, at_best_;
   Eigen::VectorXd first_offsets_;  // their values at the recording's start
   std::string stage_;
   double stage_begin_ = 0.0, stage_share_ = 0.0;  // of the whole fit's work
@@ -95,6 +115,9 @@ class Fitter {
   double frames_for_paths_ = 0.0, differentiated_for_paths_ = 0.0;
   bool converged_ = false;
   double noise_ = 1.0;
+  double cost_before_ = 0.0;
+  double polish_tolerance_;
+  bool is_near_ = false;
 };
 
 }  // namespace clothfit

@@ -42,22 +42,28 @@ void Fitter::Finish(FitResult* result) {
   result->iterations = iterations_;
   // What follows is short and must be done even after an interruption.
   WindowSimulator simulator(scene_, config_, free_, false, nullptr);
-  const WindowStart start = simulator.FirstStart(result->theta);
-  Eigen::VectorXd residuals;
-  RowMajorMatrix jacobian;
-  const WindowSimulator::Outcome outcome =
-      EvaluateWindow(&simulator, observations_, start, result->theta, 0, scene_.last_fitted_frame,
-                     Rows::kCompressed, &residuals, &jacobian);
-  result->steps = simulator.last_report();
+  if (!at_best_.IsAt(result->theta)) {
+    const WindowStart start = simulator.FirstStart(result->theta);
+    at_best_ = {};
+    if (EvaluateWindow(&simulator, observations_, start, result->theta, 0, scene_.last_fitted_frame,
+                       Rows::kCompressed, &at_best_.residuals,
+                       &at_best_.jacobian) == WindowSimulator::Outcome::kComplete)
+      at_best_.theta = result->theta;
+    at_best_.steps = simulator.last_report();
+  }
+  const Eigen::VectorXd& residuals = at_best_.residuals;
+  const RowMajorMatrix& jacobian = at_best_.jacobian;
+  result->steps = at_best_.steps;
   Uncertainty uncertainty;
-  if (outcome == WindowSimulator::Outcome::kComplete) {
+  if (at_best_.theta.size() > 0) {
     result->cost_after =
         0.5 * (residuals.squaredNorm() + free_.PriorResiduals(result->theta).squaredNorm());
     uncertainty = QuantifyUncertainty(free_, observations_.NumObserved(0, scene_.last_fitted_frame),
                                       residuals, jacobian);
-    constexpr double kConvergedDecrease = 0.01;
+    // Whoever asks for a rough fit asks for no more than that.
+    const double most = std::max(0.01, 10.0 * polish_tolerance_);
     const double decrease = ExpectedDecrease(residuals, jacobian);
-    if (converged_ && config_.polish && decrease > kConvergedDecrease) {
+    if (converged_ && config_.polish && decrease > most) {
       converged_ = false;
       Log(
           fmt::format("Levenberg-Marquardt came to rest where a full step promises {:.0f} % less "

@@ -10,7 +10,8 @@
 
 namespace clothfit {
 
-ceres::Solver::Options LevenbergMarquardtOptions(int max_iterations, double function_tolerance);
+ceres::Solver::Options LevenbergMarquardtOptions(int max_iterations, double function_tolerance,
+                                                 double trust_region_radius = 1.0);
 
 // Keeps a block of unknowns within these bounds, as far as they are finite.
 void SetBounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, double* unknowns,

@@ -9,7 +9,6 @@
 #include <Eigen/Cholesky>
 
 #include "fitting/node_sums.h"
-#include "fitting/simulation_cost.h"
 
 namespace clothfit {
 
@@ -87,17 +86,6 @@ WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
   if (usable && !all) compressor.Finish(residuals, jacobian);
   usable = usable && residuals->allFinite() && (jacobian == nullptr || jacobian->allFinite());
   return usable ? outcome : WindowSimulator::Outcome::kDiverged;
-}
-
-ceres::CostFunction* MakeWindowCost(WindowSimulator* simulator,
-                                    const ObservationResiduals* observations,
-                                    const WindowStart* start, int num_free, int first, int last) {
-  const auto evaluate = [=](const Eigen::VectorXd& theta, Eigen::VectorXd* residuals,
-                            RowMajorMatrix* jacobian) {
-    return EvaluateWindow(simulator, *observations, *start, theta, first, last, Rows::kCompressed,
-                          residuals, jacobian) == WindowSimulator::Outcome::kComplete;
-  };
-  return new SimulationCost(num_free + 1, num_free, evaluate);
 }
 
 LinearCost::LinearCost(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& offset)

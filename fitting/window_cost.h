@@ -28,13 +28,6 @@ WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
                                         int first, int last, Rows rows, Eigen::VectorXd* residuals,
                                         RowMajorMatrix* jacobian, WindowStart* end = nullptr);
 
-// The compressed residuals of the frames first..last, of which `first` is the start's own or the
-// one after it. The arguments must outlive the cost, of which the caller is the owner. Its Evaluate
-// is false where the simulation diverges, is stopped, or a tracked point falls behind its camera.
-ceres::CostFunction* MakeWindowCost(WindowSimulator* simulator,
-                                    const ObservationResiduals* observations,
-                                    const WindowStart* start, int num_free, int first, int last);
-
 // information * (theta - mean): what earlier windows, or the prior, know.
 class LinearCost : public ceres::CostFunction {
  public:
@@ -49,7 +42,8 @@ class LinearCost : public ceres::CostFunction {
 };
 
 // All residuals (observations of frames 0..last_frame, open loop, then priors) at theta and, where
-// asked for, their Jacobian (residuals x free). False as in MakeWindowCost.
+// asked for, their Jacobian (residuals x free). False where the simulation diverges, is stopped, or
+// a tracked point falls behind its camera.
 bool EvaluateResiduals(const Scene& scene, const FitConfig& config, const FreeParameters& free,
                        const Eigen::VectorXd& theta, int last_frame, Eigen::VectorXd* residuals,
                        Eigen::MatrixXd* jacobian);

@@ -100,6 +100,7 @@ TEST_P(TwoLoops, SearchFabricOutsideAndHandlesInside) {
   const SilhouetteScene known = MakeSilhouetteScene(true);
   SearchOptions options;
   options.num_threads = 2;
+  options.derivative_cost = 4.0;     // as above
   options.budget.evaluations = 1.0;  // one pass begins, however long it takes
   const FitConfig config = With(known.config, GetParam(), Strategy::kTwoLoop);
   const SearchResult first = Search(known.scene, config, options);
