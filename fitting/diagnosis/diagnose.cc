@@ -34,6 +34,8 @@ constexpr int kModelIterations = 12;     // a model starts near its end
 constexpr int kMoreHeats = 3;            // of the best, until it converges
 constexpr double kNearBest = 0.9;        // of what the best gains: it may come first yet
 constexpr double kStillInRace = 0.5;     // of what the best has gained by then
+constexpr double kCatchesUp = 0.3;       // of what a model gains, the same without its effect
+constexpr int kMostRematches = 2;        // of a diagnosis
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
 constexpr double kBlockSeconds = 0.2;    // of the bootstrap
 constexpr double kSameShare = 0.1;       // of what is explained: models nearer than that are equal
@@ -68,6 +70,11 @@ class Diagnoser {
   std::vector<Fitted> FitModels(const FittedScene& current, const Ranking& ranking);
   void FinishModels(const FittedScene& current, std::vector<Fitted>* models);
   void GoOnWith(Fitted* model);
+  // Whether a fit without the effect, begun where the model has ended, comes (nearly) as far: then
+  // the model had found a better valley, not an effect. What is explained is held against that
+  // fit then.
+  bool CatchesUp(const Fitted& model, FittedScene* current, HeldOutErrors* errors);
+  void ForgetRound(std::size_t first_model);
   void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
   void PutBestPredictionFirst(const FittedScene& current, std::vector<Fitted>* models) const;
   Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
@@ -99,6 +106,7 @@ class Diagnoser {
   std::optional<FittedScene> first_scene_;  // the baseline that was ranked first
   std::optional<Ranking> first_ranking_;
   HeldOutErrors first_errors_;
+  int rematches_ = 0;
   double first_unexplained_ = 0.0;  // sum of squares
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
@@ -258,6 +266,34 @@ void Diagnoser::GoOnWith(Fitted* model) {
   if (is_better) model->scene = std::move(*further);
 }
 
+bool Diagnoser::CatchesUp(const Fitted& model, FittedScene* current, HeldOutErrors* errors) {
+  if (rematches_ == kMostRematches || Stopped()) return false;
+  Say("fitting without " + model.candidate.summary.name, 0.7);
+  std::optional<FittedScene> again = FitModel(model.scene, WithoutEffect(*current, model.scene),
+                                              2 * kModelIterations, options_.stop);
+  Spend("fitting without what was found");
+  if (!again) return false;
+  const double before = current->fit.cost_after, after = again->fit.cost_after;
+  Log(fmt::format("without {}, from where it ended: cost {:.6g} -> {:.6g}",
+                  model.candidate.summary.name, before, after));
+  if (before - after < kCatchesUp * (before - model.scene.fit.cost_after)) return false;
+  ++rematches_;
+  *current = std::move(*again);
+  *errors = MeasureHeldOut(*current);
+  return true;
+}
+
+// So that the round can be held again from a better fit.
+void Diagnoser::ForgetRound(std::size_t first_model) {
+  diagnosis_.models.resize(first_model);
+  if (diagnosis_.answer || !diagnosis_.effects.empty()) return;  // the baseline is what it was
+  diagnosis_.ranking.clear();
+  diagnosis_.mismatch.reset();
+  diagnosis_.mismatch_class.reset();
+  diagnosis_.mismatch_pictures.reset();
+  diagnosis_.motions.missing_force.clear();
+}
+
 Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
                           const HeldOutErrors& errors) {
   Model described;
@@ -311,14 +347,22 @@ void Diagnoser::FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>&
   const Fitted& best = models[winner];
   const double gained = before.fit.cost_after - best.scene.fit.cost_after;
   diagnosis_.ambiguity.push_back(best.candidate.summary.name);
+  std::vector<const FittedScene*> like_it = {&best.scene};
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (i == winner) continue;
     const double worse = models[i].scene.fit.cost_after - best.scene.fit.cost_after;
     // Where both leave next to nothing of a large gain, what they leave decides.
     const double left = std::max(0.0, best.scene.fit.cost_after - 0.5 * ranking.null_mean);
     const double mesh = 0.5 * ranking.num_rows * ranking.floor_rms * ranking.floor_rms;
-    if (worse < std::min(kSameShare * gained, 2.0 * (left + mesh)))
+    if (worse < std::min(kSameShare * gained, 2.0 * (left + mesh))) {
       diagnosis_.ambiguity.push_back(models[i].candidate.summary.name);
+      // What is put right in the observation moves no cloth.
+      if (models[i].candidate.faults.empty()) like_it.push_back(&models[i].scene);
+    }
+  }
+  if (best.candidate.faults.empty()) {
+    diagnosis_.separating = FindSeparatingMotion(like_it);
+    Spend("separating motion");
   }
   for (const RankedCandidate& other : ranking.candidates) {
     const bool is_fitted = std::any_of(models.begin(), models.end(), [&](const Fitted& m) {
@@ -445,6 +489,15 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     const bool is_worth_it = described.explained >= options_.least_share;
     described.is_kept = is_worth_it && (!options_.prove || described.proof.is_proven);
     if (!described.is_kept) continue;
+    if (CatchesUp(models[i], current, errors)) {
+      ForgetRound(first_model);
+      if (diagnosis_.ranking.empty()) {
+        baseline_cost_ = current->fit.cost_after;
+        diagnosis_.baseline = current->config;
+        diagnosis_.baseline_fit = current->fit;
+      }
+      return AddEffect(current, errors);
+    }
     if (!diagnosis_.answer) FindAmbiguity(ranking, models, i, *current);
     diagnosis_.answer = described;
     diagnosis_.effects = described.effects;
@@ -483,6 +536,7 @@ void Diagnoser::LearnInstead(FittedScene* current) {
   diagnosis_.answer = law.model;
   diagnosis_.effects.clear();
   diagnosis_.ambiguity.clear();
+  diagnosis_.separating.reset();
   diagnosis_.law = std::move(law);
   *current = fit->scene;
 }

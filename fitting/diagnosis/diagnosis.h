@@ -18,6 +18,7 @@
 #include "fitting/config.h"
 #include "fitting/diagnosis/acting_force.h"
 #include "fitting/diagnosis/diagnosis_motions.h"
+#include "fitting/diagnosis/separating_motion.h"
 #include "fitting/fit.h"
 #include "fitting/scene.h"
 
@@ -169,6 +170,8 @@ struct Diagnosis {
   std::optional<Law> law;              // where one was learned and proven
   std::vector<std::string> effects;    // of the answer, and faults named
   std::vector<std::string> ambiguity;  // what cannot be told from the first effect, itself included
+  // Of those that were fitted: the motion that would tell them apart best.
+  std::optional<SeparatingMotion> separating;
   std::vector<std::pair<std::string, double>> seconds;  // where the time went
   DiagnosisMotions motions;                             // for pages and pictures
 };

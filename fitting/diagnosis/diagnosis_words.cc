@@ -52,7 +52,9 @@ std::string SayProof(const Model& answer, bool is_px) {
 std::string SayAmbiguity(const Diagnosis& diagnosis) {
   if (diagnosis.ambiguity.size() < 2) return "";
   std::vector<std::string> others(diagnosis.ambiguity.begin() + 1, diagnosis.ambiguity.end());
-  return "This recording cannot tell it from " + JoinNames(others) + ".";
+  std::string words = "This recording cannot tell it from " + JoinNames(others) + ".";
+  if (diagnosis.separating) words += " " + Describe(*diagnosis.separating);
+  return words;
 }
 
 Json AsJson(const EffectParameter& p) {
@@ -246,6 +248,12 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
   json["class"] = diagnosis.mismatch_class ? AsJson(*diagnosis.mismatch_class) : Json(nullptr);
   json["effects"] = diagnosis.effects;
   json["ambiguity"] = diagnosis.ambiguity;
+  json["separating_motion"] = nullptr;
+  if (diagnosis.separating) {
+    json["separating_motion"] = {{"motion", diagnosis.separating->motion},
+                                 {"apart_m", diagnosis.separating->apart},
+                                 {"apart_here_m", diagnosis.separating->apart_here}};
+  }
   json["answer"] = diagnosis.answer ? AsJson(*diagnosis.answer) : Json(nullptr);
   json["law"] = nullptr;
   if (diagnosis.law)

@@ -66,6 +66,14 @@ ModelStart GoOn(const FittedScene& model) {
   return start;
 }
 
+ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model) {
+  ModelStart start = GoOn(before);
+  for (auto& [name, setting] : start.config.parameters) {
+    if (setting.free) setting.value = Inside(model.values.parameters.at(name).value, setting);
+  }
+  return start;
+}
+
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
                                     int most_iterations, const std::atomic<bool>* stop) {
   FitConfig config = start.config;

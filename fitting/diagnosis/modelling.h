@@ -27,6 +27,9 @@ ModelStart GoOn(const FittedScene& model);
 // the way is linear, and the projection goes it.
 inline constexpr double kEnoughForDiagnosis = 1e-4;
 
+// The same scene without the model's effect, begun from what the model found for everything else.
+ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model);
+
 // Fits it, from the handles' paths and initial state of `fitted`. Empty where the fit fails.
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
                                     int most_iterations, const std::atomic<bool>* stop);
