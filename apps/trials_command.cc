@@ -45,13 +45,15 @@ std::string Conditions(const TrialsOptions& options, const std::string& commitme
   for (const std::string& name : options.size.only) only += (only.empty() ? "" : ", ") + name;
   const auto flag = [](bool value) { return value ? "true" : "false"; };
   return fmt::format(
-      "clothfit: {}\nplan: {}\nmatch: '{}'\nfirst_seed: {}\nseeds: {}\nonly: [{}]\nframes: {}\n"
+      "clothfit: {}\nplan: {}\nmatch: '{}'\nsample: {}\nfirst_seed: {}\nseeds: {}\nonly: "
+      "[{}]\nframes: {}\n"
       "resolution: {}\nsame_generator: {}\nfinite_elements: {}\nproject: {}\nsimulate_null: {}\n"
       "prove: {}\ntrue_model: {}\ncommitments: {}\n",
-      Version(), options.plan, options.size.match, options.size.first_seed, options.size.num_seeds,
-      only, options.size.frame_count, options.size.resolution, flag(options.size.same_generator),
-      flag(options.size.finite_elements), flag(!options.no_projection), flag(!options.table_null),
-      flag(!options.no_proof), flag(!options.no_true_model), Sha256(commitments));
+      Version(), options.plan, options.size.match, options.size.sample, options.size.first_seed,
+      options.size.num_seeds, only, options.size.frame_count, options.size.resolution,
+      flag(options.size.same_generator), flag(options.size.finite_elements),
+      flag(!options.no_projection), flag(!options.table_null), flag(!options.no_proof),
+      flag(!options.no_true_model), Sha256(commitments));
 }
 
 // Makes the folder and writes down what is to be found in it.
@@ -162,6 +164,10 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
       ->add_option("--match", options->size.match,
                    "only trials with this in their name, see --list")
       ->type_name("TEXT");
+  command
+      ->add_option("--sample", options->size.sample,
+                   "only so many of them, drawn evenly over the list by the first seed")
+      ->type_name("N");
   command->add_option("--frames", options->size.frame_count, "of each recording")
       ->type_name("N")
       ->capture_default_str();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <utility>
 
 #include <fmt/format.h>
@@ -343,6 +344,20 @@ void CheckSizes(const TrialPlanOptions& options) {
          "4 to 100 particles a side");
 }
 
+// One trial of each of `count` stretches of the list, of (nearly) equal length: all kinds, effects,
+// motions and sizes in proportion, and each trial as likely as any other.
+std::vector<Trial> Sample(std::vector<Trial> trials, int count, int seed) {
+  const std::size_t n = trials.size(), k = static_cast<std::size_t>(count);
+  if (k >= n) return trials;
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+  std::vector<Trial> sample;
+  for (std::size_t i = 0; i < k; ++i) {
+    const std::size_t begin = i * n / k, end = (i + 1) * n / k;
+    sample.push_back(std::move(trials[begin + random() % (end - begin)]));
+  }
+  return sample;
+}
+
 }  // namespace
 
 std::string ToString(TrialKind kind) {
@@ -403,6 +418,9 @@ std::vector<Trial> MakeTrialPlan(const std::string& place, const std::string& pl
     throw InputError("--only",
                      JoinNames(options.only) + ": the plan '" + plan + "' has none of these");
   }
+  if (options.sample < 0)
+    throw InputError("--sample", fmt::format("{}: expected 1 or more trials", options.sample));
+  if (options.sample > 0) trials = Sample(std::move(trials), options.sample, options.first_seed);
   return trials;
 }
 

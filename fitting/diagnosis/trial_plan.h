@@ -85,7 +85,8 @@ struct TrialPlanOptions {
   int num_seeds = 1;              // how often the whole plan is drawn
   std::vector<std::string> only;  // effects and faults; empty: all
   std::string match;              // in the name of each trial; empty: all
-  bool same_generator = false;    // simulate with the fit's mesh and step
+  int sample = 0;  // so many of what is left then, one of each stretch of the list; 0: all
+  bool same_generator = false;  // simulate with the fit's mesh and step
   // Simulate by finite elements; trials whose effects those do not have are left out.
   bool finite_elements = false;
   // Size of the recordings.

@@ -281,7 +281,8 @@ TrialScore ScoreDiagnosis(const Trial& trial, const TrialTruth& truth, const Dia
   if (!diagnosis.ranking.empty()) score.top = diagnosis.ranking.front().name;
   switch (trial.kind) {
     case TrialKind::kClean:
-      score.false_alarm = diagnosis.verdict != Verdict::kNothingMissing;
+      score.false_alarm =
+          diagnosis.verdict != Verdict::kNothingMissing && diagnosis.verdict != Verdict::kUndecided;
       return score;
     case TrialKind::kFault:
       ScoreFault(trial, diagnosis, &score);

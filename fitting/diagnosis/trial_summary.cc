@@ -77,16 +77,29 @@ std::string Row(const std::string& what, const std::string& found, const std::st
   return fmt::format("| {} | {} | {} |\n", what, found, asked);
 }
 
+Coverage CountUndecided(const Scores& scores) {
+  Coverage undecided;
+  undecided.total = static_cast<int>(scores.size());
+  undecided.covered =
+      static_cast<int>(std::count_if(scores.begin(), scores.end(), [](const TrialScore& score) {
+        return score.verdict == "undecided";
+      }));
+  return undecided;
+}
+
 std::string AlarmRows(const Scores& scores) {
   const Scores clean = Those(scores, IsKind("clean")), fault = Those(scores, IsKind("fault"));
   return Row("clean: false alarms", Percent(CountYes(clean, &TrialScore::false_alarm)), "0 of 60") +
+         Row("clean: undecided", Percent(CountUndecided(clean)), "-") +
          Row("fault: physics blamed", Percent(CountYes(fault, &TrialScore::false_alarm)),
              "at most 3 of 60") +
+         Row("fault: undecided", Percent(CountUndecided(fault)), "-") +
          Row("fault: named as such", Percent(CountYes(fault, &TrialScore::fault_named)), "all");
 }
 
 std::string NameRows(const Scores& fair) {
-  return Row("listed, fair: named first", Percent(CountYes(fair, &TrialScore::named_first)),
+  return Row("listed, fair: undecided", Percent(CountUndecided(fair)), "-") +
+         Row("listed, fair: named first", Percent(CountYes(fair, &TrialScore::named_first)),
              "at least 85 %") +
          Row("listed, fair: first of the ranking", Percent(CountYes(fair, &TrialScore::top_right)),
              "-") +

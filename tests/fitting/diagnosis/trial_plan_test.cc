@@ -66,6 +66,29 @@ TEST(TrialPlan, HasNamesOfItsOwnAndOptionsThatCanBeUsed) {
   EXPECT_GT(names.size(), 800U);
 }
 
+TEST(TrialPlan, SamplesAllKindsInProportion) {
+  TrialPlanOptions options;
+  const std::vector<Trial> all = MakeTrialPlan("plan", "all", options);
+  options.sample = 50;
+  const std::vector<Trial> some = MakeTrialPlan("plan", "all", options);
+  ASSERT_EQ(some.size(), 50u);
+  const auto count = [](const std::vector<Trial>& trials, TrialKind kind) {
+    return std::count_if(trials.begin(), trials.end(),
+                         [&](const Trial& trial) { return trial.kind == kind; });
+  };
+  for (const TrialKind kind : {TrialKind::kClean, TrialKind::kFault, TrialKind::kListed})
+    EXPECT_NEAR(static_cast<double>(count(some, kind)),
+                50.0 * static_cast<double>(count(all, kind)) / static_cast<double>(all.size()),
+                1.0);
+  std::set<std::string> names;
+  for (const Trial& trial : all) names.insert(trial.name);
+  for (const Trial& trial : some) EXPECT_EQ(names.erase(trial.name), 1u) << trial.name;
+  options.sample = 10000;  // more than there are
+  EXPECT_EQ(MakeTrialPlan("plan", "all", options).size(), all.size());
+  options.sample = -1;
+  EXPECT_THROW(MakeTrialPlan("plan", "all", options), InputError);
+}
+
 TEST(TrialPlan, PlantsEveryAbsentTermInTwoMotionsTwoObservationsAndThreeSizes) {
   struct Seen {
     std::set<SyntheticScenario> motions;

@@ -191,7 +191,10 @@ TEST(TrialScore, OfACleanRecordingIsAnyAlarm) {
   const Trial trial = FirstOf("clean");
   const TrialTruth truth = PlantedTruth(trial);
   Diagnosis diagnosis;
-  EXPECT_EQ(ScoreDiagnosis(trial, truth, diagnosis, {}).false_alarm, false);
+  for (const Verdict verdict : {Verdict::kNothingMissing, Verdict::kUndecided}) {
+    diagnosis.verdict = verdict;
+    EXPECT_EQ(ScoreDiagnosis(trial, truth, diagnosis, {}).false_alarm, false);
+  }
   for (const Verdict verdict :
        {Verdict::kNamed, Verdict::kObservationFault, Verdict::kNoneOfTheAbove}) {
     diagnosis.verdict = verdict;
