@@ -140,7 +140,8 @@ Study RuntimeStudy() {
 Study OptimiserStudy() {
   return SearchStudy(
       "optimisers", "optimisers and strategies from the same starts",
-      {"lm/joint", "lm/two-loop", "pattern/two-loop", "bobyqa/two-loop", "nelder-mead/two-loop"},
+      {"lm/joint", "lm/two-loop", "pattern/two-loop", "annealing/two-loop", "bobyqa/two-loop",
+       "nelder-mead/two-loop"},
       [](const StudyOptions&, const std::vector<DoneFit>&) { return std::string(); });
 }
 
