@@ -78,6 +78,7 @@ class Diagnoser {
   void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
   void PutBestPredictionFirst(const FittedScene& current, std::vector<Fitted>* models) const;
   Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
+  HeldOutProof ProofOf(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
   void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models, std::size_t winner,
                      const FittedScene& before);
   // A law instead of names, where those explain too little and it explains more.
@@ -143,6 +144,16 @@ bool IsObvious(const Ranking& ranking) {
                      });
 }
 
+bool IsOfCamera(const Fault& fault) {
+  return fault.kind == Fault::Kind::kCameraShift || fault.kind == Fault::Kind::kCameraTurn ||
+         fault.kind == Fault::Kind::kCameraClock || fault.kind == Fault::Kind::kCameraScale;
+}
+
+bool HasTracksOf(const Scene& scene, int camera) {
+  return std::any_of(scene.tracks.begin(), scene.tracks.end(),
+                     [camera](const TrackObservation& track) { return track.camera == camera; });
+}
+
 // Do mesh and step make much of what is left?
 bool MeshMatters(const Ranking& ranking) {
   const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
@@ -165,7 +176,10 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
                                          swap.first_id, swap.second_id, swap.from_frame);
     ModelStart start{SwapBack(fitted.scene.recording, swap), fitted.config};
     std::optional<FittedScene> again = FitModel(fitted, start, kModelIterations, options_.stop);
-    if (!again || !(again->fit.cost_after < fitted.fit.cost_after)) break;
+    if (!again || !(again->fit.cost_after < fitted.fit.cost_after)) {
+      Log(name + ": the fit is no better without");
+      break;
+    }
     Log(name);
     diagnosis_.effects.push_back(name);
     fitted = std::move(*again);
@@ -326,18 +340,32 @@ Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
          std::max(bounds.lower, estimate.value + wider * (estimate.lower95 - estimate.value)),
          std::min(bounds.upper, estimate.value + wider * (estimate.upper95 - estimate.value))});
   }
-  const double frame_rate = recording_.frame_rate;
-  const double sigma = model.scene.scene.markers.empty() ? model.scene.scene.track_sigma
-                                                         : model.scene.scene.marker_sigma;
-  const double dimensions = model.scene.scene.markers.empty() ? 2.0 : 3.0;
-  // What mesh and step do to a prediction is held against physics, not against a camera.
-  const bool is_physics = model.candidate.faults.empty();
-  const double numerical =
-      is_physics && last_ranking_.errors ? last_ranking_.errors->held_out_rms : 0.0;
-  described.proof =
-      Prove(errors, model.errors, static_cast<int>(std::lround(kBlockSeconds * frame_rate)),
-            {sigma * std::sqrt(dimensions), numerical}, options_.seed);
+  described.proof = ProofOf(model, before, errors);
   return described;
+}
+
+// A camera is put right where it looks: by its own tracks, where there are markers, too.
+HeldOutProof Diagnoser::ProofOf(const Fitted& model, const FittedScene& before,
+                                const HeldOutErrors& errors) {
+  const Scene& scene = model.scene.scene;
+  const std::vector<int>& faults = model.candidate.faults;
+  std::optional<int> camera;
+  if (!faults.empty() && !scene.markers.empty()) {
+    const Fault& fault = last_ranking_.faults[static_cast<std::size_t>(faults.front())];
+    if (IsOfCamera(fault) && HasTracksOf(scene, fault.source)) camera = fault.source;
+  }
+  const bool is_px = scene.markers.empty() || camera;
+  const double noise =
+      is_px ? scene.track_sigma * std::sqrt(2.0) : scene.marker_sigma * std::sqrt(3.0);
+  // What mesh and step do to a prediction is held against physics, not against a camera.
+  const double numerical =
+      faults.empty() && last_ranking_.errors ? last_ranking_.errors->held_out_rms : 0.0;
+  const int block = static_cast<int>(std::lround(kBlockSeconds * recording_.frame_rate));
+  HeldOutProof proof = Prove(camera ? MeasureHeldOut(before, camera) : errors,
+                             camera ? MeasureHeldOut(model.scene, camera) : model.errors, block,
+                             {noise, numerical}, options_.seed);
+  proof.is_in_pixels = is_px;
+  return proof;
 }
 
 // Every model of the round that fits about as well as the one that is kept, and what has the same
@@ -581,7 +609,7 @@ void Diagnoser::Conclude(const FittedScene& current) {
                                            : Verdict::kUndecided;
   }
   if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law) MeasureWhatActs(current);
-  diagnosis_.words = DescribeDiagnosis(diagnosis_, recording_);
+  diagnosis_.words = DescribeDiagnosis(diagnosis_);
 }
 
 Diagnosis Diagnoser::Run() {

@@ -72,13 +72,14 @@ struct Candidate {
   std::string why_not;  // where it is not
 };
 
-// Open-loop prediction of frames that the fit has not seen, root mean squares (m, or px where there
-// are no markers).
+// Open-loop prediction of frames that the fit has not seen, root mean squares (m; px where there
+// are no markers, or where a camera's fault is proven by what that camera tracks).
 struct HeldOutProof {
   double before = 0.0, after = 0.0;
   double improvement_lower95 = 0.0;  // of before - after, by a block bootstrap
   double floor = 0.0;                // what mesh, step and noise alone come to
   bool is_proven = false;
+  bool is_in_pixels = false;
 };
 
 // A candidate switched on and everything fitted again.

@@ -42,7 +42,8 @@ std::string NameEffects(const Diagnosis& diagnosis) {
                              100.0 * answer.explained);
 }
 
-std::string SayProof(const Model& answer, bool is_px) {
+std::string SayProof(const Model& answer) {
+  const bool is_px = answer.proof.is_in_pixels;
   return fmt::format(
       "With it, the error on the held-out frames falls from {} to {}; {} would be noise.",
       Length(answer.proof.before, is_px), Length(answer.proof.after, is_px),
@@ -94,6 +95,7 @@ Json AsJson(const Model& m) {
             {"after", OrNull(m.proof.after)},
             {"improvement_lower95", OrNull(m.proof.improvement_lower95)},
             {"floor", OrNull(m.proof.floor)},
+            {"unit", m.proof.is_in_pixels ? "px" : "m"},
             {"proven", m.proof.is_proven}}},
           {"kept", m.is_kept}};
 }
@@ -140,8 +142,7 @@ Json AsJson(const MismatchClass& c) {
 
 }  // namespace
 
-std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recording) {
-  const bool is_px = recording.markers.empty();
+std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
   std::vector<std::string> sentences;
   if (diagnosis.verdict == Verdict::kInterrupted) sentences.push_back("Interrupted; so far:");
   if (diagnosis.verdict == Verdict::kNothingMissing) {
@@ -178,12 +179,12 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recor
         "explains {:.0f} %: {}.",
         100.0 * model.explained, diagnosis.law->formula));
     if (diagnosis.acting_class) sentences.push_back(diagnosis.acting_class->words);
-    sentences.push_back(SayProof(model, is_px));
+    sentences.push_back(SayProof(model));
   } else if (diagnosis.answer) {
     sentences.push_back(NameEffects(diagnosis));
     if (diagnosis.acting_class) sentences.push_back(diagnosis.acting_class->words);
     sentences.push_back(SayAmbiguity(diagnosis));
-    sentences.push_back(SayProof(*diagnosis.answer, is_px));
+    sentences.push_back(SayProof(*diagnosis.answer));
   } else if (!diagnosis.effects.empty()) {
     sentences.push_back("Put right in the observation: " + JoinNames(diagnosis.effects) + ".");
   }

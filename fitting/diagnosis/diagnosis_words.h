@@ -12,7 +12,7 @@
 namespace clothfit {
 
 // The answer as one paragraph.
-std::string DescribeDiagnosis(const Diagnosis& diagnosis, const Recording& recording);
+std::string DescribeDiagnosis(const Diagnosis& diagnosis);
 
 // The ranking, the models and where the time went, as Markdown.
 std::string DiagnosisAsMarkdown(const Diagnosis& diagnosis);

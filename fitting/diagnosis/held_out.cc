@@ -37,10 +37,11 @@ FrameMean MarkersOf(const Scene& scene, int frame, const Eigen::VectorXd& x) {
   return mean;
 }
 
-FrameMean TracksOf(const Scene& scene, int frame, const Eigen::VectorXd& x) {
+FrameMean TracksOf(const Scene& scene, int frame, const Eigen::VectorXd& x,
+                   std::optional<int> only) {
   FrameMean mean;
   for (const TrackObservation& t : scene.tracks) {
-    if (t.frame != frame) continue;
+    if (t.frame != frame || t.camera != only.value_or(t.camera)) continue;
     const Camera& camera = scene.recording.cameras[t.camera];
     const Eigen::Vector3d p = t.on_cloth.At(x);
     if (IsInFront(camera, p)) mean.Add((ProjectPoint(camera, p) - t.pixel).squaredNorm());
@@ -85,7 +86,7 @@ double HeldOutErrors::Rms() const {
   return is_complete ? RootOfMean(squared) : std::numeric_limits<double>::infinity();
 }
 
-HeldOutErrors MeasureHeldOut(const FittedScene& fitted) {
+HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camera) {
   const Scene& scene = fitted.scene;
   const FreeParameters free(fitted.config, scene, MakeParameterTable());
   const HardSilhouette hard(scene);
@@ -96,10 +97,10 @@ HeldOutErrors MeasureHeldOut(const FittedScene& fitted) {
       scene, fitted.config, free, fitted.fit.theta, last, [&](int frame, const State& state) {
         if (!scene.IsHeldOut(frame)) return;
         FrameMean mean;
-        if (has_markers) {
+        if (has_markers && !camera) {
           mean = MarkersOf(scene, frame, state.x);
         } else if (has_tracks) {
-          mean = TracksOf(scene, frame, state.x);
+          mean = TracksOf(scene, frame, state.x, camera);
         } else {
           for (const HardSilhouette::Difference& d : hard.Differences(frame, state.x))
             mean.Add(static_cast<double>(d.pixels) * static_cast<double>(d.pixels));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,8 +23,9 @@ struct HeldOutErrors {
   double Rms() const;
 };
 
-// One open-loop simulation at what was fitted, through all frames.
-HeldOutErrors MeasureHeldOut(const FittedScene& fitted);
+// One open-loop simulation at what was fitted, through all frames. With a camera: of its tracks
+// only, whatever else was seen.
+HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camera = std::nullopt);
 
 // How far apart two models have what is seen in held-out frames, root mean square: markers (m)
 // where there are any, else tracks (px), else 0. Both of one recording. Infinite where one of them

@@ -221,6 +221,8 @@ void ScoreHeldOut(const Diagnosis& diagnosis, const std::optional<double>& held_
   const std::optional<double> marker = diagnosis.baseline_fit.after.held_out_marker_rms;
   score->held_out_before = marker ? marker : diagnosis.baseline_fit.after.held_out_track_rms;
   score->held_out_true = held_out_true;
+  const bool is_px = diagnosis.answer && diagnosis.answer->proof.is_in_pixels;
+  if (is_px && marker) return;  // proven by one camera's tracks, which is no gap of the prediction
   if (diagnosis.answer) {
     score->held_out_before = diagnosis.answer->proof.before;
     score->held_out_after = diagnosis.answer->proof.after;

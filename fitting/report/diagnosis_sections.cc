@@ -111,18 +111,31 @@ ReportJson ProofBars(const ReportJson& model) {
           {"items", items}};
 }
 
-ReportJson ModelTable(const ReportJson& models, double factor, const std::string& unit) {
+// Camera faults are proven in pixels even where there are markers.
+bool IsInPixels(const ReportJson& model, bool if_unsaid) {
+  return model.at("held_out").value("unit", if_unsaid ? "px" : "m") == "px";
+}
+
+ReportJson ModelTable(const ReportJson& models, bool is_px) {
+  const double factor = is_px ? 1.0 : 1e3;
+  const std::string unit = is_px ? "px" : "mm";
   ReportJson rows = ReportJson::array();
   for (const ReportJson& m : models) {
     const ReportJson& proof = m.at("held_out");
+    const bool is_other = IsInPixels(m, is_px) != is_px;
     const auto length = [&](const char* key) {
-      return proof.at(key).is_number() ? ReportJson(factor * proof.at(key).get<double>())
-                                       : ReportJson();
+      return proof.at(key).is_number() && !is_other
+                 ? ReportJson(factor * proof.at(key).get<double>())
+                 : ReportJson();
     };
+    std::string verdict = proof.at("proven") == true ? "proven" : "";
+    if (is_other && proof.at("before").is_number() && proof.at("after").is_number()) {
+      verdict += fmt::format(" ({:.3g} to {:.3g} px of its camera)",
+                             proof.at("before").get<double>(), proof.at("after").get<double>());
+    }
     rows.push_back({JoinNames(m.at("effects").get<std::vector<std::string>>()), m.at("cost"),
                     Percent(m.at("explained")), length("before"), length("after"),
-                    length("improvement_lower95"), length("floor"),
-                    proof.at("proven") == true ? "proven" : "",
+                    length("improvement_lower95"), length("floor"), verdict,
                     m.at("kept") == true ? "kept" : ""});
   }
   const auto with_unit = [&](const char* title) {
@@ -236,8 +249,9 @@ ReportJson ProofSection(const ReportScene& report, const DiagnosisRecord& record
   ReportJson blocks = ReportJson::array();
   const ReportJson& models = record.json.at("models");
   const ReportJson answer = record.json.value("answer", ReportJson());
-  const bool is_px = report.scene().markers.empty();
+  const bool has_no_markers = report.scene().markers.empty();
   if (answer.is_object()) {
+    const bool is_px = IsInPixels(answer, has_no_markers);
     ReportJson bars = ProofBars(answer);
     bars["unit"] = is_px ? "px" : "mm";
     for (ReportJson& item : bars["items"])
@@ -250,7 +264,7 @@ ReportJson ProofSection(const ReportScene& report, const DiagnosisRecord& record
                                  QuantityInWords(bound.get<double>(), is_px ? "px" : "m"))}));
     }
   }
-  if (!models.empty()) blocks.push_back(ModelTable(models, is_px ? 1.0 : 1e3, is_px ? "px" : "mm"));
+  if (!models.empty()) blocks.push_back(ModelTable(models, has_no_markers));
   ReportJson section = SectionOf("proof", "Proof on frames that no fit has seen", blocks, "Proof");
   section["lead"] =
       "Every model predicts the held-out frames open loop. It is proven where the lower end of the "

@@ -4,8 +4,12 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
+
+#include "autodiff_sim/parameter_table.h"
+#include "tracking/synthetic_recording.h"
 
 namespace clothfit {
 namespace {
@@ -66,6 +70,41 @@ TEST(HeldOut, FramesAreHeldOutWhereNoneAre) {
   EXPECT_EQ(split.splits.held_out_frames->last, 89);
   recording.splits.held_out_frames = {80, 85};
   EXPECT_EQ(WithHeldOutFrames(recording, 0.5).splits.held_out_frames->first, 80);
+}
+
+// The cloth of a recording of markers and tracks, at the truth.
+FittedScene AtTruth(const Recording& recording) {
+  FitConfig config = DefaultConfig(recording);
+  for (auto& [name, setting] : config.parameters) setting.free = false;
+  FittedScene fitted;
+  fitted.scene = MakeScene(recording, config);
+  fitted.config = fitted.values = config;
+  fitted.fit.theta = FreeParameters(config, fitted.scene, MakeParameterTable()).start();
+  return fitted;
+}
+
+TEST(HeldOut, ACameraIsMeasuredByItsOwnTracks) {
+  SyntheticOptions options;
+  options.resolution = {5, 5};
+  options.frame_rate = 30.0;
+  options.frame_count = 12;
+  options.steps_per_frame = 4;
+  options.num_cameras = 2;
+  Recording recording = WithHeldOutFrames(MakeSyntheticRecording(options).recording, 0.5);
+  ASSERT_FALSE(recording.markers.empty());
+  ASSERT_FALSE(recording.tracks.empty());
+  const FittedScene right = AtTruth(recording);
+  Camera& camera = recording.cameras[1];
+  camera.camera_from_world_translation.x() += 0.02;
+  const FittedScene wrong = AtTruth(recording);
+  EXPECT_EQ(MeasureHeldOut(wrong).squared, MeasureHeldOut(right).squared);  // markers
+  EXPECT_EQ(MeasureHeldOut(wrong, 0).squared, MeasureHeldOut(right, 0).squared);
+  EXPECT_GT(MeasureHeldOut(wrong, 1).Rms(), MeasureHeldOut(right, 1).Rms() + 2.0);  // px
+  std::set<int> frames;  // in which that camera sees anything
+  for (const TrackObservation& track : right.scene.tracks) {
+    if (track.camera == 1 && right.scene.IsHeldOut(track.frame)) frames.insert(track.frame);
+  }
+  EXPECT_EQ(MeasureHeldOut(right, 1).squared.size(), frames.size());
 }
 
 }  // namespace
