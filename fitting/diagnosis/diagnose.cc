@@ -174,7 +174,8 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
     const SwappedMarkers& swap = swaps.front();
     const std::string name = fmt::format("markers {} and {} swapped from frame {} on",
                                          swap.first_id, swap.second_id, swap.from_frame);
-    ModelStart start{SwapBack(fitted.scene.recording, swap), fitted.config};
+    ModelStart start = GoOn(fitted);
+    start.recording = SwapBack(fitted.scene.recording, swap);
     std::optional<FittedScene> again = FitModel(fitted, start, kModelIterations, options_.stop);
     if (!again || !(again->fit.cost_after < fitted.fit.cost_after)) {
       Log(name + ": the fit is no better without");
