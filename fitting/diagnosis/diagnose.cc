@@ -301,7 +301,7 @@ bool Diagnoser::CatchesUp(const Fitted& model, FittedScene* current, HeldOutErro
 // So that the round can be held again from a better fit.
 void Diagnoser::ForgetRound(std::size_t first_model) {
   diagnosis_.models.resize(first_model);
-  if (diagnosis_.answer || !diagnosis_.effects.empty()) return;  // the baseline is what it was
+  if (diagnosis_.answer) return;  // the baseline is what it was
   diagnosis_.ranking.clear();
   diagnosis_.mismatch.reset();
   diagnosis_.mismatch_class.reset();
