@@ -155,7 +155,7 @@ GmresReport StepSolver::SolveLanes(LanesStep* step) const {
   GmresOptions options;
   options.relative_tolerance = options_.sensitivity_tolerance;
   options.factor_is_exact = use_whole_;
-  options.max_iterations = use_whole_ || factor_is_current_ ? kPatience : kTooManyIterations;
+  options.max_iterations = SolvesWithFactorOfNow() ? kPatience : kTooManyIterations;
   const GmresReport linear = gmres_.Solve<kLanes>(factor, step->rhs, options, &step->dv);
   step->iterations += linear.iterations;
   return linear;
@@ -163,8 +163,7 @@ GmresReport StepSolver::SolveLanes(LanesStep* step) const {
 
 bool StepSolver::SolveStubbornLanes(LanesStep* step, StepReport* report) {
   // The factor may have become another one since the try.
-  const bool is_of_now = use_whole_ || factor_is_current_;
-  if (is_of_now ? step->iterations < kPatience : RefreshFactor(report))
+  if (SolvesWithFactorOfNow() ? step->iterations < kPatience : RefreshFactor(report))
     step->is_solved = SolveLanes(step).converged;
   if (step->is_solved) return true;
   ++report->factorizations;

@@ -115,6 +115,8 @@ class StepSolver {
   void FinishLanes(const StepProblem& problem, const Eigen::VectorXd& v,
                    const std::vector<bool>& awake, LanesStep* step, StateLanes* lanes) const;
   GmresReport SolveLanes(LanesStep* step) const;
+  // Whether what the derivatives are solved with is a factor of jacobian_ itself.
+  bool SolvesWithFactorOfNow() const { return use_whole_ || factor_is_current_; }
   // Factors the Jacobian whole. False where that takes pivots.
   bool FactorWhole(StepReport* report);
   ClothModel* model_;

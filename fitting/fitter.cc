@@ -115,10 +115,9 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   SetBounds(free_.lower(), free_.upper(), theta, &problem);
   if (!held.empty()) problem.SetManifold(theta, new ceres::SubsetManifold(free_.size(), held));
   simulator->Hold(held);
-  // Half a Gauss-Newton step first, as the cost is rugged; a longer one near a minimum.
-  constexpr double kFirstRadius = 1.0, kRadiusNear = 10.0;
+  constexpr double kRadiusNear = 10.0;  // of a minimum
   ceres::Solver::Options options = LevenbergMarquardtOptions(
-      patience.iterations, patience.tolerance, is_near_ ? kRadiusNear : kFirstRadius);
+      patience.iterations, patience.tolerance, is_near_ ? kRadiusNear : kCautiousRadius);
   options.update_state_every_iteration = true;
   IterationReporter reporter([&](const ceres::IterationSummary& s) { Report(s, rows); },
                              callbacks_.stop);

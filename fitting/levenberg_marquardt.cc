@@ -7,13 +7,13 @@
 namespace clothfit {
 
 ceres::Solver::Options LevenbergMarquardtOptions(int max_iterations, double function_tolerance,
-                                                 double trust_region_radius) {
+                                                 double first_radius) {
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = max_iterations;
   options.function_tolerance = function_tolerance;
   options.parameter_tolerance = 1e-7;
-  options.initial_trust_region_radius = trust_region_radius;
+  options.initial_trust_region_radius = first_radius;
   options.max_num_consecutive_invalid_steps = 20;  // a trial whose simulation diverges
   options.logging_type = ceres::SILENT;
   return options;

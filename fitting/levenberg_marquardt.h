@@ -10,8 +10,11 @@
 
 namespace clothfit {
 
+// At the first iteration: half a Gauss-Newton step, as the costs are rugged.
+inline constexpr double kCautiousRadius = 1.0;
+
 ceres::Solver::Options LevenbergMarquardtOptions(int max_iterations, double function_tolerance,
-                                                 double trust_region_radius = 1.0);
+                                                 double first_radius = kCautiousRadius);
 
 // Keeps a block of unknowns within these bounds, as far as they are finite.
 void SetBounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, double* unknowns,

@@ -144,11 +144,6 @@ bool IsObvious(const Ranking& ranking) {
                      });
 }
 
-bool IsOfCamera(const Fault& fault) {
-  return fault.kind == Fault::Kind::kCameraShift || fault.kind == Fault::Kind::kCameraTurn ||
-         fault.kind == Fault::Kind::kCameraClock || fault.kind == Fault::Kind::kCameraScale;
-}
-
 bool HasTracksOf(const Scene& scene, int camera) {
   return std::any_of(scene.tracks.begin(), scene.tracks.end(),
                      [camera](const TrackObservation& track) { return track.camera == camera; });
@@ -353,7 +348,7 @@ HeldOutProof Diagnoser::ProofOf(const Fitted& model, const FittedScene& before,
   std::optional<int> camera;
   if (!faults.empty() && !scene.markers.empty()) {
     const Fault& fault = last_ranking_.faults[static_cast<std::size_t>(faults.front())];
-    if (IsOfCamera(fault) && HasTracksOf(scene, fault.source)) camera = fault.source;
+    if (ShowsInTracks(fault) && HasTracksOf(scene, fault.source)) camera = fault.source;
   }
   const bool is_px = scene.markers.empty() || camera;
   const double noise =

@@ -144,6 +144,11 @@ bool Concerns(const Fault& fault, const ResidualSource& row) {
 
 }  // namespace
 
+bool ShowsInTracks(const Fault& fault) {
+  return fault.kind == Fault::Kind::kCameraShift || fault.kind == Fault::Kind::kCameraTurn ||
+         fault.kind == Fault::Kind::kCameraClock || fault.kind == Fault::Kind::kCameraScale;
+}
+
 std::vector<Fault> ListFaults(const Scene& scene, const FitConfig& config) {
   std::vector<Fault> faults;
   std::set<int> cameras;

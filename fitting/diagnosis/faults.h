@@ -37,6 +37,9 @@ struct Fault {
   double typical = 0.0;    // one sigma of a well-made recording
 };
 
+// Whether it moves what its camera tracks.
+bool ShowsInTracks(const Fault& fault);
+
 std::vector<Fault> ListFaults(const Scene& scene, const FitConfig& config);
 
 // Where each residual of a frame comes from, in the order of ObservationResiduals.

@@ -17,8 +17,6 @@
 namespace clothfit {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // The recording's motion, otherwise.
 struct OtherMotion {
   const char* name;
@@ -27,8 +25,8 @@ struct OtherMotion {
 };
 constexpr std::array<OtherMotion, 6> kMotions = {
     {{"as it was recorded", 0.0, 1.0},
-     {"turned by 90 degrees about the vertical", 0.5 * kPi, 1.0},
-     {"turned by 180 degrees about the vertical", kPi, 1.0},
+     {"turned by 90 degrees about the vertical", 0.5 * M_PI, 1.0},
+     {"turned by 180 degrees about the vertical", M_PI, 1.0},
      {"twice as fast", 0.0, 2.0},
      {"half as fast", 0.0, 0.5},
      {"held still", 0.0, 0.0}}};

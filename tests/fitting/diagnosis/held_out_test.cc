@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/parameter_table.h"
+#include "tests/support/unfitted_scene.h"
 #include "tracking/synthetic_recording.h"
 
 namespace clothfit {
@@ -72,17 +72,6 @@ TEST(HeldOut, FramesAreHeldOutWhereNoneAre) {
   EXPECT_EQ(WithHeldOutFrames(recording, 0.5).splits.held_out_frames->first, 80);
 }
 
-// The cloth of a recording of markers and tracks, at the truth.
-FittedScene AtTruth(const Recording& recording) {
-  FitConfig config = DefaultConfig(recording);
-  for (auto& [name, setting] : config.parameters) setting.free = false;
-  FittedScene fitted;
-  fitted.scene = MakeScene(recording, config);
-  fitted.config = fitted.values = config;
-  fitted.fit.theta = FreeParameters(config, fitted.scene, MakeParameterTable()).start();
-  return fitted;
-}
-
 TEST(HeldOut, ACameraIsMeasuredByItsOwnTracks) {
   SyntheticOptions options;
   options.resolution = {5, 5};
@@ -93,10 +82,10 @@ TEST(HeldOut, ACameraIsMeasuredByItsOwnTracks) {
   Recording recording = WithHeldOutFrames(MakeSyntheticRecording(options).recording, 0.5);
   ASSERT_FALSE(recording.markers.empty());
   ASSERT_FALSE(recording.tracks.empty());
-  const FittedScene right = AtTruth(recording);
+  const FittedScene right = UnfittedScene(recording);
   Camera& camera = recording.cameras[1];
   camera.camera_from_world_translation.x() += 0.02;
-  const FittedScene wrong = AtTruth(recording);
+  const FittedScene wrong = UnfittedScene(recording);
   EXPECT_EQ(MeasureHeldOut(wrong).squared, MeasureHeldOut(right).squared);  // markers
   EXPECT_EQ(MeasureHeldOut(wrong, 0).squared, MeasureHeldOut(right, 0).squared);
   EXPECT_GT(MeasureHeldOut(wrong, 1).Rms(), MeasureHeldOut(right, 1).Rms() + 2.0);  // px

@@ -11,8 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/contact/obstacle_body.h"
-#include "autodiff_sim/parameter_table.h"
-#include "fitting/diagnosis/rows.h"
+#include "tests/support/unfitted_scene.h"
 #include "tracking/synthetic_recording.h"
 
 namespace clothfit {
@@ -22,16 +21,8 @@ using testing::HasSubstr;
 
 class SeparatingMotionTest : public testing::Test {
  protected:
-  // The recording's cloth with these parameters, not fitted to it.
   FittedScene With(const std::map<std::string, double>& values) const {
-    FitConfig config = DefaultConfig(recording_);
-    for (auto& [name, setting] : config.parameters) setting.free = false;
-    for (const auto& [name, value] : values) config.parameters.at(name).value = value;
-    FittedScene model;
-    model.scene = MakeScene(recording_, config);
-    model.config = model.values = config;
-    model.fit.theta = FreeParameters(config, model.scene, MakeParameterTable()).start();
-    return model;
+    return UnfittedScene(recording_, values);
   }
 
   static Recording Hanging() {
