@@ -10,6 +10,7 @@
 
 #include "autodiff_sim/contact/intersections.h"
 #include "autodiff_sim/error.h"
+#include "autodiff_sim/grips.h"
 #include "autodiff_sim/step_solver.h"
 #include "autodiff_sim/terms.h"
 
@@ -40,9 +41,10 @@ StepReport& StepReport::operator+=(const StepReport& other) {
 
 struct Simulation::Solver {
   Solver(ClothModel* model, const SimulationOptions& options)
-      : solver(model, options), last_constraints({}) {}
+      : solver(model, options), grips(*model), last_constraints({}) {}
 
   StepSolver solver;
+  Grips grips;
   HandleConstraints last_constraints;
   Eigen::VectorXd
       clear_x;  // a place (3N, m) at which the cloth is known not to pass through itself
@@ -143,8 +145,14 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
                                Sensitivity* sensitivity) {
   StepReport report;
   const bool with_directions = sensitivity != nullptr;
-  const StepInputs inputs = drive(state->time + h, with_directions);
-  HandleConstraints constraints(inputs.handles);
+  StepInputs inputs = drive(state->time + h, with_directions);
+  const Grips& grips = solver_->grips;
+  const bool is_rigid = grips.AreRigid(parameters_);
+  if (is_rigid) {
+    grips.ApplySlip(*model_, parameters_, state->time + h,
+                    with_directions ? &sensitivity->parameters() : nullptr, &inputs);
+  }
+  HandleConstraints constraints(is_rigid ? inputs.handles : std::vector<HandleTarget>());
   if (!constraints.SamePoints(solver_->last_constraints)) solver_->solver.Reset();
   solver_->last_constraints = constraints;
   model_->BeginStep(inputs);
@@ -175,7 +183,13 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
     report.status = StepStatus::kDiverged;
     return report;
   }
-  handle_forces_ = (solver.full_residual() - solver.reduced_residual()) / problem.formula.gamma;
+  if (is_rigid) {
+    handle_forces_ = (solver.full_residual() - solver.reduced_residual()) / problem.formula.gamma;
+    if (with_directions) grips.Yield(handle_forces_, sensitivity->parameters(), &inputs);
+  } else {
+    handle_forces_ = grips.Forces(*model_, parameters_, problem.end_time, inputs,
+                                  problem.x_hat + problem.formula.gamma * v);
+  }
   report.handle_work = h * handle_forces_.dot(v);
   if (sensitivity != nullptr && !solver.Differentiate(problem, inputs, v, sensitivity, &report)) {
     report.status = StepStatus::kSensitivityFailed;

@@ -16,6 +16,7 @@
 #include "autodiff_sim/terms/extra_mass.h"
 #include "autodiff_sim/terms/gravity.h"
 #include "autodiff_sim/terms/gravity_tilt.h"
+#include "autodiff_sim/terms/grip.h"
 #include "autodiff_sim/terms/ground_contact.h"
 #include "autodiff_sim/terms/gust.h"
 #include "autodiff_sim/terms/law.h"
@@ -35,13 +36,14 @@
 
 namespace clothfit {
 
-using Terms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass,
-                       GroundContact, PointAttraction, RayAttraction, SelfContact, ObstacleBarrier,
-                       UniformWind, Gust, BendingFriction, ShearFriction, StretchRelaxation,
-                       ShearRelaxation, BendingRelaxation, Crease, StretchStiffening, StrainLimit,
-                       StretchOrthotropy, ShearOrthotropy, BendingOrthotropy, Hem, HeavyPatch,
-                       StiffPatchStretch, StiffPatchBending, StiffSeamStretch, StiffSeamBending,
-                       Adhesion, StickyPatch, ObstaclePlane, ObstacleSphere, ObstacleCapsule,
-                       GravityTilt, Attractor, LawField, LawAir, LawTension, ResidualForce>;
+using Terms =
+    TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, AddedMass, GroundContact,
+             PointAttraction, RayAttraction, SelfContact, ObstacleBarrier, UniformWind, Gust,
+             BendingFriction, ShearFriction, StretchRelaxation, ShearRelaxation, BendingRelaxation,
+             Crease, StretchStiffening, StrainLimit, StretchOrthotropy, ShearOrthotropy,
+             BendingOrthotropy, Hem, HeavyPatch, StiffPatchStretch, StiffPatchBending,
+             StiffSeamStretch, StiffSeamBending, Adhesion, StickyPatch, ObstaclePlane,
+             ObstacleSphere, ObstacleCapsule, GravityTilt, Attractor, Grip, GripSlip, LawField,
+             LawAir, LawTension, ResidualForce>;
 
 }  // namespace clothfit

@@ -107,6 +107,19 @@ Effects GroundEffects() {
   };
 }
 
+// Upwards no cloth slips, and sideways only a little.
+Effects GripEffects() {
+  const auto slip = [](double onset) {
+    return Fixed{{"onset", onset}, {"duration", 0.2}, {"u", 0.5}, {"v", 0.0}, {"radius", 0.15}};
+  };
+  return {
+      {"grip", kSwing, kWoven, {{"compliance", {0.004, 0.02, 0.08}}}, {}, false},
+      {"grip", kShake, kWoven, {{"compliance", {0.004, 0.02, 0.08}}}, {}, false},
+      {"grip_slip", kSwing, kWoven, {{"z", {-0.003, -0.01, -0.03}}}, slip(0.6), false},
+      {"grip_slip", kTurn, kWoven, {{"z", {-0.003, -0.01, -0.03}}}, slip(1.5), false},
+  };
+}
+
 // What varies of an obstacle is how far it reaches into the cloth's way; it is as hard always.
 Effects WorldEffects() {
   const Fixed wall = {{"stiffness", 2e3}, {"angle_1", -kRight}};
@@ -189,7 +202,7 @@ const Effects& ListedEffects() {
   static const Effects effects = [] {
     Effects all;
     for (const auto& group : {AirEffects(), MemoryEffects(), ElasticEffects(), MassEffects(),
-                              GroundEffects(), WorldEffects()})
+                              GroundEffects(), GripEffects(), WorldEffects()})
       all.insert(all.end(), group.begin(), group.end());
     return all;
   }();
@@ -257,13 +270,14 @@ EffectClass ClassOf(const std::string& term) {
   effect.is_dissipative = IsOneOf(term, {"bending_friction", "shear_friction", "stretch_relaxation",
                                          "shear_relaxation", "bending_relaxation"});
   effect.is_driving = IsOneOf(term, {"wind", "gust", "vortex"});
-  if (term == "gust") {
+  if (IsOneOf(term, {"gust", "grip_slip"})) {
     effect.tied_to = {"clock"};
   } else if (IsOneOf(term, {"adhesion", "sticky_patch"})) {
     effect.tied_to = {"contact"};
   } else if (term.rfind("obstacle_", 0) == 0) {
     effect.tied_to = {"contact", "world"};
-  } else if (IsOneOf(term, {"wind", "gravity_tilt", "attractor", "vortex", "sticky_point"})) {
+  } else if (IsOneOf(term,
+                     {"wind", "gravity_tilt", "attractor", "vortex", "sticky_point", "grip"})) {
     effect.tied_to = {"world"};
   } else {
     effect.tied_to = {"material"};

@@ -64,6 +64,7 @@ TEST_P(Catalogue, DerivativesOfARolloutWhenOn) {
 }
 
 TEST_P(Catalogue, DerivativesOfARolloutWhenOff) {
+  if (GetParam().term == "grip") GTEST_SKIP() << "has no other side of off, see grip_test";
   Rollout rollout = MakeCase(GetParam());
   for (const Parameter& parameter : ParametersOf(GetParam().term)) {
     if (!SwitchesOff(parameter)) continue;

@@ -41,6 +41,7 @@ StepInputs Targets(const TermScene& scene, double distance, std::mt19937* random
     const Eigen::Vector3d place = on_cloth.At(scene.x);
     const Eigen::Vector3d away = RandomVector(1.0, random).normalized();
     inputs.points.push_back({on_cloth, place + distance * away});
+    inputs.handles.push_back({on_cloth, place + 0.5 * distance * away});
     const Eigen::Vector3d direction = RandomVector(1.0, random).cross(away).normalized();
     const Eigen::Vector3d on_ray = place + distance * away + 0.7 * direction;
     inputs.rays.push_back({on_cloth, direction, on_ray.cross(direction)});
@@ -160,6 +161,8 @@ TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
     for (Eigen::Vector3d& point : contact.points) point = rotation * point + shift;
     for (Eigen::Vector3d& velocity : contact.velocities) velocity = rotation * velocity;
   }
+  for (HandleTarget& handle : moved.inputs.handles)
+    handle.position = rotation * handle.position + shift;
   for (PointTarget& target : moved.inputs.points)
     target.position = rotation * target.position + shift;
   for (RayTarget& ray : moved.inputs.rays) {
@@ -172,6 +175,10 @@ TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
 double InitialValue(const std::string& name) {
   static const std::vector<NamedParameter> table = MakeParameterTable();
   return table[static_cast<std::size_t>(FindParameter(table, name))].parameter.initial;
+}
+
+double ReadValue(const std::string& name) {
+  return name == "grip.compliance" ? 2e-3 : InitialValue(name);
 }
 
 double RandomParameter(const Parameter& parameter, const TermScene& scene, std::mt19937* random) {

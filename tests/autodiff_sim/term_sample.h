@@ -128,6 +128,9 @@ Eigen::VectorXd DifferentiateTerm(const typename Term::Element& element,
 // The initial value of any term's parameter, by its full name.
 double InitialValue(const std::string& name);
 
+// The same, but such that what a term adds to another's force is there: grips yield.
+double ReadValue(const std::string& name);
+
 // All numbers of an element in a scene, with these parameters and areal density.
 template <class Term>
 Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const TermScene& scene,
@@ -150,7 +153,7 @@ Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const Term
   }
   for (int i = 0; i < Term::kMemory; ++i) numbers[Layout::kMemory + i] = 0.01 * (i + 1);
   for (std::size_t i = 0; i < kReadsOf<Term>.size(); ++i)
-    numbers[Layout::kRead + static_cast<int>(i)] = InitialValue(kReadsOf<Term>[i]);
+    numbers[Layout::kRead + static_cast<int>(i)] = ReadValue(kReadsOf<Term>[i]);
   return numbers;
 }
 

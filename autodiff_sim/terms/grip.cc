@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "autodiff_sim/terms/grip.h"
+
+#include "autodiff_sim/force_batch_impl.h"
+
+namespace clothfit {
+
+template std::unique_ptr<ForceBatch> MakeForceBatch<Grip>(const TermContext&);
+template std::unique_ptr<ForceBatch> MakeForceBatch<GripSlip>(const TermContext&);
+
+}  // namespace clothfit
