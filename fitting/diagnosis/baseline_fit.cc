@@ -43,33 +43,38 @@ double CostOf(const FitResult& fit) {
 bool IsStopped(const DiagnosisOptions& options) { return options.stop != nullptr && *options.stop; }
 
 // A few iterations from other fabrics each, and all of them from the best.
-FitResult FitFromOthers(const Scene& scene, const FitConfig& config, const FitResult& before,
-                        const DiagnosisOptions& options) {
-  FitCallbacks callbacks;
-  callbacks.stop = options.stop;
+FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
   const auto log = [&](const std::string& line) {
     if (options.log) options.log(line);
   };
-  FitResult best = before;
-  std::optional<FitConfig> from;
-  double least = kNearly * CostOf(before);
-  for (FitConfig start : OtherStarts(config)) {
+  std::vector<std::pair<FitConfig, Start>> starts;
+  const std::vector<FitConfig> others = OtherStarts(best.config);
+  for (const FitConfig& other : others) starts.push_back({other, Start::kPlain});
+  starts.push_back({best.config, Start::kGuided});
+  std::optional<FittedScene> from;
+  double least = kNearly * CostOf(best.fit);
+  for (const auto& [config, how] : starts) {
     if (IsStopped(options)) return best;
     if (options.progress) options.progress("baseline: another start", 0.2);
-    start.max_iterations = kFirstIterations;
-    FitResult fit = RunFit(scene, start, callbacks);
-    log(fmt::format("from another fabric: cost {:.6g}", CostOf(fit)));
-    if (!(CostOf(fit) < least)) continue;
-    least = CostOf(fit);
-    start.max_iterations = config.max_iterations;
-    from = start;
-    if (CostOf(fit) < CostOf(best)) best = std::move(fit);
+    std::optional<FittedScene> fitted =
+        FitAfresh({best.scene.recording, config}, how, kFirstIterations, options.stop);
+    if (!fitted) continue;
+    const double cost = CostOf(fitted->fit);
+    log(fmt::format("{}: cost {:.6g}",
+                    how == Start::kGuided ? "guided by what was observed" : "from another fabric",
+                    cost));
+    if (!(cost < least)) continue;
+    least = cost;
+    from = std::move(fitted);
   }
   if (!from || IsStopped(options)) return best;
-  FitResult fit = RunFit(scene, *from, callbacks);
-  if (CostOf(fit) < CostOf(best)) best = std::move(fit);
-  log(fmt::format("to the end from there: cost {:.6g}", CostOf(best)));
-  return best;
+  std::optional<FittedScene> fitted =
+      FitModel(*from, GoOn(*from), best.config.max_iterations, options.stop);
+  if (!fitted) fitted = std::move(from);
+  log(fmt::format("to the end from there: cost {:.6g}", CostOf(fitted->fit)));
+  if (!(CostOf(fitted->fit) < CostOf(best.fit))) return best;
+  fitted->config = best.config;  // it begins where it is told to, not where this one did
+  return std::move(*fitted);
 }
 
 }  // namespace
@@ -110,11 +115,12 @@ FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
     if (options.progress) options.progress("baseline: " + p.stage, 0.2 * p.fraction);
   };
   FitResult fit = RunFit(scene, quick, callbacks);
-  if (IsFurtherOff(kWorthAnotherStart, scene, quick, fit))
-    fit = FitFromOthers(scene, quick, fit, options);
-  if (fit.status == FitStatus::kFailed)
+  const bool is_off = IsFurtherOff(kWorthAnotherStart, scene, quick, fit);
+  FittedScene fitted = MakeFittedScene(std::move(scene), config, fit);
+  if (is_off) fitted = FitFromOthers(std::move(fitted), options);
+  if (fitted.fit.status == FitStatus::kFailed)
     throw std::runtime_error("the baseline's fit failed: the simulation diverges");
-  return MakeFittedScene(std::move(scene), config, fit);
+  return fitted;
 }
 
 }  // namespace clothfit

@@ -183,25 +183,24 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
   return fitted;
 }
 
-// From the baseline's fit, and where that is far off from the config's own start and from a
-// livelier fabric, too: a fabric that had to stand for what was missing is no good start.
+// From the baseline's fit, and where that is far off guided from the config's own fabric, too: a
+// fabric that had to stand for what was missing is no good start.
 std::optional<FittedScene> Diagnoser::FirstHeat(const FittedScene& current,
                                                 const RankedCandidate& candidate,
                                                 const Ranking& ranking) {
   const ModelStart start = SwitchOn(current, candidate, ranking.faults);
   std::optional<FittedScene> fitted = FitModel(current, start, kFirstIterations, options_.stop);
   if (ranking.residual_rms < kFarOff || Stopped()) return fitted;
-  for (const FitConfig& fabric : {baseline_, OtherStarts(baseline_).front()}) {
-    ModelStart afresh = start;
-    for (auto& [name, setting] : afresh.config.parameters) {
-      const ParameterSetting& told = fabric.parameters.at(name);
-      if (told.free) setting.value = told.value;
-    }
-    std::optional<FittedScene> again = FitModel(current, afresh, kFirstIterations, options_.stop);
-    const bool is_better = again && (!fitted || again->fit.cost_after < fitted->fit.cost_after);
-    if (is_better) fitted = std::move(again);
+  ModelStart afresh = start;
+  for (auto& [name, setting] : afresh.config.parameters) {
+    const ParameterSetting& told = baseline_.parameters.at(name);
+    if (told.free) setting.value = told.value;
   }
-  return fitted;
+  std::optional<FittedScene> again =
+      FitAfresh(afresh, Start::kGuided, kFirstIterations, options_.stop);
+  if (!again) again = FitModel(current, afresh, kFirstIterations, options_.stop);
+  const bool is_better = again && (!fitted || again->fit.cost_after < fitted->fit.cost_after);
+  return is_better ? again : fitted;
 }
 
 std::vector<Fitted> Diagnoser::FitModels(const FittedScene& current, const Ranking& ranking) {

@@ -10,6 +10,11 @@
 namespace clothfit {
 namespace {
 
+constexpr double kGuidingRate = 40.0;  // 1/s
+// Weaker and weaker: what pulls also hides a part of what is wrong.
+constexpr double kGuidingShares[] = {1.0, 0.3, 0.1, 0.03};
+constexpr int kGuidedIterations = 4;  // of each
+
 // Keeps an estimate inside, off the bounds themselves so that a logarithm can move it.
 double Inside(double value, const ParameterSetting& setting) {
   return std::clamp(value, setting.lower, setting.upper);
@@ -22,6 +27,67 @@ void FreeShapes(const Probe& probe, FitConfig* config) {
     setting.value = setting.prior = Inside(value, setting);
     setting.free = true;
   }
+}
+
+// N/m: how strongly every marker and every ray has to pull for the cloth to follow within
+// 1 / kGuidingRate; 0 where there are none.
+double GuidingPull(const FitConfig& config, const Scene& scene) {
+  const auto markers =
+      std::count_if(scene.markers.begin(), scene.markers.end(), [&](const MarkerObservation& m) {
+        return scene.is_fitted[static_cast<std::size_t>(m.frame)];
+      });
+  const auto tracks =
+      std::count_if(scene.tracks.begin(), scene.tracks.end(),
+                    [&](const TrackObservation& track) { return scene.IsFitted(track); });
+  if (markers + tracks == 0) return 0.0;
+  const double per_frame =
+      static_cast<double>(markers + tracks) / (scene.last_fitted_frame + 1);
+  const double mass =
+      config.parameters.at("cloth.areal_density").value * scene.recording.cloth.size.prod();
+  return mass * kGuidingRate * kGuidingRate / per_frame;
+}
+
+// The config with markers and rays that pull so strongly, N/m.
+FitConfig PulledBy(FitConfig config, double pull) {
+  config.attract = true;
+  config.polish = false;
+  config.max_iterations = kGuidedIterations;
+  for (const char* name : {"attraction_point.linear", "attraction_ray.linear"}) {
+    ParameterSetting& linear = config.parameters.at(name);
+    linear.value = std::clamp(pull, linear.lower, linear.upper);
+    linear.free = false;
+  }
+  return config;
+}
+
+// Where a fit of the same unknowns goes on that is to begin with no offsets of the start.
+FitCheckpoint FromPathsOf(const FitResult& before, const FreeParameters& free) {
+  FitCheckpoint from;
+  from.theta = free.start();
+  for (int i = 0; i < free.size(); ++i) {
+    if (free.entries()[i].kind == FreeEntry::Kind::kHandle) from.theta[i] = before.theta[i];
+  }
+  from.information = free.PriorInformation();
+  from.mean = free.PriorMean();
+  return from;
+}
+
+// A few iterations of all frames at once: it begins near, or is guided.
+FitConfig QuickConfig(FitConfig config, int most_iterations) {
+  config.coarse_resolution = 0;
+  config.window = 0.0;
+  config.max_iterations = std::min(config.max_iterations, most_iterations);
+  config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
+  return config;
+}
+
+// What was fitted quickly, to be gone on with as the config `own` says.
+std::optional<FittedScene> MakeModel(Scene scene, const FitConfig& own, FitConfig quick,
+                                     const FitResult& result) {
+  if (result.status == FitStatus::kFailed || !std::isfinite(result.cost_after)) return std::nullopt;
+  quick.max_iterations = own.max_iterations;
+  quick.function_tolerance = own.function_tolerance;
+  return MakeFittedScene(std::move(scene), quick, result);
 }
 
 }  // namespace
@@ -74,13 +140,43 @@ ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model) {
   return start;
 }
 
+std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
+                                     const std::atomic<bool>* stop) {
+  FitConfig quick = QuickConfig(start.config, most_iterations);
+  FitCallbacks callbacks;
+  callbacks.stop = stop;
+  std::optional<FitResult> before;
+  const auto fit = [&](const FitConfig& config, const Scene& scene) {
+    const FreeParameters free(config, scene, MakeParameterTable());
+    std::optional<FitCheckpoint> from;
+    if (before) from = FromPathsOf(*before, free);
+    before = RunFit(scene, config, callbacks, from ? &*from : nullptr);
+  };
+  if (how == Start::kGuided) {
+    FitConfig attracted = quick;
+    attracted.attract = true;
+    const Scene scene = MakeScene(start.recording, attracted);
+    const double pull = GuidingPull(quick, scene);
+    if (!(pull > 0.0)) return std::nullopt;
+    for (const double share : kGuidingShares) {
+      fit(PulledBy(quick, share * pull), scene);
+      if (before->status == FitStatus::kFailed) return std::nullopt;
+      const std::vector<NamedParameter> table = MakeParameterTable();
+      for (std::size_t i = 0; i < table.size(); ++i) {
+        ParameterSetting& setting = quick.parameters.at(table[i].name);
+        if (setting.free)
+          setting.value = Inside(before->parameters[static_cast<Eigen::Index>(i)], setting);
+      }
+    }
+  }
+  Scene scene = MakeScene(start.recording, quick);
+  fit(quick, scene);
+  return MakeModel(std::move(scene), start.config, quick, *before);
+}
+
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
                                     int most_iterations, const std::atomic<bool>* stop) {
-  FitConfig config = start.config;
-  config.coarse_resolution = 0;  // it begins where the last fit ended
-  config.window = 0.0;
-  config.max_iterations = std::min(config.max_iterations, most_iterations);
-  config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
+  const FitConfig config = QuickConfig(start.config, most_iterations);
   Scene scene = MakeScene(start.recording, config, &fitted.scene);
   FitCallbacks callbacks;
   callbacks.stop = stop;
@@ -93,10 +189,7 @@ std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart&
   from.information = free.PriorInformation();
   from.mean = free.PriorMean();
   const FitResult result = RunFit(scene, config, callbacks, &from);
-  if (result.status == FitStatus::kFailed || !std::isfinite(result.cost_after)) return std::nullopt;
-  config.max_iterations = start.config.max_iterations;
-  config.function_tolerance = start.config.function_tolerance;
-  return MakeFittedScene(std::move(scene), config, result);
+  return MakeModel(std::move(scene), start.config, config, result);
 }
 
 }  // namespace clothfit

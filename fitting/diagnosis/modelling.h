@@ -30,6 +30,19 @@ inline constexpr double kEnoughForDiagnosis = 1e-4;
 // The same scene without the model's effect, begun from what the model found for everything else.
 ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model);
 
+// How a fit begins. Guided: with some iterations in which every marker and every track's ray pulls
+// at the cloth, at first so strongly that the motion follows within some 25 ms, then weaker and weaker
+// (nudging; Abarbanel, Creveling, Farsian and Kostuk 2009, Dynamical state and parameter estimation).
+// Along a motion that cannot run away the cost is smooth, and the parameters that leave least there
+// are near the right ones, even where what they leave without being pulled is more than what a wrong
+// valley does.
+enum class Start { kPlain, kGuided };
+
+// Fits it from its config's own fabric and no offsets of the start, all over again. Empty where the
+// fit fails, or where there is nothing to guide it.
+std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
+                                     const std::atomic<bool>* stop);
+
 // Fits it, from the handles' paths and initial state of `fitted`. Empty where the fit fails.
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
                                     int most_iterations, const std::atomic<bool>* stop);

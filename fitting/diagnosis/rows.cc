@@ -29,7 +29,9 @@ FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResul
   const std::vector<NamedParameter> table = MakeParameterTable();
   for (std::size_t i = 0; i < table.size(); ++i) {
     ParameterSetting& setting = fitted.values.parameters.at(table[i].name);
-    setting.value = fit.parameters[static_cast<Eigen::Index>(i)];
+    // What pulled on the way to the fit is none of it.
+    const bool pulls = table[i].term == "attraction_point" || table[i].term == "attraction_ray";
+    if (!pulls) setting.value = fit.parameters[static_cast<Eigen::Index>(i)];
     setting.free = false;
   }
   return fitted;
