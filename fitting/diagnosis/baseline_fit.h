@@ -18,7 +18,8 @@ inline constexpr double kFarOff = 2.0;      // sigmas of residuals
 // Fits a baseline to the frames that are not held out, with a start state free up to bilinear
 // offsets, on the config's mesh or 13 particles a side, whichever is coarser; where that leaves
 // more than 1.2 sigmas, from OtherStarts as well, and guided (Start::kGuided). Its config is the
-// baseline's but for mesh and start. Throws std::runtime_error where the simulation diverges from every start.
+// baseline's but for mesh and start. Throws std::runtime_error where the simulation diverges from
+// every start.
 FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
                         const DiagnosisOptions& options);
 

@@ -18,35 +18,25 @@
 #include "fitting/diagnosis/localise.h"
 #include "fitting/diagnosis/mismatch_pictures.h"
 #include "fitting/diagnosis/mismatch_words.h"
+#include "fitting/diagnosis/model_race.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/ranking.h"
 #include "fitting/diagnosis/residual_correlation.h"
+#include "fitting/diagnosis/verdict.h"
 #include "tracking/text.h"
 
 namespace clothfit {
 namespace {
 
-constexpr double kGate = 0.01;           // p-value below which something is missing
 constexpr int kFinestSide = 13;          // particles, where the mesh turns out to matter
 constexpr int kCoarsestSide = 9;         // on coarser meshes amounts come out a tenth wrong
 constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
-constexpr int kModelIterations = 12;     // a model starts near its end
-constexpr int kMoreHeats = 3;            // of the best, until it converges
-constexpr double kNearBest = 0.9;        // of what the best gains: it may come first yet
-constexpr double kStillInRace = 0.5;     // of what the best has gained by then
 constexpr double kCatchesUp = 0.3;       // of what a model gains, the same without its effect
 constexpr int kMostRematches = 2;        // of a diagnosis
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
 constexpr double kBlockSeconds = 0.2;    // of the bootstrap
 constexpr double kSameShare = 0.1;       // of what is explained: models nearer than that are equal
 constexpr double kSameSignature = 0.97;  // cosine beyond which two effects are one
-
-// A model of one round with what it was fitted to.
-struct Fitted {
-  RankedCandidate candidate;
-  FittedScene scene;
-  HeldOutErrors errors;
-};
 
 class Diagnoser {
  public:
@@ -65,22 +55,17 @@ class Diagnoser {
   void LocateMismatch(const FittedScene& fitted);
   // One more effect. False where there is none to be had.
   bool AddEffect(FittedScene* current, HeldOutErrors* errors);
-  std::optional<FittedScene> FirstHeat(const FittedScene& current, const RankedCandidate& candidate,
-                                       const Ranking& ranking);
-  std::vector<Fitted> FitModels(const FittedScene& current, const Ranking& ranking);
-  void FinishModels(const FittedScene& current, std::vector<Fitted>* models);
-  void GoOnWith(Fitted* model);
   // Whether a fit without the effect, begun where the model has ended, comes (nearly) as far: then
   // the model had found a better valley, not an effect. What is explained is held against that
   // fit then.
-  bool CatchesUp(const Fitted& model, FittedScene* current, HeldOutErrors* errors);
+  bool CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors);
   void ForgetRound(std::size_t first_model);
   void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
-  void PutBestPredictionFirst(const FittedScene& current, std::vector<Fitted>* models) const;
-  Model Describe(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
-  HeldOutProof ProofOf(const Fitted& model, const FittedScene& before, const HeldOutErrors& errors);
-  void FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models, std::size_t winner,
-                     const FittedScene& before);
+  Model Describe(const FittedModel& model, const FittedScene& before, const HeldOutErrors& errors);
+  HeldOutProof ProofOf(const FittedModel& model, const FittedScene& before,
+                       const HeldOutErrors& errors);
+  void FindAmbiguity(const Ranking& ranking, const std::vector<FittedModel>& models,
+                     std::size_t winner, const FittedScene& before);
   // A law instead of names, where those explain too little and it explains more.
   void LearnInstead(FittedScene* current);
   // Where, when and how the physics that was named acts.
@@ -183,99 +168,7 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
   return fitted;
 }
 
-// From the baseline's fit, and where that is far off guided from the config's own fabric, too: a
-// fabric that had to stand for what was missing is no good start.
-std::optional<FittedScene> Diagnoser::FirstHeat(const FittedScene& current,
-                                                const RankedCandidate& candidate,
-                                                const Ranking& ranking) {
-  const ModelStart start = SwitchOn(current, candidate, ranking.faults);
-  std::optional<FittedScene> fitted = FitModel(current, start, kFirstIterations, options_.stop);
-  if (ranking.residual_rms < kFarOff || Stopped()) return fitted;
-  ModelStart afresh = start;
-  for (auto& [name, setting] : afresh.config.parameters) {
-    const ParameterSetting& told = baseline_.parameters.at(name);
-    if (told.free) setting.value = told.value;
-  }
-  std::optional<FittedScene> again =
-      FitAfresh(afresh, Start::kGuided, kFirstIterations, options_.stop);
-  if (!again) again = FitModel(current, afresh, kFirstIterations, options_.stop);
-  const bool is_better = again && (!fitted || again->fit.cost_after < fitted->fit.cost_after);
-  return is_better ? again : fitted;
-}
-
-std::vector<Fitted> Diagnoser::FitModels(const FittedScene& current, const Ranking& ranking) {
-  std::vector<Fitted> models;
-  for (const RankedCandidate& candidate : ranking.candidates) {
-    if (static_cast<int>(models.size()) >= options_.max_models || Stopped()) break;
-    if (!candidate.summary.is_short_listed) continue;
-    // What comes second has to matter beside what came first.
-    if (candidate.summary.score < options_.least_share * first_unexplained_) continue;
-    Say("fitting with " + candidate.summary.name, 0.5);
-    std::optional<FittedScene> fitted = FirstHeat(current, candidate, ranking);
-    if (fitted) {
-      models.push_back({candidate, std::move(*fitted), {}});
-    } else {
-      Log(candidate.summary.name + ": the fit with it fails");
-    }
-  }
-  FinishModels(current, &models);
-  for (Fitted& model : models) {
-    Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
-                    current.fit.cost_after, model.scene.fit.cost_after));
-    model.errors = MeasureHeldOut(model.scene);
-  }
-  PutBestPredictionFirst(current, &models);
-  return models;
-}
-
-// Of those that explain nearly all that the best does, prediction decides: what stands for another
-// effect follows the frames that it was fitted to more easily than it foresees the others.
-void Diagnoser::PutBestPredictionFirst(const FittedScene& current,
-                                       std::vector<Fitted>* models) const {
-  if (models->empty()) return;
-  const double before = current.fit.cost_after;
-  const double near = before - kNearBest * (before - models->front().scene.fit.cost_after);
-  const auto last = std::find_if(models->begin(), models->end(), [&](const Fitted& model) {
-    return model.scene.fit.cost_after > near;
-  });
-  std::stable_sort(models->begin(), last, [](const Fitted& a, const Fitted& b) {
-    return a.errors.Rms() < b.errors.Rms();
-  });
-}
-
-// Fits those further that may come first. The best is the first then.
-void Diagnoser::FinishModels(const FittedScene& current, std::vector<Fitted>* models) {
-  const auto cost = [](const Fitted& model) { return model.scene.fit.cost_after; };
-  double least = current.fit.cost_after;
-  for (const Fitted& model : *models) least = std::min(least, cost(model));
-  const double worst = current.fit.cost_after - kStillInRace * (current.fit.cost_after - least);
-  for (Fitted& model : *models) {
-    if (cost(model) <= worst) GoOnWith(&model);
-  }
-  const auto by_cost = [&](const Fitted& a, const Fitted& b) { return cost(a) < cost(b); };
-  std::stable_sort(models->begin(), models->end(), by_cost);
-  // Those near the best once more: the one that comes first should not be the one that is fitted
-  // most easily. What the best leaves is held against the next effect, so that it has to have taken
-  // its part.
-  const double near = current.fit.cost_after - kNearBest * (current.fit.cost_after - least);
-  for (Fitted& model : *models) {
-    if (cost(model) <= near) GoOnWith(&model);
-  }
-  std::stable_sort(models->begin(), models->end(), by_cost);
-  for (int k = 1; k < kMoreHeats && !models->empty(); ++k) GoOnWith(&models->front());
-}
-
-// Fits a model further, unless it has converged.
-void Diagnoser::GoOnWith(Fitted* model) {
-  if (model->scene.fit.status == FitStatus::kConverged || Stopped()) return;
-  Say("fitting with " + model->candidate.summary.name, 0.6);
-  std::optional<FittedScene> further =
-      FitModel(model->scene, GoOn(model->scene), kModelIterations, options_.stop);
-  const bool is_better = further && further->fit.cost_after < model->scene.fit.cost_after;
-  if (is_better) model->scene = std::move(*further);
-}
-
-bool Diagnoser::CatchesUp(const Fitted& model, FittedScene* current, HeldOutErrors* errors) {
+bool Diagnoser::CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors) {
   if (rematches_ == kMostRematches || Stopped()) return false;
   Say("fitting without " + model.candidate.summary.name, 0.7);
   std::optional<FittedScene> again = FitModel(model.scene, WithoutEffect(*current, model.scene),
@@ -303,7 +196,7 @@ void Diagnoser::ForgetRound(std::size_t first_model) {
   diagnosis_.motions.missing_force.clear();
 }
 
-Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
+Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
                           const HeldOutErrors& errors) {
   Model described;
   described.effects = diagnosis_.effects;
@@ -340,7 +233,7 @@ Model Diagnoser::Describe(const Fitted& model, const FittedScene& before,
 }
 
 // A camera is put right where it looks: by its own tracks, where there are markers, too.
-HeldOutProof Diagnoser::ProofOf(const Fitted& model, const FittedScene& before,
+HeldOutProof Diagnoser::ProofOf(const FittedModel& model, const FittedScene& before,
                                 const HeldOutErrors& errors) {
   const Scene& scene = model.scene.scene;
   const std::vector<int>& faults = model.candidate.faults;
@@ -365,9 +258,9 @@ HeldOutProof Diagnoser::ProofOf(const Fitted& model, const FittedScene& before,
 
 // Every model of the round that fits about as well as the one that is kept, and what has the same
 // signature without having been fitted.
-void Diagnoser::FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>& models,
+void Diagnoser::FindAmbiguity(const Ranking& ranking, const std::vector<FittedModel>& models,
                               std::size_t winner, const FittedScene& before) {
-  const Fitted& best = models[winner];
+  const FittedModel& best = models[winner];
   const double gained = before.fit.cost_after - best.scene.fit.cost_after;
   diagnosis_.ambiguity.push_back(best.candidate.summary.name);
   std::vector<const FittedScene*> like_it = {&best.scene};
@@ -388,7 +281,7 @@ void Diagnoser::FindAmbiguity(const Ranking& ranking, const std::vector<Fitted>&
     Spend("separating motion");
   }
   for (const RankedCandidate& other : ranking.candidates) {
-    const bool is_fitted = std::any_of(models.begin(), models.end(), [&](const Fitted& m) {
+    const bool is_fitted = std::any_of(models.begin(), models.end(), [&](const FittedModel& m) {
       return m.candidate.summary.name == other.summary.name;
     });
     const bool is_near = other.summary.score > (1.0 - kSameShare) * best.candidate.summary.score &&
@@ -501,11 +394,13 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   }
   last_ranking_ = ranking;
   if (is_first && IsSuspicious(ranking)) LocateMismatch(*current);
-  std::vector<Fitted> models = FitModels(*current, ranking);
+  const ModelRace race(baseline_, options_);
+  std::vector<FittedModel> models =
+      race.Run(*current, ranking, options_.least_share * first_unexplained_);
   Spend("fitting models");
   if (models.empty()) return false;
   const std::size_t first_model = diagnosis_.models.size();
-  for (const Fitted& model : models)
+  for (const FittedModel& model : models)
     diagnosis_.models.push_back(Describe(model, *current, *errors));
   for (std::size_t i = 0; i < models.size(); ++i) {
     Model& described = diagnosis_.models[first_model + i];
@@ -545,7 +440,7 @@ void Diagnoser::LearnInstead(FittedScene* current) {
   std::optional<LearnedFit> fit = LearnLaw(*first_scene_, *first_ranking_, options_);
   Spend("learning a law");
   if (!fit) return;
-  Fitted model{{}, fit->scene, MeasureHeldOut(fit->scene)};
+  FittedModel model{{}, fit->scene, MeasureHeldOut(fit->scene)};
   model.candidate.names = fit->names;
   last_ranking_ = *first_ranking_;
   kept_parameters_.clear();
@@ -577,32 +472,8 @@ void Diagnoser::MeasureWhatActs(const FittedScene& model) {
 void Diagnoser::Conclude(const FittedScene& current) {
   const double excess = baseline_cost_ - 0.5 * last_ranking_.null_mean;
   const double explained = excess > 0.0 ? (baseline_cost_ - current.fit.cost_after) / excess : 0.0;
-  bool is_physics = false, is_fault = false;
-  for (const std::string& effect : diagnosis_.effects) {
-    const bool is_term = std::any_of(
-        diagnosis_.ranking.begin(), diagnosis_.ranking.end(),
-        [&](const Candidate& c) { return c.name == effect && c.kind == CandidateKind::kPhysics; });
-    (is_term ? is_physics : is_fault) = true;
-  }
-  constexpr double kMostOfIt = 0.5;
-  if (Stopped()) {
-    diagnosis_.verdict = Verdict::kInterrupted;
-  } else if (diagnosis_.law) {
-    diagnosis_.verdict = Verdict::kNoneOfTheAbove;
-  } else if (is_physics) {
-    diagnosis_.verdict = explained >= kMostOfIt ? Verdict::kNamed : Verdict::kNoneOfTheAbove;
-  } else if (is_fault) {
-    diagnosis_.verdict = Verdict::kObservationFault;
-  } else {
-    // Nothing below the numerical floor is ever held against the physics.
-    const bool is_unexplained = diagnosis_.gate_p_value < kGate && is_above_floor_;
-    const bool is_fitted = diagnosis_.promised < kAtMinimum;
-    const bool is_blind = !is_unexplained && diagnosis_.residual_rms > kFarOff;
-    diagnosis_.verdict = is_blind          ? Verdict::kUndecided
-                         : !is_unexplained ? Verdict::kNothingMissing
-                         : is_fitted       ? Verdict::kNoneOfTheAbove
-                                           : Verdict::kUndecided;
-  }
+  diagnosis_.verdict =
+      Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, explained, is_above_floor_);
   if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law) MeasureWhatActs(current);
   diagnosis_.words = DescribeDiagnosis(diagnosis_);
 }
@@ -629,24 +500,6 @@ Diagnosis Diagnoser::Run() {
 }
 
 }  // namespace
-
-std::string ToString(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNothingMissing:
-      return "nothing is missing";
-    case Verdict::kNamed:
-      return "named";
-    case Verdict::kObservationFault:
-      return "observation fault";
-    case Verdict::kNoneOfTheAbove:
-      return "none of the above";
-    case Verdict::kUndecided:
-      return "undecided";
-    case Verdict::kInterrupted:
-      return "interrupted";
-  }
-  return "unknown";
-}
 
 Diagnosis Diagnose(const Recording& recording, const FitConfig& baseline,
                    const DiagnosisOptions& options) {

@@ -177,6 +177,8 @@ struct Diagnosis {
   DiagnosisMotions motions;                             // for pages and pictures
 };
 
+// p-value of what the baseline leaves below which something is missing.
+inline constexpr double kGate = 0.01;
 // Share of the cost that a full step may promise of a fit that has come to rest.
 inline constexpr double kAtMinimum = 0.05;
 

@@ -40,8 +40,7 @@ double GuidingPull(const FitConfig& config, const Scene& scene) {
       std::count_if(scene.tracks.begin(), scene.tracks.end(),
                     [&](const TrackObservation& track) { return scene.IsFitted(track); });
   if (markers + tracks == 0) return 0.0;
-  const double per_frame =
-      static_cast<double>(markers + tracks) / (scene.last_fitted_frame + 1);
+  const double per_frame = static_cast<double>(markers + tracks) / (scene.last_fitted_frame + 1);
   const double mass =
       config.parameters.at("cloth.areal_density").value * scene.recording.cloth.size.prod();
   return mass * kGuidingRate * kGuidingRate / per_frame;

@@ -31,11 +31,11 @@ inline constexpr double kEnoughForDiagnosis = 1e-4;
 ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model);
 
 // How a fit begins. Guided: with some iterations in which every marker and every track's ray pulls
-// at the cloth, at first so strongly that the motion follows within some 25 ms, then weaker and weaker
-// (nudging; Abarbanel, Creveling, Farsian and Kostuk 2009, Dynamical state and parameter estimation).
-// Along a motion that cannot run away the cost is smooth, and the parameters that leave least there
-// are near the right ones, even where what they leave without being pulled is more than what a wrong
-// valley does.
+// at the cloth, at first so strongly that the motion follows within some 25 ms, then weaker and
+// weaker (nudging; Abarbanel, Creveling, Farsian and Kostuk 2009, Dynamical state and parameter
+// estimation). Along a motion that cannot run away the cost is smooth, and the parameters that
+// leave least there are near the right ones, even where what they leave without being pulled is
+// more than what a wrong valley does.
 enum class Start { kPlain, kGuided };
 
 // Fits it from its config's own fabric and no offsets of the start, all over again. Empty where the

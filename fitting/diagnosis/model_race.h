@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The candidates that are worth it, switched on one at a time and fitted against one another: a few
+// iterations each, then more for those that may come first.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fitting/diagnosis/held_out.h"
+#include "fitting/diagnosis/modelling.h"
+
+namespace clothfit {
+
+inline constexpr int kModelIterations = 12;  // a model starts near its end
+
+// A candidate with what was fitted with it.
+struct FittedModel {
+  RankedCandidate candidate;
+  FittedScene scene;
+  HeldOutErrors errors;
+};
+
+class ModelRace {
+ public:
+  // `baseline`: the config that a diagnosis was given, whose fabric models begin from where the
+  // fitted one is far off. Both must outlive this.
+  ModelRace(const FitConfig& baseline, const DiagnosisOptions& options)
+      : baseline_(baseline), options_(options) {}
+
+  // The best first: of those that explain nearly all that the lowest cost does, the one that
+  // predicts the held-out frames best, and then by cost. least_score: sum of squares that a
+  // short-listed candidate has to promise.
+  std::vector<FittedModel> Run(const FittedScene& current, const Ranking& ranking,
+                               double least_score) const;
+
+ private:
+  std::vector<const RankedCandidate*> Entrants(const Ranking& ranking, double least_score) const;
+  std::optional<FittedScene> FirstHeat(const FittedScene& current, const RankedCandidate& candidate,
+                                       const Ranking& ranking) const;
+  void FinishModels(const FittedScene& current, std::vector<FittedModel>* models) const;
+  void GoOnWith(FittedModel* model) const;
+  void PutBestPredictionFirst(const FittedScene& current, std::vector<FittedModel>* models) const;
+  void Say(const std::string& stage, double fraction) const {
+    if (options_.progress) options_.progress(stage, fraction);
+  }
+  void Log(const std::string& line) const {
+    if (options_.log) options_.log(line);
+  }
+  bool Stopped() const { return options_.stop != nullptr && *options_.stop; }
+
+  const FitConfig& baseline_;
+  const DiagnosisOptions& options_;
+};
+
+}  // namespace clothfit

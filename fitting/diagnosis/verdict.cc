@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/verdict.h"
+
+#include <algorithm>
+
+#include "fitting/diagnosis/baseline_fit.h"
+
+namespace clothfit {
+namespace {
+
+constexpr double kMostOfIt = 0.5;
+
+bool IsPhysics(const std::string& effect, const Diagnosis& diagnosis) {
+  return std::any_of(diagnosis.ranking.begin(), diagnosis.ranking.end(),
+                     [&](const Candidate& candidate) {
+                       return candidate.name == effect && candidate.kind == CandidateKind::kPhysics;
+                     });
+}
+
+// Nothing below the numerical floor is ever held against the physics.
+Verdict WithoutAnswer(const Diagnosis& diagnosis, bool is_above_floor) {
+  const bool is_unexplained = diagnosis.gate_p_value < kGate && is_above_floor;
+  if (!is_unexplained)
+    return diagnosis.residual_rms > kFarOff ? Verdict::kUndecided : Verdict::kNothingMissing;
+  const bool is_fitted = diagnosis.promised < kAtMinimum;
+  return is_fitted ? Verdict::kNoneOfTheAbove : Verdict::kUndecided;
+}
+
+}  // namespace
+
+Verdict VerdictOf(const Diagnosis& diagnosis, double explained, bool is_above_floor) {
+  if (diagnosis.law) return Verdict::kNoneOfTheAbove;
+  const std::vector<std::string>& effects = diagnosis.effects;
+  if (effects.empty()) return WithoutAnswer(diagnosis, is_above_floor);
+  const bool is_physics =
+      std::any_of(effects.begin(), effects.end(),
+                  [&](const std::string& effect) { return IsPhysics(effect, diagnosis); });
+  if (!is_physics) return Verdict::kObservationFault;
+  return explained >= kMostOfIt ? Verdict::kNamed : Verdict::kNoneOfTheAbove;
+}
+
+std::string ToString(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNothingMissing:
+      return "nothing is missing";
+    case Verdict::kNamed:
+      return "named";
+    case Verdict::kObservationFault:
+      return "observation fault";
+    case Verdict::kNoneOfTheAbove:
+      return "none of the above";
+    case Verdict::kUndecided:
+      return "undecided";
+    case Verdict::kInterrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+}  // namespace clothfit

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a diagnosis comes to.
+#pragma once
+
+#include "fitting/diagnosis/diagnosis.h"
+
+namespace clothfit {
+
+// Of a diagnosis that has run to its end. explained: the share that what was named takes of what
+// the baseline leaves above its null; is_above_floor: what it leaves is well above what mesh and
+// step make.
+Verdict VerdictOf(const Diagnosis& diagnosis, double explained, bool is_above_floor);
+
+}  // namespace clothfit
