@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/parallel.h"
 #include "fitting/diagnosis/modelling.h"
 
 namespace clothfit {
@@ -51,21 +52,26 @@ FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
   const std::vector<FitConfig> others = OtherStarts(best.config);
   for (const FitConfig& other : others) starts.push_back({other, Start::kPlain});
   starts.push_back({best.config, Start::kGuided});
+  if (options.progress) options.progress("baseline: other starts", 0.2);
+  const int count = static_cast<int>(starts.size());
+  std::vector<std::optional<FittedScene>> fits(starts.size());
+  ParallelFor(count, NumThreads(0), [&](int i, int) {
+    const auto k = static_cast<std::size_t>(i);
+    if (IsStopped(options)) return;
+    const auto& [config, how] = starts[k];
+    fits[k] = FitAfresh({best.scene.recording, config}, how, kFirstIterations, options.stop);
+  });
   std::optional<FittedScene> from;
   double least = kNearly * CostOf(best.fit);
-  for (const auto& [config, how] : starts) {
-    if (IsStopped(options)) return best;
-    if (options.progress) options.progress("baseline: another start", 0.2);
-    std::optional<FittedScene> fitted =
-        FitAfresh({best.scene.recording, config}, how, kFirstIterations, options.stop);
-    if (!fitted) continue;
-    const double cost = CostOf(fitted->fit);
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    if (!fits[k]) continue;
+    const double cost = CostOf(fits[k]->fit);
+    const bool is_guided = starts[k].second == Start::kGuided;
     log(fmt::format("{}: cost {:.6g}",
-                    how == Start::kGuided ? "guided by what was observed" : "from another fabric",
-                    cost));
+                    is_guided ? "guided by what was observed" : "from another fabric", cost));
     if (!(cost < least)) continue;
     least = cost;
-    from = std::move(fitted);
+    from = std::move(fits[k]);
   }
   if (!from || IsStopped(options)) return best;
   std::optional<FittedScene> fitted =

@@ -3,11 +3,14 @@
 #include "fitting/diagnosis/model_race.h"
 
 #include <algorithm>
+#include <functional>
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/parallel.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
+#include "tracking/text.h"
 
 namespace clothfit {
 namespace {
@@ -15,6 +18,12 @@ namespace {
 constexpr int kMoreHeats = 3;         // of the best, until it converges
 constexpr double kNearBest = 0.9;     // of what the best gains: it may come first yet
 constexpr double kStillInRace = 0.5;  // of what the best has gained by then
+
+// All cores; the numbers are the same for any.
+void ForAll(std::size_t count, const std::function<void(std::size_t)>& work) {
+  ParallelFor(static_cast<int>(count), NumThreads(0),
+              [&](int i, int) { work(static_cast<std::size_t>(i)); });
+}
 
 }  // namespace
 
@@ -67,22 +76,27 @@ std::vector<const RankedCandidate*> ModelRace::Entrants(const Ranking& ranking,
 
 std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const Ranking& ranking,
                                         double least_score) const {
+  const std::vector<const RankedCandidate*> entrants = Entrants(ranking, least_score);
+  std::vector<std::optional<FittedScene>> heats(entrants.size());
+  std::vector<std::string> names;
+  for (const RankedCandidate* entrant : entrants) names.push_back(entrant->summary.name);
+  if (!names.empty()) Say("fitting with " + JoinNames(names), 0.5);
+  ForAll(entrants.size(), [&](std::size_t i) {
+    if (!Stopped()) heats[i] = FirstHeat(current, *entrants[i], ranking);
+  });
   std::vector<FittedModel> models;
-  for (const RankedCandidate* candidate : Entrants(ranking, least_score)) {
-    if (Stopped()) break;
-    Say("fitting with " + candidate->summary.name, 0.5);
-    std::optional<FittedScene> fitted = FirstHeat(current, *candidate, ranking);
-    if (fitted) {
-      models.push_back({*candidate, std::move(*fitted), {}});
-    } else {
-      Log(candidate->summary.name + ": the fit with it fails");
+  for (std::size_t i = 0; i < heats.size(); ++i) {
+    if (heats[i]) {
+      models.push_back({*entrants[i], std::move(*heats[i]), {}});
+    } else if (!Stopped()) {
+      Log(names[i] + ": the fit with it fails");
     }
   }
   FinishModels(current, &models);
-  for (FittedModel& model : models) {
+  ForAll(models.size(), [&](std::size_t i) { models[i].errors = MeasureHeldOut(models[i].scene); });
+  for (const FittedModel& model : models) {
     Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
                     current.fit.cost_after, model.scene.fit.cost_after));
-    model.errors = MeasureHeldOut(model.scene);
   }
   PutBestPredictionFirst(current, &models);
   return models;
@@ -105,13 +119,19 @@ void ModelRace::PutBestPredictionFirst(const FittedScene& current,
 
 // Fits those further that may come first. The best is the first then.
 void ModelRace::FinishModels(const FittedScene& current, std::vector<FittedModel>* models) const {
+  if (models->empty()) return;
   const auto cost = [](const FittedModel& model) { return model.scene.fit.cost_after; };
   double least = current.fit.cost_after;
   for (const FittedModel& model : *models) least = std::min(least, cost(model));
   const double worst = current.fit.cost_after - kStillInRace * (current.fit.cost_after - least);
-  for (FittedModel& model : *models) {
-    if (cost(model) <= worst) GoOnWith(&model);
-  }
+  Say("fitting those further that may come first", 0.6);
+  const auto go_on = [&](double most) {
+    ForAll(models->size(), [&](std::size_t i) {
+      FittedModel& model = (*models)[i];
+      if (cost(model) <= most) GoOnWith(&model);
+    });
+  };
+  go_on(worst);
   const auto by_cost = [&](const FittedModel& a, const FittedModel& b) {
     return cost(a) < cost(b);
   };
@@ -120,17 +140,14 @@ void ModelRace::FinishModels(const FittedScene& current, std::vector<FittedModel
   // most easily. What the best leaves is held against the next effect, so that it has to have taken
   // its part.
   const double near = current.fit.cost_after - kNearBest * (current.fit.cost_after - least);
-  for (FittedModel& model : *models) {
-    if (cost(model) <= near) GoOnWith(&model);
-  }
+  go_on(near);
   std::stable_sort(models->begin(), models->end(), by_cost);
-  for (int k = 1; k < kMoreHeats && !models->empty(); ++k) GoOnWith(&models->front());
+  for (int k = 1; k < kMoreHeats; ++k) GoOnWith(&models->front());
 }
 
 // Fits a model further, unless it has converged.
 void ModelRace::GoOnWith(FittedModel* model) const {
   if (model->scene.fit.status == FitStatus::kConverged || Stopped()) return;
-  Say("fitting with " + model->candidate.summary.name, 0.6);
   std::optional<FittedScene> further =
       FitModel(model->scene, GoOn(model->scene), kModelIterations, options_.stop);
   const bool is_better = further && further->fit.cost_after < model->scene.fit.cost_after;
