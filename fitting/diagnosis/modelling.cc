@@ -141,7 +141,8 @@ ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model) {
 
 std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
                                      const std::atomic<bool>* stop) {
-  FitConfig quick = QuickConfig(start.config, most_iterations);
+  const FitConfig quick = QuickConfig(start.config, most_iterations);
+  FitConfig last = quick;
   FitCallbacks callbacks;
   callbacks.stop = stop;
   std::optional<FitResult> before;
@@ -158,18 +159,18 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
     const double pull = GuidingPull(quick, scene);
     if (!(pull > 0.0)) return std::nullopt;
     for (const double share : kGuidingShares) {
-      fit(PulledBy(quick, share * pull), scene);
+      fit(PulledBy(last, share * pull), scene);
       if (before->status == FitStatus::kFailed) return std::nullopt;
       const std::vector<NamedParameter> table = MakeParameterTable();
       for (std::size_t i = 0; i < table.size(); ++i) {
-        ParameterSetting& setting = quick.parameters.at(table[i].name);
+        ParameterSetting& setting = last.parameters.at(table[i].name);
         if (setting.free)
           setting.value = Inside(before->parameters[static_cast<Eigen::Index>(i)], setting);
       }
     }
   }
   Scene scene = MakeScene(start.recording, quick);
-  fit(quick, scene);
+  fit(last, scene);
   return MakeModel(std::move(scene), start.config, quick, *before);
 }
 

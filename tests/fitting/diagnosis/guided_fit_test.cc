@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Fits that what was observed guides past the valleys of a lively cloth's cost.
+#include <gtest/gtest.h>
+
+#include "fitting/diagnosis/modelling.h"
+#include "tracking/synthetic_recording.h"
+
+namespace clothfit {
+namespace {
+
+// Shaken, with next to no damping, in air that moves along.
+Recording LivelyCloth() {
+  SyntheticOptions options;
+  options.scenario = SyntheticScenario::kTwoCornerShake;
+  options.size = {0.5, 0.5};
+  options.resolution = {5, 5};
+  options.refinement = 2;
+  options.markers = {7, 7};
+  options.marker_sigma = 0.0015;
+  options.frame_rate = 24.0;
+  options.frame_count = 36;
+  options.steps_per_frame = 5;
+  options.parameters = {{"stretch.stiffness", 370.0}, {"stretch.damping", 0.8},
+                        {"shear.stiffness", 6.2},     {"shear.damping", 0.18},
+                        {"bending.stiffness", 4e-5},  {"bending.damping", 2.4e-5},
+                        {"added_mass.normal", 0.26}};
+  return MakeSyntheticRecording(options).recording;
+}
+
+ModelStart WithAddedMass(const Recording& recording) {
+  ModelStart start{recording, DefaultConfig(recording)};
+  start.config.initial_order = 1;
+  start.config.parameters.at("added_mass.normal").free = true;
+  return start;
+}
+
+TEST(GuidedFit, FindsWhatAPlainOneDoesNot) {
+  const ModelStart start = WithAddedMass(LivelyCloth());
+  const auto plain = FitAfresh(start, Start::kPlain, 21, nullptr);  // as many iterations
+  const auto guided = FitAfresh(start, Start::kGuided, 5, nullptr);
+  ASSERT_TRUE(plain && guided);
+  EXPECT_LT(guided->fit.cost_after, 0.8 * plain->fit.cost_after);
+  EXPECT_NEAR(guided->values.parameters.at("added_mass.normal").value, 0.26, 0.026);
+}
+
+TEST(GuidedFit, LeavesNothingThatPulls) {
+  const ModelStart start = WithAddedMass(LivelyCloth());
+  const auto guided = FitAfresh(start, Start::kGuided, 1, nullptr);
+  ASSERT_TRUE(guided);
+  EXPECT_FALSE(guided->config.attract);
+  EXPECT_TRUE(guided->config.polish);
+  for (const char* name : {"attraction_point.linear", "attraction_ray.linear"})
+    EXPECT_EQ(guided->values.parameters.at(name).value, 0.0) << name;
+  EXPECT_EQ(guided->config.parameters.at("stretch.stiffness").value,
+            start.config.parameters.at("stretch.stiffness").value);
+}
+
+TEST(GuidedFit, NeedsSomethingToPullAt) {
+  ModelStart start = WithAddedMass(LivelyCloth());
+  start.recording.markers.clear();
+  start.recording.tracks.clear();
+  EXPECT_FALSE(FitAfresh(start, Start::kGuided, 1, nullptr));
+}
+
+}  // namespace
+}  // namespace clothfit
