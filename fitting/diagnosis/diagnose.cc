@@ -87,6 +87,14 @@ class Diagnoser {
   Diagnosis diagnosis_;
   Ranking last_ranking_;
   std::vector<std::string> kept_parameters_;
+  // What was kept last, and what it was held against.
+  struct Kept {
+    std::size_t model;  // of diagnosis_.models
+    RankedCandidate candidate;
+    FittedScene before;
+    HeldOutErrors before_errors;
+  };
+  std::optional<Kept> kept_;
   double baseline_cost_ = 0.0;
   bool is_above_floor_ = false;
   std::optional<FittedScene> first_scene_;  // the baseline that was ranked first
@@ -409,6 +417,12 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     if (!described.is_kept) continue;
     if (CatchesUp(models[i], current, errors)) {
       ForgetRound(first_model);
+      if (kept_) {  // its fit has become a better one
+        diagnosis_.answer =
+            Describe({kept_->candidate, *current, *errors}, kept_->before, kept_->before_errors);
+        diagnosis_.answer->is_kept = true;
+        diagnosis_.models[kept_->model] = *diagnosis_.answer;
+      }
       if (diagnosis_.ranking.empty()) {
         baseline_cost_ = current->fit.cost_after;
         diagnosis_.baseline = current->config;
@@ -420,6 +434,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     diagnosis_.answer = described;
     diagnosis_.effects = described.effects;
     for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);
+    kept_ = {first_model + i, models[i].candidate, std::move(*current), std::move(*errors)};
     *errors = models[i].errors;
     *current = std::move(models[i].scene);
     if (!models[i].candidate.faults.empty()) FitAgainWithoutFault(current, errors);
