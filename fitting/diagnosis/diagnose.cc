@@ -215,9 +215,8 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
   if (!is_again) described.effects.push_back(newest);
   described.config = model.scene.values;
   described.cost = model.scene.fit.cost_after;
-  const double excess = before.fit.cost_after - 0.5 * last_ranking_.null_mean;
   described.explained =
-      excess > 0.0 ? std::clamp((before.fit.cost_after - described.cost) / excess, 0.0, 1.0) : 0.0;
+      ShareExplained(before.fit.cost_after, described.cost, 0.5 * last_ranking_.null_mean);
   std::vector<std::string> names = kept_parameters_;
   if (model.candidate.faults.empty()) {
     names.insert(names.end(), model.candidate.names.begin(), model.candidate.names.end());
@@ -485,8 +484,8 @@ void Diagnoser::MeasureWhatActs(const FittedScene& model) {
 }
 
 void Diagnoser::Conclude(const FittedScene& current) {
-  const double excess = baseline_cost_ - 0.5 * last_ranking_.null_mean;
-  const double explained = excess > 0.0 ? (baseline_cost_ - current.fit.cost_after) / excess : 0.0;
+  const double explained =
+      ShareExplained(baseline_cost_, current.fit.cost_after, 0.5 * last_ranking_.null_mean);
   diagnosis_.verdict =
       Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, explained, is_above_floor_);
   if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law) MeasureWhatActs(current);

@@ -29,6 +29,12 @@ Verdict WithoutAnswer(const Diagnosis& diagnosis, bool is_above_floor) {
 
 }  // namespace
 
+double ShareExplained(double before, double after, double null) {
+  const double gain = before - after;
+  if (!(gain > 0.0)) return 0.0;
+  return before - null > gain ? gain / (before - null) : 1.0;
+}
+
 Verdict VerdictOf(const Diagnosis& diagnosis, double explained, bool is_above_floor) {
   if (diagnosis.law) return Verdict::kNoneOfTheAbove;
   const std::vector<std::string>& effects = diagnosis.effects;

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/verdict.h"
+
+#include <gtest/gtest.h>
+
+namespace clothfit {
+namespace {
+
+Candidate Ranked(const char* name, CandidateKind kind) {
+  Candidate candidate;
+  candidate.name = name;
+  candidate.kind = kind;
+  return candidate;
+}
+
+// A baseline at its minimum that leaves something, with nothing found.
+Diagnosis Unexplained() {
+  Diagnosis diagnosis;
+  diagnosis.ranking = {Ranked("wind", CandidateKind::kPhysics),
+                       Ranked("camera cam0: pose", CandidateKind::kObservation)};
+  diagnosis.gate_p_value = 1e-6;
+  diagnosis.residual_rms = 1.5;
+  diagnosis.promised = 0.001;
+  return diagnosis;
+}
+
+TEST(Verdict, NamesPhysicsThatExplainsMostOfIt) {
+  Diagnosis diagnosis = Unexplained();
+  diagnosis.effects = {"camera cam0: pose", "wind"};
+  EXPECT_EQ(VerdictOf(diagnosis, 0.6, true), Verdict::kNamed);
+  EXPECT_EQ(VerdictOf(diagnosis, 0.4, true), Verdict::kNoneOfTheAbove);
+}
+
+TEST(Verdict, BlamesTheObservationWhereNothingElseWasFound) {
+  Diagnosis diagnosis = Unexplained();
+  diagnosis.effects = {"camera cam0: pose"};
+  EXPECT_EQ(VerdictOf(diagnosis, 0.2, true), Verdict::kObservationFault);
+  diagnosis.effects = {"markers 3 and 4 swapped from frame 7 on"};  // ranked nowhere
+  EXPECT_EQ(VerdictOf(diagnosis, 0.2, true), Verdict::kObservationFault);
+}
+
+TEST(Verdict, OfNothingFoundDependsOnWhatIsLeft) {
+  const Diagnosis diagnosis = Unexplained();
+  EXPECT_EQ(VerdictOf(diagnosis, 0.0, true), Verdict::kNoneOfTheAbove);
+  EXPECT_EQ(VerdictOf(diagnosis, 0.0, false), Verdict::kNothingMissing);  // mesh and step
+  Diagnosis passed = diagnosis;
+  passed.gate_p_value = 0.3;
+  EXPECT_EQ(VerdictOf(passed, 0.0, true), Verdict::kNothingMissing);
+}
+
+TEST(Verdict, IsOpenWhereTheFitCannotTell) {
+  Diagnosis rugged = Unexplained();
+  rugged.promised = 0.2;
+  EXPECT_EQ(VerdictOf(rugged, 0.0, true), Verdict::kUndecided);
+  Diagnosis far = Unexplained();
+  far.residual_rms = 3.0;
+  EXPECT_EQ(VerdictOf(far, 0.0, false), Verdict::kUndecided);
+  EXPECT_EQ(VerdictOf(far, 0.0, true), Verdict::kNoneOfTheAbove);
+}
+
+TEST(Verdict, SharesAreOfWhatIsAboveTheNull) {
+  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 60.0, 20.0), 0.5);
+  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 10.0, 20.0), 1.0);   // better than the null
+  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 90.0, 120.0), 1.0);  // beneath it, and yet a gain
+  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 110.0, 20.0), 0.0);
+}
+
+TEST(Verdict, OfALawIsNoneOfTheAbove) {
+  Diagnosis diagnosis = Unexplained();
+  diagnosis.effects = {"wind"};
+  diagnosis.law.emplace();
+  EXPECT_EQ(VerdictOf(diagnosis, 0.9, true), Verdict::kNoneOfTheAbove);
+}
+
+}  // namespace
+}  // namespace clothfit
