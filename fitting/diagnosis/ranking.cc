@@ -334,6 +334,20 @@ void Ranker::ShortList(Ranking* ranking) const {
       summary.is_short_listed = true;
     }
   }
+  // A fault is held to no share of the whole. What stands out as much and explains more of the same
+  // residuals competes with it, so that no fault is blamed for want of an alternative.
+  double of_fault = HUGE_VAL;
+  for (const RankedCandidate& candidate : ranking->candidates) {
+    const Candidate& summary = candidate.summary;
+    if (summary.is_short_listed && summary.kind == CandidateKind::kObservation)
+      of_fault = std::min(of_fault, summary.score);
+  }
+  for (RankedCandidate& candidate : ranking->candidates) {
+    Candidate& summary = candidate.summary;
+    if (summary.score <= of_fault || summary.q_value > options_.false_discovery) continue;
+    summary.is_short_listed = true;
+    summary.why_not.clear();
+  }
 }
 
 // By how much all absent physics together would lower the sum of squares, above what they do to the
@@ -418,12 +432,12 @@ Ranking Ranker::Run() {
   ranking.extent = extent_;
   std::vector<Eigen::VectorXd> projected;
   for (const NullResidual& null : nulls_) projected.push_back(projection.Products(null.products));
-  double explainable = std::max(ranking.unexplained, ExplainedTogether(projection, projected));
-  std::vector<std::vector<double>> scores_of_null;
+  const double explainable =
+      std::max(ranking.unexplained, ExplainedTogether(projection, projected));
   for (std::size_t c = 0; c < candidates_.size(); ++c) {
     RankedCandidate candidate = Physics(static_cast<int>(c), projection, raw);
     if (candidate.columns.empty()) continue;
-    std::vector<double>& null_scores = scores_of_null.emplace_back(nulls_.size(), 0.0);
+    std::vector<double> null_scores(nulls_.size(), 0.0);
     for (const Trial& trial : trials_) {
       if (trial.candidate != static_cast<int>(c)) continue;
       for (std::size_t k = 0; k < nulls_.size(); ++k) {
@@ -431,12 +445,9 @@ Ranking Ranker::Run() {
         null_scores[k] = std::max(null_scores[k], score.decrease);
       }
     }
-    // What mesh and step make of the whole may hide an effect that they cannot imitate.
-    explainable = std::max(explainable, candidate.summary.score - PassesFor(null_scores));
+    Judge(projection, null_scores, explainable, &candidate);
     ranking.candidates.push_back(std::move(candidate));
   }
-  for (std::size_t i = 0; i < scores_of_null.size(); ++i)
-    Judge(projection, scores_of_null[i], explainable, &ranking.candidates[i]);
   std::set<std::string> groups;
   for (const Fault& fault : faults_) groups.insert(fault.group);
   for (const std::string& group : groups) ranking.candidates.push_back(Observation(group, raw));

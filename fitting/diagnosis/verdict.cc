@@ -30,9 +30,7 @@ Verdict WithoutAnswer(const Diagnosis& diagnosis, bool is_above_floor) {
 }  // namespace
 
 double ShareExplained(double before, double after, double null) {
-  const double gain = before - after;
-  if (!(gain > 0.0)) return 0.0;
-  return before - null > gain ? gain / (before - null) : 1.0;
+  return before > null ? std::clamp((before - after) / (before - null), 0.0, 1.0) : 0.0;
 }
 
 Verdict VerdictOf(const Diagnosis& diagnosis, double explained, bool is_above_floor) {

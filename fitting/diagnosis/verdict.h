@@ -8,8 +8,8 @@
 
 namespace clothfit {
 
-// The share that a model takes of what a fit before it leaves above its null, costs all; all of it
-// where it leaves less than the null: what mesh and step may make hides what is there.
+// The share that a model takes of what a fit before it leaves above its null, costs all; nothing
+// where that leaves no more than the null.
 double ShareExplained(double before, double after, double null);
 
 // Of a diagnosis that has run to its end. explained: the share that what was named takes of what
