@@ -324,21 +324,28 @@ std::vector<SwappedMarkers> FindSwappedMarkers(const Scene& scene,
     const Eigen::Vector3d r = on_cloth.on_cloth.At(positions[seen.frame]) - seen.position;
     return r.squaredNorm() / (scene.marker_sigma * scene.marker_sigma);
   };
+  // A fit that is far off may be nearer to the wrong marker for a while; then it fits neither.
+  constexpr double kFits = 0.25;  // of the squares before
   std::vector<SwappedMarkers> swaps;
   for (auto a = by_id.begin(); a != by_id.end(); ++a) {
     for (auto b = std::next(a); b != by_id.end(); ++b) {
       SwappedMarkers best{a->first, b->first, 0, 0.0};
-      double gain = 0.0;
+      double gain = 0.0, swapped = 0.0;
+      bool fits = false;  // the best
       for (auto f = a->second.rbegin(); f != a->second.rend(); ++f) {
         const auto other = b->second.find(f->first);
         if (other == b->second.end()) continue;
         const MarkerObservation &p = *f->second, &q = *other->second;
         gain += squared(p, p) + squared(q, q) - squared(p, q) - squared(q, p);
-        if (gain > best.gain) best = {a->first, b->first, f->first, gain};
+        swapped += squared(p, q) + squared(q, p);
+        if (gain > best.gain) {
+          best = {a->first, b->first, f->first, gain};
+          fits = swapped < kFits * (gain + swapped);
+        }
       }
       // By chance the gain of two markers whose places differ is far below 0.
       constexpr double kClear = 100.0;
-      if (best.gain > kClear) swaps.push_back(best);
+      if (best.gain > kClear && fits) swaps.push_back(best);
     }
   }
   std::stable_sort(swaps.begin(), swaps.end(),

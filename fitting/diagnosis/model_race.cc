@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kMoreHeats = 3;         // of the best, until it converges
 constexpr double kNearBest = 0.9;     // of what the best gains: it may come first yet
+constexpr double kAlmostAsLow = 1.5;  // times the lowest cost: of a large gain any model is near
 constexpr double kStillInRace = 0.5;  // of what the best has gained by then
 
 // All cores; the numbers are the same for any.
@@ -108,7 +109,8 @@ void ModelRace::PutBestPredictionFirst(const FittedScene& current,
                                        std::vector<FittedModel>* models) const {
   if (models->empty()) return;
   const double before = current.fit.cost_after;
-  const double near = before - kNearBest * (before - models->front().scene.fit.cost_after);
+  const double best = models->front().scene.fit.cost_after;
+  const double near = std::min(before - kNearBest * (before - best), kAlmostAsLow * best);
   const auto last = std::find_if(models->begin(), models->end(), [&](const FittedModel& model) {
     return model.scene.fit.cost_after > near;
   });
