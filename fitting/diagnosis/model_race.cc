@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMoreHeats = 3;         // of the best, until it converges
 constexpr double kNearBest = 0.9;     // of what the best gains: it may come first yet
-constexpr double kAlmostAsLow = 1.5;  // times the lowest cost: of a large gain any model is near
+constexpr double kAlmostAsLow = 1.2;  // times the lowest cost: of a large gain any model is near
 constexpr double kStillInRace = 0.5;  // of what the best has gained by then
 
 // All cores; the numbers are the same for any.
