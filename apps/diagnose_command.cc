@@ -23,7 +23,8 @@ struct DiagnoseOptions {
   ConfigOptions config;
   DiagnosisOptions diagnosis;
   std::string output;
-  bool no_projection = false, table_null = false, no_proof = false, force = false, quiet = false;
+  bool no_projection = false, table_null = false, no_proof = false;
+  bool force = false, resume = false, quiet = false;
 };
 
 int RunDiagnoseCommand(DiagnoseOptions options) {
@@ -31,12 +32,16 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   const FitConfig config = ReadConfigOf(options.config, recording);
   config.Check("command line");
   CheckFittable(MakeScene(recording, config));
-  const DiagnosisFolder folder(options.output, options.force);
+  using Existing = DiagnosisFolder::Existing;
+  const DiagnosisFolder folder(options.output, options.resume  ? Existing::kResume
+                                               : options.force ? Existing::kReplace
+                                                               : Existing::kRefuse);
   if (!options.quiet) PrintWarnings(recording);
   options.diagnosis.project = !options.no_projection;
   options.diagnosis.simulate_null = !options.table_null;
   options.diagnosis.prove = !options.no_proof;
   options.diagnosis.stop = StopOnInterrupt();
+  options.diagnosis.kept_fits = folder.KeptFits();
   options.diagnosis.log = [&folder](const std::string& line) { folder.AppendLog(line); };
   ShareDisplay display;
   if (!options.quiet) {
@@ -48,7 +53,9 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   display.Finish();
   folder.Write(diagnosis);
   if (!options.quiet) fmt::print("{}\n{}\n", diagnosis.words, folder.path().string());
-  return diagnosis.verdict == Verdict::kInterrupted ? kExitInterrupted : kExitSuccess;
+  if (diagnosis.verdict != Verdict::kInterrupted) return kExitSuccess;
+  fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
+  return kExitInterrupted;
 }
 
 }  // namespace
@@ -86,11 +93,18 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
                     "ablation: noise alone instead of the null that is simulated again");
   command->add_flag("--no-proof", options->no_proof,
                     "ablation: keep what fits, held-out frames or not");
-  command->add_flag("--force", options->force, "replace an earlier diagnosis there");
+  CLI::Option* const force =
+      command->add_flag("--force", options->force, "replace an earlier diagnosis there");
+  command
+      ->add_flag("--resume", options->resume,
+                 "go on with an interrupted diagnosis there; begins where there is none")
+      ->excludes(force);
   command->add_flag("--quiet", options->quiet, "print errors only");
   command->footer(
       "The baseline is the config: what it switches off is looked for. Writes diagnosis.json,\n"
-      "diagnosis.md and config.yaml, which fit, simulate and predict take.\n\n"
+      "diagnosis.md and config.yaml, which fit, simulate and predict take.\n"
+      "Ctrl-C stops (exit status 130); the same command with --resume does not repeat fits that\n"
+      "were finished by then.\n\n"
       "Example:\n"
       "  clothfit diagnose data/demo --without air_drag -o runs/missing");
   command->callback(

@@ -81,7 +81,8 @@ TrialRunOptions HowToRun(const TrialsOptions& options) {
   if (options.keep_diagnoses) {
     run.diagnosed = [folder](const Trial& trial, const Diagnosis& diagnosis,
                              const std::vector<std::string>& log) {
-      const DiagnosisFolder kept(folder / "diagnoses" / trial.name, true);
+      const DiagnosisFolder kept(folder / "diagnoses" / trial.name,
+                                 DiagnosisFolder::Existing::kReplace);
       for (const std::string& line : log) kept.AppendLog(line);
       kept.Write(diagnosis);
     };

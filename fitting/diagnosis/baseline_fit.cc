@@ -41,13 +41,12 @@ double CostOf(const FitResult& fit) {
   return is_usable ? fit.cost_after : std::numeric_limits<double>::infinity();
 }
 
-bool IsStopped(const DiagnosisOptions& options) { return options.stop != nullptr && *options.stop; }
-
 // A few iterations from other fabrics each, and all of them from the best.
 FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
   const auto log = [&](const std::string& line) {
     if (options.log) options.log(line);
   };
+  const FitRunner runner(options);
   std::vector<std::pair<FitConfig, Start>> starts;
   const std::vector<FitConfig> others = OtherStarts(best.config);
   for (const FitConfig& other : others) starts.push_back({other, Start::kPlain});
@@ -57,9 +56,9 @@ FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
   std::vector<std::optional<FittedScene>> fits(starts.size());
   ParallelFor(count, NumThreads(0), [&](int i, int) {
     const auto k = static_cast<std::size_t>(i);
-    if (IsStopped(options)) return;
+    if (runner.IsStopped()) return;
     const auto& [config, how] = starts[k];
-    fits[k] = FitAfresh({best.scene.recording, config}, how, kFirstIterations, options.stop);
+    fits[k] = FitAfresh({best.scene.recording, config}, how, kFirstIterations, runner);
   });
   std::optional<FittedScene> from;
   double least = kNearly * CostOf(best.fit);
@@ -73,9 +72,9 @@ FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
     least = cost;
     from = std::move(fits[k]);
   }
-  if (!from || IsStopped(options)) return best;
+  if (!from || runner.IsStopped()) return best;
   std::optional<FittedScene> fitted =
-      FitModel(*from, GoOn(*from), best.config.max_iterations, options.stop);
+      FitModel(*from, GoOn(*from), best.config.max_iterations, runner);
   if (!fitted) fitted = std::move(from);
   log(fmt::format("to the end from there: cost {:.6g}", CostOf(fitted->fit)));
   if (!(CostOf(fitted->fit) < CostOf(best.fit))) return best;
@@ -115,12 +114,11 @@ FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
   FitConfig quick = config;
   quick.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
   FitCallbacks callbacks;
-  callbacks.stop = options.stop;
   callbacks.log = options.log;
   callbacks.progress = [&options](const FitProgress& p) {
     if (options.progress) options.progress("baseline: " + p.stage, 0.2 * p.fraction);
   };
-  FitResult fit = RunFit(scene, quick, callbacks);
+  FitResult fit = FitRunner(options).Run(scene, quick, nullptr, callbacks);
   const bool is_off = IsFurtherOff(kWorthAnotherStart, scene, quick, fit);
   FittedScene fitted = MakeFittedScene(std::move(scene), config, fit);
   if (is_off) fitted = FitFromOthers(std::move(fitted), options);

@@ -43,7 +43,8 @@ class Diagnoser {
   Diagnoser(const Recording& recording, const FitConfig& baseline, const DiagnosisOptions& options)
       : recording_(WithHeldOutFrames(recording, options.held_out_share)),
         baseline_(baseline),
-        options_(options) {}
+        options_(options),
+        runner_(options) {}
 
   Diagnosis Run();
 
@@ -77,13 +78,14 @@ class Diagnoser {
   void Log(const std::string& line) const {
     if (options_.log) options_.log(line);
   }
-  bool Stopped() const { return options_.stop != nullptr && *options_.stop; }
+  bool Stopped() const { return runner_.IsStopped(); }
   void Spend(const std::string& stage);
   void SpendOn(const Ranking& ranking);
 
   Recording recording_;
   FitConfig baseline_;
   const DiagnosisOptions& options_;
+  FitRunner runner_;
   Diagnosis diagnosis_;
   Ranking last_ranking_;
   std::vector<std::string> kept_parameters_;
@@ -164,7 +166,7 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
                                          swap.first_id, swap.second_id, swap.from_frame);
     ModelStart start = GoOn(fitted);
     start.recording = SwapBack(fitted.scene.recording, swap);
-    std::optional<FittedScene> again = FitModel(fitted, start, kModelIterations, options_.stop);
+    std::optional<FittedScene> again = FitModel(fitted, start, kModelIterations, runner_);
     if (!again || !(again->fit.cost_after < fitted.fit.cost_after)) {
       Log(name + ": the fit is no better without");
       break;
@@ -179,8 +181,8 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
 bool Diagnoser::CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors) {
   if (rematches_ == kMostRematches || Stopped()) return false;
   Say("fitting without " + model.candidate.summary.name, 0.7);
-  std::optional<FittedScene> again = FitModel(model.scene, WithoutEffect(*current, model.scene),
-                                              2 * kModelIterations, options_.stop);
+  std::optional<FittedScene> again =
+      FitModel(model.scene, WithoutEffect(*current, model.scene), 2 * kModelIterations, runner_);
   Spend("fitting without what was found");
   if (!again) return false;
   const double before = current->fit.cost_after, after = again->fit.cost_after;
@@ -327,7 +329,7 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     finer.config.resolution = grid;
     Log(fmt::format("the mesh matters: {} x {} particles", grid[0], grid[1]));
     Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
-    std::optional<FittedScene> refined = FitModel(*current, finer, kModelIterations, options_.stop);
+    std::optional<FittedScene> refined = FitModel(*current, finer, kModelIterations, runner_);
     if (!refined) return ranking;
     *current = std::move(*refined);
     Spend("baseline on a finer mesh");

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -44,6 +45,8 @@ struct DiagnosisOptions {
   std::function<void(const std::string& stage, double fraction)> progress;
   std::function<void(const std::string&)> log;
   const std::atomic<bool>* stop = nullptr;
+  // Where finished fits are kept, see fit_runner.h; empty: nowhere.
+  std::filesystem::path kept_fits;
 };
 
 enum class CandidateKind { kPhysics, kObservation };

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/diagnosis_folder.h"
 
+#include <fmt/format.h>
+
 #include "autodiff_sim/error.h"
 #include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/diagnosis/fit_runner.h"
 #include "fitting/npy_file.h"
 #include "fitting/whole_file.h"
 #include "tracking/picture_writer.h"
@@ -24,17 +27,29 @@ void WritePoints(const std::vector<Eigen::VectorXd>& frames, const fs::path& fil
 
 }  // namespace
 
-DiagnosisFolder::DiagnosisFolder(const fs::path& folder, bool replace) : path_(folder) {
+DiagnosisFolder::DiagnosisFolder(const fs::path& folder, Existing existing) : path_(folder) {
   const bool is_there = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
   const bool is_diagnosis = fs::exists(folder / "diagnosis.json") || fs::exists(folder / "log.txt");
   if (is_there && !is_diagnosis)
     throw InputError(folder.string(),
                      "holds something else than a diagnosis; expected a new folder");
-  if (is_there && !replace)
-    throw InputError(folder.string(), "already holds a diagnosis; --force replaces it");
+  const bool is_unfinished = is_there && fs::is_directory(KeptFits());
+  if (is_there && existing == Existing::kRefuse)
+    throw InputError(folder.string(),
+                     is_unfinished ? "holds an unfinished diagnosis; --resume goes on with it, "
+                                     "--force replaces it"
+                                   : "already holds a diagnosis; --force replaces it");
+  if (is_there && existing == Existing::kResume && !is_unfinished)
+    throw InputError(folder.string(),
+                     "holds a finished diagnosis; there is nothing to resume, --force replaces it");
   std::error_code error;
-  fs::create_directories(folder, error);
-  WriteWholeFile(folder / "log.txt", "clothfit diagnose\n");
+  if (existing == Existing::kReplace) fs::remove_all(KeptFits(), error);
+  fs::create_directories(KeptFits(), error);
+  if (is_there && existing == Existing::kResume) {
+    AppendLog(fmt::format("resumed with {} fits", NumKeptFits(KeptFits())));
+  } else {
+    WriteWholeFile(folder / "log.txt", "clothfit diagnose\n");
+  }
   for (const char* name : {"diagnosis.json", "diagnosis.md", "config.yaml", kMap, kCloth, kBaseline,
                            kAnswer, kForce, "report.html"})
     fs::remove(folder / name, error);
@@ -52,9 +67,12 @@ void DiagnosisFolder::Write(const Diagnosis& diagnosis) const {
   WritePoints(diagnosis.motions.baseline, path_ / kBaseline);
   WritePoints(diagnosis.motions.answer, path_ / kAnswer);
   WritePoints(diagnosis.motions.missing_force, path_ / kForce);
-  if (!diagnosis.mismatch_pictures) return;
-  WritePicture(diagnosis.mismatch_pictures->map, path_ / kMap);
-  WritePicture(diagnosis.mismatch_pictures->cloth, path_ / kCloth);
+  if (diagnosis.mismatch_pictures) {
+    WritePicture(diagnosis.mismatch_pictures->map, path_ / kMap);
+    WritePicture(diagnosis.mismatch_pictures->cloth, path_ / kCloth);
+  }
+  std::error_code error;
+  if (diagnosis.verdict != Verdict::kInterrupted) fs::remove_all(KeptFits(), error);
 }
 
 }  // namespace clothfit

@@ -54,12 +54,12 @@ std::optional<ModelStart> Pruned(const FittedScene& model, const std::string& te
 
 std::optional<FittedScene> FitFamily(const FittedScene& baseline, const RankedCandidate& family,
                                      const Ranking& ranking, const DiagnosisOptions& options) {
-  std::optional<FittedScene> model =
-      FitModel(baseline, SwitchOn(baseline, family, ranking.faults), kIterations, options.stop);
+  std::optional<FittedScene> model = FitModel(baseline, SwitchOn(baseline, family, ranking.faults),
+                                              kIterations, FitRunner(options));
   for (int round = 0; model && round < 3; ++round) {
     const std::optional<ModelStart> pruned = Pruned(*model, family.term.term);
     if (!pruned) break;
-    model = FitModel(*model, *pruned, kIterations, options.stop);
+    model = FitModel(*model, *pruned, kIterations, FitRunner(options));
   }
   if (model && FreeCoefficients(model->config, family.term.term).empty()) return {};
   return model;
@@ -106,8 +106,8 @@ std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const Ranking& r
                                    const DiagnosisOptions& options) {
   std::optional<LearnedFit> law;
   RankingStart laws{ranking.errors, 1.0, CandidateSet::kLaws};
-  const auto stopped = [&] { return options.stop != nullptr && *options.stop; };
-  for (int round = 0; round < kMostFamilies && !stopped(); ++round) {
+  const FitRunner runner(options);
+  for (int round = 0; round < kMostFamilies && !runner.IsStopped(); ++round) {
     const FittedScene& from = law ? law->scene : baseline;
     const Ranking ranked = RankCandidates(from, options, laws);
     std::optional<FittedScene> best;

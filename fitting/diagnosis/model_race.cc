@@ -34,7 +34,7 @@ std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
                                                 const RankedCandidate& candidate,
                                                 const Ranking& ranking) const {
   const ModelStart start = SwitchOn(current, candidate, ranking.faults);
-  std::optional<FittedScene> fitted = FitModel(current, start, kFirstIterations, options_.stop);
+  std::optional<FittedScene> fitted = FitModel(current, start, kFirstIterations, runner_);
   if (ranking.residual_rms < kFarOff || Stopped()) return fitted;
   ModelStart afresh = start;
   for (auto& [name, setting] : afresh.config.parameters) {
@@ -48,9 +48,8 @@ std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
     ParameterSetting& setting = afresh.config.parameters.at(named.name);
     setting.value = std::clamp(named.parameter.off, setting.lower, setting.upper);
   }
-  std::optional<FittedScene> again =
-      FitAfresh(afresh, Start::kGuided, kFirstIterations, options_.stop);
-  if (!again) again = FitModel(current, afresh, kFirstIterations, options_.stop);
+  std::optional<FittedScene> again = FitAfresh(afresh, Start::kGuided, kFirstIterations, runner_);
+  if (!again) again = FitModel(current, afresh, kFirstIterations, runner_);
   const bool is_better = again && (!fitted || again->fit.cost_after < fitted->fit.cost_after);
   return is_better ? again : fitted;
 }
@@ -151,7 +150,7 @@ void ModelRace::FinishModels(const FittedScene& current, std::vector<FittedModel
 void ModelRace::GoOnWith(FittedModel* model) const {
   if (model->scene.fit.status == FitStatus::kConverged || Stopped()) return;
   std::optional<FittedScene> further =
-      FitModel(model->scene, GoOn(model->scene), kModelIterations, options_.stop);
+      FitModel(model->scene, GoOn(model->scene), kModelIterations, runner_);
   const bool is_better = further && further->fit.cost_after < model->scene.fit.cost_after;
   if (is_better) model->scene = std::move(*further);
 }

@@ -28,7 +28,7 @@ class ModelRace {
   // `baseline`: the config that a diagnosis was given, whose fabric models begin from where the
   // fitted one is far off. Both must outlive this.
   ModelRace(const FitConfig& baseline, const DiagnosisOptions& options)
-      : baseline_(baseline), options_(options) {}
+      : baseline_(baseline), options_(options), runner_(options) {}
 
   // The best first: of those that explain nearly all that the lowest cost does, the one that
   // predicts the held-out frames best, and then by cost. least_score: sum of squares that a
@@ -49,10 +49,11 @@ class ModelRace {
   void Log(const std::string& line) const {
     if (options_.log) options_.log(line);
   }
-  bool Stopped() const { return options_.stop != nullptr && *options_.stop; }
+  bool Stopped() const { return runner_.IsStopped(); }
 
   const FitConfig& baseline_;
   const DiagnosisOptions& options_;
+  FitRunner runner_;
 };
 
 }  // namespace clothfit

@@ -59,15 +59,21 @@ FitConfig PulledBy(FitConfig config, double pull) {
   return config;
 }
 
-// Where a fit of the same unknowns goes on that is to begin with no offsets of the start.
-FitCheckpoint FromPathsOf(const FitResult& before, const FreeParameters& free) {
+// Where a fit begins that nothing is handed on to.
+FitCheckpoint Beginning(const FreeParameters& free) {
   FitCheckpoint from;
   from.theta = free.start();
+  from.information = free.PriorInformation();
+  from.mean = free.PriorMean();
+  return from;
+}
+
+// Where a fit of the same unknowns goes on that is to begin with no offsets of the start.
+FitCheckpoint FromPathsOf(const FitResult& before, const FreeParameters& free) {
+  FitCheckpoint from = Beginning(free);
   for (int i = 0; i < free.size(); ++i) {
     if (free.entries()[i].kind == FreeEntry::Kind::kHandle) from.theta[i] = before.theta[i];
   }
-  from.information = free.PriorInformation();
-  from.mean = free.PriorMean();
   return from;
 }
 
@@ -140,17 +146,15 @@ ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model) {
 }
 
 std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
-                                     const std::atomic<bool>* stop) {
+                                     const FitRunner& runner) {
   const FitConfig quick = QuickConfig(start.config, most_iterations);
   FitConfig last = quick;
-  FitCallbacks callbacks;
-  callbacks.stop = stop;
   std::optional<FitResult> before;
   const auto fit = [&](const FitConfig& config, const Scene& scene) {
     const FreeParameters free(config, scene, MakeParameterTable());
     std::optional<FitCheckpoint> from;
     if (before) from = FromPathsOf(*before, free);
-    before = RunFit(scene, config, callbacks, from ? &*from : nullptr);
+    before = runner.Run(scene, config, from ? &*from : nullptr);
   };
   if (how == Start::kGuided) {
     FitConfig attracted = quick;
@@ -175,20 +179,15 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
 }
 
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
-                                    int most_iterations, const std::atomic<bool>* stop) {
+                                    int most_iterations, const FitRunner& runner) {
   const FitConfig config = QuickConfig(start.config, most_iterations);
   Scene scene = MakeScene(start.recording, config, &fitted.scene);
-  FitCallbacks callbacks;
-  callbacks.stop = stop;
   // Handles and initial state go on from where they were; they follow the parameters.
   const FreeParameters free(config, scene, MakeParameterTable());
-  FitCheckpoint from;
+  FitCheckpoint from = Beginning(free);
   from.next_window = 1;
-  from.theta = free.start();
   from.theta.tail(fitted.unknown.size()) = fitted.unknown;
-  from.information = free.PriorInformation();
-  from.mean = free.PriorMean();
-  const FitResult result = RunFit(scene, config, callbacks, &from);
+  const FitResult result = runner.Run(scene, config, &from);
   return MakeModel(std::move(scene), start.config, config, result);
 }
 

@@ -4,9 +4,9 @@
 // A candidate switched on and everything fitted again.
 #pragma once
 
-#include <atomic>
 #include <optional>
 
+#include "fitting/diagnosis/fit_runner.h"
 #include "fitting/diagnosis/ranking.h"
 
 namespace clothfit {
@@ -41,10 +41,10 @@ enum class Start { kPlain, kGuided };
 // Fits it from its config's own fabric and no offsets of the start, all over again. Empty where the
 // fit fails, or where there is nothing to guide it.
 std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
-                                     const std::atomic<bool>* stop);
+                                     const FitRunner& runner);
 
 // Fits it, from the handles' paths and initial state of `fitted`. Empty where the fit fails.
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
-                                    int most_iterations, const std::atomic<bool>* stop);
+                                    int most_iterations, const FitRunner& runner);
 
 }  // namespace clothfit

@@ -91,6 +91,44 @@ TEST(Terminate, IsTakenAsCtrlCAndTheSecondEndsAtOnce) {
   EXPECT_EQ(command.Wait().status, 130);
 }
 
+// The baseline's fit alone takes seconds.
+std::vector<std::string> DiagnoseInto(const std::string& run) {
+  return {"diagnose",      "rec", "-o",           run, "--fix",  "stretch", "--fix", "shear",
+          "--max-effects", "1",   "--max-models", "1", "--quiet"};
+}
+
+TEST(InterruptedDiagnosis, GoesOnToTheSameAnswer) {
+  const TestFolder folder;
+  WriteSmallRecording(folder);
+  const auto read = [&](const std::string& file) { return ReadTextFile(folder.path() / file); };
+  ASSERT_EQ(RunCommand(DiagnoseInto("whole"), folder.path()).status, 0);
+
+  RunningCommand command(DiagnoseInto("run"), folder.path());
+  const fs::path fits = folder.path() / "run" / "fits";
+  ASSERT_TRUE(WaitFor(fits, &command)) << command.Wait().err;
+  while (fs::is_empty(fits)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  command.Signal(SIGINT);
+  const CommandResult result = command.Wait();
+  ASSERT_EQ(result.status, 130) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("clothfit: interrupted; the same command with --resume"));
+  EXPECT_THAT(BadInputLine(RunCommand(DiagnoseInto("run"), folder.path())),
+              HasSubstr("run: holds an unfinished diagnosis"));
+
+  std::vector<std::string> again = DiagnoseInto("run");
+  again.push_back("--resume");
+  const CommandResult resumed = RunCommand(again, folder.path());
+  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_THAT(read("run/log.txt"), HasSubstr("resumed with "));
+  EXPECT_EQ(read("run/config.yaml"), read("whole/config.yaml"));
+  EXPECT_EQ(read("run/baseline.npy"), read("whole/baseline.npy"));
+  json one = json::parse(read("run/diagnosis.json")),
+       other = json::parse(read("whole/diagnosis.json"));
+  for (json* diagnosis : {&one, &other}) diagnosis->erase("seconds");
+  EXPECT_EQ(one, other);
+  EXPECT_THAT(BadInputLine(RunCommand(again, folder.path())),
+              HasSubstr("holds a finished diagnosis"));
+}
+
 TEST(Resume, NeedsARun) {
   const TestFolder folder;
   WriteSmallRecording(folder);

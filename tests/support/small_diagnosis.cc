@@ -74,7 +74,7 @@ fs::path MakeSmallDiagnosis(const fs::path& folder) {
       9, Eigen::VectorXd::Constant(diagnosis.motions.answer[0].size(), 0.1));
   diagnosis.motions.resolution = {5, 5};
   diagnosis.motions.held_out = Splits::FrameRange{8, 11};
-  const DiagnosisFolder written(folder / "diagnosis", false);
+  const DiagnosisFolder written(folder / "diagnosis", DiagnosisFolder::Existing::kRefuse);
   written.Write(diagnosis);
   return written.path();
 }

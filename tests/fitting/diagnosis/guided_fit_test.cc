@@ -38,8 +38,8 @@ ModelStart WithAddedMass(const Recording& recording) {
 
 TEST(GuidedFit, FindsWhatAPlainOneDoesNot) {
   const ModelStart start = WithAddedMass(LivelyCloth());
-  const auto plain = FitAfresh(start, Start::kPlain, 21, nullptr);  // as many iterations
-  const auto guided = FitAfresh(start, Start::kGuided, 5, nullptr);
+  const auto plain = FitAfresh(start, Start::kPlain, 21, FitRunner());  // as many iterations
+  const auto guided = FitAfresh(start, Start::kGuided, 5, FitRunner());
   ASSERT_TRUE(plain && guided);
   EXPECT_LT(guided->fit.cost_after, 0.8 * plain->fit.cost_after);
   EXPECT_NEAR(guided->values.parameters.at("added_mass.normal").value, 0.26, 0.026);
@@ -47,7 +47,7 @@ TEST(GuidedFit, FindsWhatAPlainOneDoesNot) {
 
 TEST(GuidedFit, LeavesNothingThatPulls) {
   const ModelStart start = WithAddedMass(LivelyCloth());
-  const auto guided = FitAfresh(start, Start::kGuided, 1, nullptr);
+  const auto guided = FitAfresh(start, Start::kGuided, 1, FitRunner());
   ASSERT_TRUE(guided);
   EXPECT_FALSE(guided->config.attract);
   EXPECT_TRUE(guided->config.polish);
@@ -61,7 +61,7 @@ TEST(GuidedFit, NeedsSomethingToPullAt) {
   ModelStart start = WithAddedMass(LivelyCloth());
   start.recording.markers.clear();
   start.recording.tracks.clear();
-  EXPECT_FALSE(FitAfresh(start, Start::kGuided, 1, nullptr));
+  EXPECT_FALSE(FitAfresh(start, Start::kGuided, 1, FitRunner()));
 }
 
 }  // namespace
