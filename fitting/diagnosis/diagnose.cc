@@ -217,8 +217,10 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
   if (!is_again) described.effects.push_back(newest);
   described.config = model.scene.values;
   described.cost = model.scene.fit.cost_after;
-  described.explained =
-      ShareExplained(before.fit.cost_after, described.cost, 0.5 * last_ranking_.null_mean);
+  const bool is_fault = !model.candidate.faults.empty();  // held to no share of the whole
+  const double explainable = is_fault ? model.candidate.summary.score : last_ranking_.explainable;
+  described.explained = ShareExplained(before.fit.cost_after, described.cost,
+                                       0.5 * last_ranking_.null_mean, 0.5 * explainable);
   std::vector<std::string> names = kept_parameters_;
   if (model.candidate.faults.empty()) {
     names.insert(names.end(), model.candidate.names.begin(), model.candidate.names.end());
@@ -487,7 +489,8 @@ void Diagnoser::MeasureWhatActs(const FittedScene& model) {
 
 void Diagnoser::Conclude(const FittedScene& current) {
   const double explained =
-      ShareExplained(baseline_cost_, current.fit.cost_after, 0.5 * last_ranking_.null_mean);
+      ShareExplained(baseline_cost_, current.fit.cost_after, 0.5 * last_ranking_.null_mean,
+                     first_ranking_ ? 0.5 * first_ranking_->explainable : 0.0);
   diagnosis_.verdict =
       Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, explained, is_above_floor_);
   if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law) MeasureWhatActs(current);

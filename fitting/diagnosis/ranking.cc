@@ -432,8 +432,7 @@ Ranking Ranker::Run() {
   ranking.extent = extent_;
   std::vector<Eigen::VectorXd> projected;
   for (const NullResidual& null : nulls_) projected.push_back(projection.Products(null.products));
-  const double explainable =
-      std::max(ranking.unexplained, ExplainedTogether(projection, projected));
+  ranking.explainable = std::max(ranking.unexplained, ExplainedTogether(projection, projected));
   for (std::size_t c = 0; c < candidates_.size(); ++c) {
     RankedCandidate candidate = Physics(static_cast<int>(c), projection, raw);
     if (candidate.columns.empty()) continue;
@@ -445,7 +444,7 @@ Ranking Ranker::Run() {
         null_scores[k] = std::max(null_scores[k], score.decrease);
       }
     }
-    Judge(projection, null_scores, explainable, &candidate);
+    Judge(projection, null_scores, ranking.explainable, &candidate);
     ranking.candidates.push_back(std::move(candidate));
   }
   std::set<std::string> groups;

@@ -36,6 +36,8 @@ struct Ranking {
   double unexplained = 0.0;           // the same in sums of squares, above what the null leaves
   double residual_rms = 0.0, floor_rms = 0.0;  // in sigmas: of all rows, and of mesh and step alone
   double null_mean = 0.0;                      // sum of squares that the null leaves
+  // The most that all candidates together could take of it, above what they take of the null.
+  double explainable = 0.0;
   double promised = 0.0;  // share of the sum that a full step of the baseline's own fit would take
   int num_rows = 0;
   Extent extent;

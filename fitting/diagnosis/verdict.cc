@@ -29,8 +29,9 @@ Verdict WithoutAnswer(const Diagnosis& diagnosis, bool is_above_floor) {
 
 }  // namespace
 
-double ShareExplained(double before, double after, double null) {
-  return before > null ? std::clamp((before - after) / (before - null), 0.0, 1.0) : 0.0;
+double ShareExplained(double before, double after, double null, double explainable) {
+  const double excess = std::max(before - null, explainable);
+  return excess > 0.0 ? std::clamp((before - after) / excess, 0.0, 1.0) : 0.0;
 }
 
 Verdict VerdictOf(const Diagnosis& diagnosis, double explained, bool is_above_floor) {
