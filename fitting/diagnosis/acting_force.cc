@@ -94,13 +94,15 @@ Eigen::VectorXd ForceOfParameters(const ClothModel& model, const ForcePoint& at,
 }
 
 std::optional<ActingForce> MeasureActingForce(const FittedScene& fitted,
-                                              const std::vector<std::string>& terms) {
+                                              const std::vector<std::string>& effects) {
   const Scene& scene = fitted.scene;
   const FreeParameters free(fitted.values, scene, MakeParameterTable());
   WindowSimulator simulator(scene, fitted.values, free, false, nullptr);
   std::vector<std::string> names;
   for (const NamedParameter& named : MakeParameterTable()) {
-    const bool is_asked = std::find(terms.begin(), terms.end(), named.term) != terms.end();
+    const bool is_asked = std::any_of(
+        effects.begin(), effects.end(),
+        [&](const std::string& effect) { return effect == named.term || effect == named.name; });
     if (is_asked && SwitchesOff(named.parameter)) names.push_back(named.name);
   }
   const ClothModel& model = simulator.simulation().model();

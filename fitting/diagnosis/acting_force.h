@@ -58,8 +58,9 @@ class ForceMeter {
 Eigen::VectorXd ForceOfParameters(const ClothModel& model, const ForcePoint& at,
                                   const std::vector<std::string>& names);
 
-// Of terms that a fitted model has on, at every fitted frame. Empty where it cannot be simulated.
+// Of terms, or of single parameters by their full names, that a fitted model has on, at every
+// fitted frame; other names are of nothing that acts. Empty where it cannot be simulated.
 std::optional<ActingForce> MeasureActingForce(const FittedScene& fitted,
-                                              const std::vector<std::string>& terms);
+                                              const std::vector<std::string>& effects);
 
 }  // namespace clothfit

@@ -210,11 +210,12 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
                           const HeldOutErrors& errors) {
   Model described;
   described.effects = diagnosis_.effects;
-  const std::string& newest = model.candidate.summary.name;
-  const bool is_again =  // a fault that is put right once more
-      std::find(described.effects.begin(), described.effects.end(), newest) !=
-      described.effects.end();
-  if (!is_again) described.effects.push_back(newest);
+  for (const std::string& newest : model.candidate.Effects()) {
+    const bool is_again =  // a fault that is put right once more
+        std::find(described.effects.begin(), described.effects.end(), newest) !=
+        described.effects.end();
+    if (!is_again) described.effects.push_back(newest);
+  }
   described.config = model.scene.values;
   described.cost = model.scene.fit.cost_after;
   const bool is_fault = !model.candidate.faults.empty();  // held to no share of the whole
@@ -478,11 +479,7 @@ void Diagnoser::LearnInstead(FittedScene* current) {
 }
 
 void Diagnoser::MeasureWhatActs(const FittedScene& model) {
-  std::vector<std::string> terms;
-  for (const std::string& effect : diagnosis_.answer->effects) {
-    terms.push_back(effect.substr(0, effect.find('.')));  // faults are of no term
-  }
-  diagnosis_.acting = MeasureActingForce(model, terms);
+  diagnosis_.acting = MeasureActingForce(model, diagnosis_.answer->effects);
   const bool acts = diagnosis_.acting && diagnosis_.acting->acts;
   if (acts) diagnosis_.acting_class = ClassOfActing(model.scene, *diagnosis_.acting);
 }

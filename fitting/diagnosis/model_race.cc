@@ -10,6 +10,7 @@
 #include "autodiff_sim/parallel.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/ordinary_physics.h"
 #include "tracking/text.h"
 
 namespace clothfit {
@@ -18,6 +19,8 @@ namespace {
 constexpr int kMoreHeats = 3;         // of the best, until it converges
 constexpr double kNearBest = 0.9;     // of what the best gains: it may come first yet
 constexpr double kAlmostAsLow = 1.2;  // times the lowest cost: of a large gain any model is near
+constexpr double kIdle = 0.1;         // of what a model gains, that it may lose without a part
+constexpr double kAsGood = 1.05;      // times the held-out error with the part
 constexpr double kStillInRace = 0.5;  // of what the best has gained by then
 
 // All cores; the numbers are the same for any.
@@ -28,8 +31,9 @@ void ForAll(std::size_t count, const std::function<void(std::size_t)>& work) {
 
 }  // namespace
 
-// From the baseline's fit, and where that is far off guided from the config's own fabric, too: a
-// fabric that had to stand for what was missing is no good start.
+// From the baseline's fit, and where that is far off from the config's own fabric, too, guided, or
+// with what is ordinary as it is in a simulation that has it: a fabric that had to stand for what
+// was missing is no good start.
 std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
                                                 const RankedCandidate& candidate,
                                                 const Ranking& ranking) const {
@@ -46,48 +50,66 @@ std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
     const std::vector<std::string>& names = candidate.names;
     if (std::find(names.begin(), names.end(), named.name) == names.end()) continue;
     ParameterSetting& setting = afresh.config.parameters.at(named.name);
-    setting.value = std::clamp(named.parameter.off, setting.lower, setting.upper);
+    setting.value = std::clamp(named.parameter.initial, setting.lower, setting.upper);
   }
-  std::optional<FittedScene> again = FitAfresh(afresh, Start::kGuided, kFirstIterations, runner_);
-  if (!again) again = FitModel(current, afresh, kFirstIterations, runner_);
-  const bool is_better = again && (!fitted || again->fit.cost_after < fitted->fit.cost_after);
-  return is_better ? again : fitted;
+  std::vector<std::optional<FittedScene>> others;
+  others.push_back(FitAfresh(afresh, Start::kGuided, kFirstIterations, runner_));
+  if (IsOrdinary(candidate)) {
+    others.push_back(FitAfresh(afresh, Start::kPlain, kFirstIterations, runner_));
+  } else if (!others.front()) {
+    others.push_back(FitModel(current, afresh, kFirstIterations, runner_));
+  }
+  for (std::optional<FittedScene>& other : others) {
+    const bool is_better = other && (!fitted || other->fit.cost_after < fitted->fit.cost_after);
+    if (is_better) fitted = std::move(other);
+  }
+  return fitted;
 }
 
 // Short-listed candidates first; far off, where a linear score says little, those too that the null
-// does not do as much as, until there are enough.
-std::vector<const RankedCandidate*> ModelRace::Entrants(const Ranking& ranking,
-                                                        double least_score) const {
-  std::vector<const RankedCandidate*> entrants;
+// does not do as much as, until there are enough, and besides them whatever is ordinary, each by
+// itself and all of it together.
+std::vector<RankedCandidate> ModelRace::Entrants(const Ranking& ranking, double least_score) const {
+  std::vector<RankedCandidate> entrants;
   const auto enter = [&](const auto& is_asked) {
     for (const RankedCandidate& candidate : ranking.candidates) {
       if (static_cast<int>(entrants.size()) >= options_.max_models) return;
-      if (is_asked(candidate.summary)) entrants.push_back(&candidate);
+      if (is_asked(candidate.summary)) entrants.push_back(candidate);
     }
   };
   enter([&](const Candidate& c) { return c.is_short_listed && c.score >= least_score; });
-  if (ranking.residual_rms < kFarOff || ranking.gate_p_value >= kGate) return entrants;
-  enter([&](const Candidate& c) {
-    return !c.is_short_listed && c.kind == CandidateKind::kPhysics &&
-           c.q_value <= options_.false_discovery;
-  });
+  if (ranking.residual_rms < kFarOff) return entrants;
+  if (ranking.gate_p_value < kGate) {
+    enter([&](const Candidate& c) {
+      return !c.is_short_listed && c.kind == CandidateKind::kPhysics &&
+             c.q_value <= options_.false_discovery;
+    });
+  }
+  for (const RankedCandidate& candidate : ranking.candidates) {
+    const bool is_in =
+        std::any_of(entrants.begin(), entrants.end(), [&](const RankedCandidate& entrant) {
+          return entrant.summary.name == candidate.summary.name;
+        });
+    if (!is_in && IsOrdinary(candidate)) entrants.push_back(candidate);
+  }
+  if (const std::optional<RankedCandidate> all = AllOrdinary(ranking)) entrants.push_back(*all);
   return entrants;
 }
 
 std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const Ranking& ranking,
                                         double least_score) const {
-  const std::vector<const RankedCandidate*> entrants = Entrants(ranking, least_score);
+  const std::vector<RankedCandidate> entrants = Entrants(ranking, least_score);
   std::vector<std::optional<FittedScene>> heats(entrants.size());
   std::vector<std::string> names;
-  for (const RankedCandidate* entrant : entrants) names.push_back(entrant->summary.name);
+  for (const RankedCandidate& entrant : entrants) names.push_back(entrant.summary.name);
   if (!names.empty()) Say("fitting with " + JoinNames(names), 0.5);
   ForAll(entrants.size(), [&](std::size_t i) {
-    if (!Stopped()) heats[i] = FirstHeat(current, *entrants[i], ranking);
+    if (!Stopped()) heats[i] = FirstHeat(current, entrants[i], ranking);
   });
   std::vector<FittedModel> models;
   for (std::size_t i = 0; i < heats.size(); ++i) {
     if (heats[i]) {
-      models.push_back({*entrants[i], std::move(*heats[i]), {}});
+      models.push_back({entrants[i], std::move(*heats[i]), {}});
     } else if (!Stopped()) {
       Log(names[i] + ": the fit with it fails");
     }
@@ -99,7 +121,44 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const Rankin
                     current.fit.cost_after, model.scene.fit.cost_after));
   }
   PutBestPredictionFirst(current, &models);
+  if (!models.empty()) TakeOutIdleParts(current, ranking, &models.front());
   return models;
+}
+
+// Of a model that stands for several effects: those without which it explains and predicts about as
+// much are taken out of it, one after the other.
+void ModelRace::TakeOutIdleParts(const FittedScene& current, const Ranking& ranking,
+                                 FittedModel* model) const {
+  while (model->candidate.parts.size() > 1 && !Stopped()) {
+    const std::vector<std::string>& parts = model->candidate.parts;
+    Say("fitting without each of " + JoinNames(parts), 0.65);
+    std::vector<std::optional<FittedModel>> without(parts.size());
+    ForAll(parts.size(), [&](std::size_t i) {
+      std::vector<std::string> others = parts;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      std::optional<FittedScene> scene =
+          FitModel(model->scene, GoOnWithout(model->scene, Together(ranking, {parts[i]}).names),
+                   kModelIterations, runner_);
+      if (!scene) return;
+      HeldOutErrors errors = MeasureHeldOut(*scene);
+      without[i] = FittedModel{Together(ranking, others), std::move(*scene), std::move(errors)};
+    });
+    const double cost = model->scene.fit.cost_after;
+    double highest = cost + kIdle * (current.fit.cost_after - cost);
+    FittedModel* idle = nullptr;
+    for (std::size_t i = 0; i < without.size(); ++i) {
+      if (!without[i]) continue;
+      const double left = without[i]->scene.fit.cost_after;
+      Log(fmt::format("without {}: cost {:.6g} -> {:.6g}, held out {:.4g} -> {:.4g}", parts[i],
+                      cost, left, model->errors.Rms(), without[i]->errors.Rms()));
+      if (left > highest || without[i]->errors.Rms() > kAsGood * model->errors.Rms()) continue;
+      highest = left;
+      idle = &*without[i];
+    }
+    if (idle == nullptr) return;
+    FittedModel simpler = std::move(*idle);
+    *model = std::move(simpler);
+  }
 }
 
 // Of those that explain nearly all that the best does, prediction decides: what stands for another

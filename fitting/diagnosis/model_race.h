@@ -37,11 +37,13 @@ class ModelRace {
                                double least_score) const;
 
  private:
-  std::vector<const RankedCandidate*> Entrants(const Ranking& ranking, double least_score) const;
+  std::vector<RankedCandidate> Entrants(const Ranking& ranking, double least_score) const;
   std::optional<FittedScene> FirstHeat(const FittedScene& current, const RankedCandidate& candidate,
                                        const Ranking& ranking) const;
   void FinishModels(const FittedScene& current, std::vector<FittedModel>* models) const;
   void GoOnWith(FittedModel* model) const;
+  void TakeOutIdleParts(const FittedScene& current, const Ranking& ranking,
+                        FittedModel* model) const;
   void PutBestPredictionFirst(const FittedScene& current, std::vector<FittedModel>* models) const;
   void Say(const std::string& stage, double fraction) const {
     if (options_.progress) options_.progress(stage, fraction);

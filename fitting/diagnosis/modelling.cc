@@ -137,6 +137,17 @@ ModelStart GoOn(const FittedScene& model) {
   return start;
 }
 
+ModelStart GoOnWithout(const FittedScene& model, const std::vector<std::string>& names) {
+  ModelStart start = GoOn(model);
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  for (const std::string& name : names) {
+    ParameterSetting& setting = start.config.parameters.at(name);
+    setting.value = table[FindParameter(table, name)].parameter.off;
+    setting.free = false;
+  }
+  return start;
+}
+
 ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model) {
   ModelStart start = GoOn(before);
   for (auto& [name, setting] : start.config.parameters) {

@@ -23,6 +23,9 @@ ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
 // A fitted model, to be fitted further.
 ModelStart GoOn(const FittedScene& model);
 
+// The same without some of its parameters (full names): off, and not fitted.
+ModelStart GoOnWithout(const FittedScene& model, const std::vector<std::string>& names);
+
 // Change of the cost, relative to it, at which a fit ends: of the size of noise. What is left of
 // the way is linear, and the projection goes it.
 inline constexpr double kEnoughForDiagnosis = 1e-4;

@@ -25,6 +25,11 @@ struct RankedCandidate {
   Eigen::VectorXd amounts, sigma;  // in their units
   std::vector<int> columns;        // at the best probe
   std::vector<int> faults;         // indices into Ranking::faults, observation only
+  std::vector<std::string> parts;  // effects that it stands for together; none: itself
+
+  std::vector<std::string> Effects() const {
+    return parts.empty() ? std::vector<std::string>{summary.name} : parts;
+  }
 };
 
 struct Ranking {
