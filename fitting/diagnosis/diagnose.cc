@@ -18,6 +18,7 @@
 #include "fitting/diagnosis/localise.h"
 #include "fitting/diagnosis/mismatch_pictures.h"
 #include "fitting/diagnosis/mismatch_words.h"
+#include "fitting/diagnosis/model_proof.h"
 #include "fitting/diagnosis/model_race.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/ranking.h"
@@ -34,7 +35,6 @@ constexpr double kFineEnough = 0.7;      // share of the unexplained that the me
 constexpr double kCatchesUp = 0.3;       // of what a model gains, the same without its effect
 constexpr int kMostRematches = 2;        // of a diagnosis
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
-constexpr double kBlockSeconds = 0.2;    // of the bootstrap
 constexpr double kSameShare = 0.1;       // of what is explained: models nearer than that are equal
 constexpr double kSameSignature = 0.97;  // cosine beyond which two effects are one
 
@@ -60,11 +60,12 @@ class Diagnoser {
   // the model had found a better valley, not an effect. What is explained is held against that
   // fit then.
   bool CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors);
-  void ForgetRound(std::size_t first_model);
+  // Forgets a round, so that it can be held again from a better fit.
+  void BeginAgain(std::size_t first_model, const FittedScene& better, const HeldOutErrors& errors);
   void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
   Model Describe(const FittedModel& model, const FittedScene& before, const HeldOutErrors& errors);
-  HeldOutProof ProofOf(const FittedModel& model, const FittedScene& before,
-                       const HeldOutErrors& errors);
+  void ProveOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
+                      const ProofStart& start);
   void FindAmbiguity(const Ranking& ranking, const std::vector<FittedModel>& models,
                      std::size_t winner, const FittedScene& before);
   // A law instead of names, where those explain too little and it explains more.
@@ -139,11 +140,6 @@ bool IsObvious(const Ranking& ranking) {
                      });
 }
 
-bool HasTracksOf(const Scene& scene, int camera) {
-  return std::any_of(scene.tracks.begin(), scene.tracks.end(),
-                     [camera](const TrackObservation& track) { return track.camera == camera; });
-}
-
 // Do mesh and step make much of what is left?
 bool MeshMatters(const Ranking& ranking) {
   const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
@@ -195,10 +191,19 @@ bool Diagnoser::CatchesUp(const FittedModel& model, FittedScene* current, HeldOu
   return true;
 }
 
-// So that the round can be held again from a better fit.
-void Diagnoser::ForgetRound(std::size_t first_model) {
+void Diagnoser::BeginAgain(std::size_t first_model, const FittedScene& better,
+                           const HeldOutErrors& errors) {
   diagnosis_.models.resize(first_model);
-  if (diagnosis_.answer) return;  // the baseline is what it was
+  if (kept_) {  // its fit has become a better one; the baseline is what it was
+    diagnosis_.answer =
+        Describe({kept_->candidate, better, errors}, kept_->before, kept_->before_errors);
+    diagnosis_.answer->is_kept = true;
+    diagnosis_.models[kept_->model] = *diagnosis_.answer;
+    return;
+  }
+  baseline_cost_ = better.fit.cost_after;
+  diagnosis_.baseline = better.config;
+  diagnosis_.baseline_fit = better.fit;
   diagnosis_.ranking.clear();
   diagnosis_.mismatch.reset();
   diagnosis_.mismatch_class.reset();
@@ -240,32 +245,29 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
          std::max(bounds.lower, estimate.value + wider * (estimate.lower95 - estimate.value)),
          std::min(bounds.upper, estimate.value + wider * (estimate.upper95 - estimate.value))});
   }
-  described.proof = ProofOf(model, before, errors);
+  described.proof = ProveOnHeldOut(model, {before, errors, last_ranking_, options_});
   return described;
 }
 
-// A camera is put right where it looks: by its own tracks, where there are markers, too.
-HeldOutProof Diagnoser::ProofOf(const FittedModel& model, const FittedScene& before,
-                                const HeldOutErrors& errors) {
-  const Scene& scene = model.scene.scene;
-  const std::vector<int>& faults = model.candidate.faults;
-  std::optional<int> camera;
-  if (!faults.empty() && !scene.markers.empty()) {
-    const Fault& fault = last_ranking_.faults[static_cast<std::size_t>(faults.front())];
-    if (ShowsInTracks(fault) && HasTracksOf(scene, fault.source)) camera = fault.source;
-  }
-  const bool is_px = scene.markers.empty() || camera;
-  const double noise =
-      is_px ? scene.track_sigma * std::sqrt(2.0) : scene.marker_sigma * std::sqrt(3.0);
-  // What mesh and step do to a prediction is held against physics, not against a camera.
-  const double numerical =
-      faults.empty() && last_ranking_.errors ? last_ranking_.errors->held_out_rms : 0.0;
-  const int block = static_cast<int>(std::lround(kBlockSeconds * recording_.frame_rate));
-  HeldOutProof proof = Prove(camera ? MeasureHeldOut(before, camera) : errors,
-                             camera ? MeasureHeldOut(model.scene, camera) : model.errors, block,
-                             {noise, numerical}, options_.seed);
-  proof.is_in_pixels = is_px;
-  return proof;
+// Where the best of a round is worth it and none is proven, the held-out frames may not be able to
+// tell.
+void Diagnoser::ProveOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
+                               const ProofStart& start) {
+  const std::optional<Choice> choice =
+      ChooseModel(diagnosis_.models, first_model, options_.least_share, options_.prove);
+  if (!choice || choice->is_kept || Stopped()) return;
+  const FittedModel& model = models[choice->model - first_model];
+  if (!model.candidate.faults.empty()) return;
+  Say("predicting earlier frames with " + model.candidate.summary.name, 0.65);
+  const std::optional<HeldOutProof> proof = ProveEarlier(model, start);
+  Spend("proof on earlier frames");
+  if (!proof) return;
+  Log(fmt::format(
+      "fitted to frames before {} alone, {} predicts those to {} with an error of {:.4g}"
+      ", not {:.4g}: {}",
+      proof->earlier->first, model.candidate.summary.name, proof->earlier->last, proof->after,
+      proof->before, proof->is_proven ? "proven" : "not proven"));
+  if (proof->is_proven) diagnosis_.models[choice->model].proof = *proof;
 }
 
 // Every model of the round that fits about as well as the one that is kept, and what has the same
@@ -414,37 +416,27 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   const std::size_t first_model = diagnosis_.models.size();
   for (const FittedModel& model : models)
     diagnosis_.models.push_back(Describe(model, *current, *errors));
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    Model& described = diagnosis_.models[first_model + i];
-    const bool is_worth_it = described.explained >= options_.least_share;
-    described.is_kept = is_worth_it && (!options_.prove || described.proof.is_proven);
-    if (!described.is_kept) continue;
-    if (CatchesUp(models[i], current, errors)) {
-      ForgetRound(first_model);
-      if (kept_) {  // its fit has become a better one
-        diagnosis_.answer =
-            Describe({kept_->candidate, *current, *errors}, kept_->before, kept_->before_errors);
-        diagnosis_.answer->is_kept = true;
-        diagnosis_.models[kept_->model] = *diagnosis_.answer;
-      }
-      if (diagnosis_.ranking.empty()) {
-        baseline_cost_ = current->fit.cost_after;
-        diagnosis_.baseline = current->config;
-        diagnosis_.baseline_fit = current->fit;
-      }
-      return AddEffect(current, errors);
-    }
-    if (!diagnosis_.answer) FindAmbiguity(ranking, models, i, *current);
-    diagnosis_.answer = described;
-    diagnosis_.effects = described.effects;
-    for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);
-    kept_ = {first_model + i, models[i].candidate, std::move(*current), std::move(*errors)};
-    *errors = models[i].errors;
-    *current = std::move(models[i].scene);
-    if (!models[i].candidate.faults.empty()) FitAgainWithoutFault(current, errors);
-    return true;
+  ProveOtherwise(models, first_model, {*current, *errors, ranking, options_});
+  const std::optional<Choice> choice =
+      ChooseModel(diagnosis_.models, first_model, options_.least_share, options_.prove);
+  if (!choice) return false;
+  FittedModel& model = models[choice->model - first_model];
+  if (CatchesUp(model, current, errors)) {
+    BeginAgain(first_model, *current, *errors);
+    return AddEffect(current, errors);
   }
-  return false;
+  if (!choice->is_kept) return false;
+  Model& described = diagnosis_.models[choice->model];
+  described.is_kept = true;
+  if (!diagnosis_.answer) FindAmbiguity(ranking, models, choice->model - first_model, *current);
+  diagnosis_.answer = described;
+  diagnosis_.effects = described.effects;
+  for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);
+  kept_ = {choice->model, model.candidate, std::move(*current), std::move(*errors)};
+  *errors = std::move(model.errors);
+  *current = std::move(model.scene);
+  if (!model.candidate.faults.empty()) FitAgainWithoutFault(current, errors);
+  return true;
 }
 
 void Diagnoser::LearnInstead(FittedScene* current) {

@@ -83,6 +83,9 @@ struct HeldOutProof {
   double floor = 0.0;                // what mesh, step and noise alone come to
   bool is_proven = false;
   bool is_in_pixels = false;
+  // Where those frames tell nothing: the second half of the fitted ones, predicted after fits to
+  // the first half.
+  std::optional<Splits::FrameRange> earlier;
 };
 
 // A candidate switched on and everything fitted again.

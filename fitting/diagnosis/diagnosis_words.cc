@@ -43,11 +43,18 @@ std::string NameEffects(const Diagnosis& diagnosis) {
 }
 
 std::string SayProof(const Model& answer) {
-  const bool is_px = answer.proof.is_in_pixels;
-  return fmt::format(
-      "With it, the error on the held-out frames falls from {} to {}; {} would be noise.",
-      Length(answer.proof.before, is_px), Length(answer.proof.after, is_px),
-      Length(answer.proof.floor, is_px));
+  const HeldOutProof& proof = answer.proof;
+  const bool is_px = proof.is_in_pixels;
+  std::string words = "With it, the error on the held-out frames falls";
+  if (proof.earlier) {
+    words = fmt::format(
+        "The held-out frames tell nothing of it; but fitted to the frames before {} alone, the "
+        "error "
+        "on those from there to {} falls",
+        proof.earlier->first, proof.earlier->last);
+  }
+  return words + fmt::format(" from {} to {}; {} would be noise.", Length(proof.before, is_px),
+                             Length(proof.after, is_px), Length(proof.floor, is_px));
 }
 
 std::string SayAmbiguity(const Diagnosis& diagnosis) {
@@ -86,6 +93,8 @@ Json AsJson(const Candidate& c) {
 }
 
 Json AsJson(const Model& m) {
+  Json earlier;
+  if (m.proof.earlier) earlier = {m.proof.earlier->first, m.proof.earlier->last};
   return {{"effects", m.effects},
           {"parameters", AsJson(m.parameters)},
           {"cost", OrNull(m.cost)},
@@ -96,6 +105,7 @@ Json AsJson(const Model& m) {
             {"improvement_lower95", OrNull(m.proof.improvement_lower95)},
             {"floor", OrNull(m.proof.floor)},
             {"unit", m.proof.is_in_pixels ? "px" : "m"},
+            {"earlier_frames", std::move(earlier)},
             {"proven", m.proof.is_proven}}},
           {"kept", m.is_kept}};
 }

@@ -86,15 +86,16 @@ double HeldOutErrors::Rms() const {
   return is_complete ? RootOfMean(squared) : std::numeric_limits<double>::infinity();
 }
 
-HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camera) {
+HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camera,
+                             std::optional<int> last) {
   const Scene& scene = fitted.scene;
   const FreeParameters free(fitted.config, scene, MakeParameterTable());
   const HardSilhouette hard(scene);
   HeldOutErrors errors;
   const bool has_markers = !scene.markers.empty(), has_tracks = !scene.tracks.empty();
-  const int last = scene.recording.frame_count - 1;
+  const int to = last.value_or(scene.recording.frame_count - 1);
   const int reached = SimulateFrames(
-      scene, fitted.config, free, fitted.fit.theta, last, [&](int frame, const State& state) {
+      scene, fitted.config, free, fitted.fit.theta, to, [&](int frame, const State& state) {
         if (!scene.IsHeldOut(frame)) return;
         FrameMean mean;
         if (has_markers && !camera) {
@@ -107,7 +108,7 @@ HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camer
         }
         if (mean.count > 0) errors.squared.push_back(mean.sum / mean.count);
       });
-  errors.is_complete = reached == scene.recording.frame_count && !errors.squared.empty();
+  errors.is_complete = reached == to + 1 && !errors.squared.empty();
   return errors;
 }
 

@@ -23,9 +23,10 @@ struct HeldOutErrors {
   double Rms() const;
 };
 
-// One open-loop simulation at what was fitted, through all frames. With a camera: of its tracks
-// only, whatever else was seen.
-HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camera = std::nullopt);
+// One open-loop simulation at what was fitted, through all frames or up to `last`. With a camera:
+// of its tracks only, whatever else was seen.
+HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camera = std::nullopt,
+                             std::optional<int> last = std::nullopt);
 
 // How far apart two models have what is seen in held-out frames, root mean square: markers (m)
 // where there are any, else tracks (px), else 0. Both of one recording. Infinite where one of them

@@ -34,6 +34,16 @@ double ShareExplained(double before, double after, double null, double explainab
   return excess > 0.0 ? std::clamp((before - after) / excess, 0.0, 1.0) : 0.0;
 }
 
+std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t first,
+                                  double least_share, bool prove) {
+  const auto explains_enough = [&](std::size_t i) { return models[i].explained >= least_share; };
+  for (std::size_t i = first; i < models.size(); ++i) {
+    if (explains_enough(i) && (!prove || models[i].proof.is_proven)) return Choice{i, true};
+  }
+  if (first < models.size() && explains_enough(first)) return Choice{first, false};
+  return {};
+}
+
 Verdict VerdictOf(const Diagnosis& diagnosis, double explained, bool is_above_floor) {
   if (diagnosis.law) return Verdict::kNoneOfTheAbove;
   const std::vector<std::string>& effects = diagnosis.effects;

@@ -4,6 +4,10 @@
 // What a diagnosis comes to.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 #include "fitting/diagnosis/diagnosis.h"
 
 namespace clothfit {
@@ -12,6 +16,17 @@ namespace clothfit {
 // and step may make more than that, of what can be explained at all: what stands out of the null by
 // its pattern does so below its sum, too. Nothing where nothing can.
 double ShareExplained(double before, double after, double null, double explainable);
+
+// Which of the models from `first` on, the best first, is held against the baseline from where it
+// ended: the first that explains enough and (where that is asked for) is proven, which is kept
+// unless the baseline catches up; else the first of all where it explains enough, since it may have
+// found a better valley without having found an effect.
+struct Choice {
+  std::size_t model;  // of all
+  bool is_kept;
+};
+std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t first,
+                                  double least_share, bool prove);
 
 // Of a diagnosis that has run to its end. explained: the share that what was named takes of what
 // the baseline leaves above its null; is_above_floor: what it leaves is well above what mesh and

@@ -72,6 +72,36 @@ TEST(Verdict, SharesBelowTheNullAreOfWhatCanBeExplained) {
   EXPECT_DOUBLE_EQ(ShareExplained(100.0, 60.0, 20.0, 20.0), 0.5);  // the excess is more
 }
 
+Model Explaining(double share, bool is_proven) {
+  Model model;
+  model.explained = share;
+  model.proof.is_proven = is_proven;
+  return model;
+}
+
+TEST(ChooseModel, TakesTheFirstThatIsProven) {
+  const std::vector<Model> models = {Explaining(0.9, true), Explaining(0.8, false),
+                                     Explaining(0.05, true), Explaining(0.6, true)};
+  const auto proven = ChooseModel(models, 1, 0.1, true);
+  ASSERT_TRUE(proven);
+  EXPECT_EQ(proven->model, 3u);
+  EXPECT_TRUE(proven->is_kept);
+  const auto unasked = ChooseModel(models, 1, 0.1, false);
+  ASSERT_TRUE(unasked);
+  EXPECT_EQ(unasked->model, 1u);
+  EXPECT_TRUE(unasked->is_kept);
+}
+
+TEST(ChooseModel, LooksAtTheBestValleyWhereNothingIsProven) {
+  const std::vector<Model> models = {Explaining(0.3, false), Explaining(0.8, false)};
+  const auto best = ChooseModel(models, 0, 0.1, true);
+  ASSERT_TRUE(best);
+  EXPECT_EQ(best->model, 0u);
+  EXPECT_FALSE(best->is_kept);
+  EXPECT_FALSE(ChooseModel(models, 0, 0.5, true));  // the best comes first
+  EXPECT_FALSE(ChooseModel(models, 2, 0.1, true));  // no models in this round
+}
+
 TEST(Verdict, OfALawIsNoneOfTheAbove) {
   Diagnosis diagnosis = Unexplained();
   diagnosis.effects = {"wind"};

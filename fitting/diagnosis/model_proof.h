@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whether a model predicts frames better that its fit has not seen.
+#pragma once
+
+#include <optional>
+
+#include "fitting/diagnosis/model_race.h"
+
+namespace clothfit {
+
+// What a model is held against. All must outlive it.
+struct ProofStart {
+  const FittedScene& before;  // the fit without what the model has
+  const HeldOutErrors& errors;
+  const Ranking& ranking;  // of what is missing in that fit
+  const DiagnosisOptions& options;
+};
+
+// On the frames that are held out. A camera is put right where it looks: by its own tracks, where
+// there are markers, too.
+HeldOutProof ProveOnHeldOut(const FittedModel& model, const ProofStart& start);
+
+// On the second half of the fitted frames, predicted by both after a fit to the first half alone,
+// begun from where they are. For physics that the held-out frames cannot show either way, since the
+// motion has come to rest by then, or a gust is over. Empty where they do show that the model is
+// worse, where they are not the last ones, and where a fit fails.
+std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofStart& start);
+
+}  // namespace clothfit
