@@ -94,6 +94,13 @@ ReportJson Percent(const ReportJson& share) {
   return share.is_number() ? ReportJson(100.0 * share.get<double>()) : ReportJson();
 }
 
+// "frames 13 to 26" where it is those that were predicted, else nothing.
+std::string EarlierFrames(const ReportJson& proof) {
+  const auto earlier = proof.find("earlier_frames");
+  if (earlier == proof.end() || !earlier->is_array()) return "";
+  return fmt::format("frames {} to {}", earlier->at(0).get<int>(), earlier->at(1).get<int>());
+}
+
 // A bar for each of the held-out errors of the answer, and a table of all models.
 ReportJson ProofBars(const ReportJson& model) {
   const ReportJson& proof = model.at("held_out");
@@ -105,10 +112,11 @@ ReportJson ProofBars(const ReportJson& model) {
   add("baseline", "before", false);
   add("with what was found", "after", false);
   add("noise alone", "floor", true);
-  return {{"kind", "bars"},
-          {"title", "Error on held-out frames"},
-          {"unit", "length"},
-          {"items", items}};
+  const std::string earlier = EarlierFrames(proof);
+  const std::string title = earlier.empty()
+                                ? "Error on held-out frames"
+                                : "Error on " + earlier + ", after fits to those before them alone";
+  return {{"kind", "bars"}, {"title", title}, {"unit", "length"}, {"items", items}};
 }
 
 // Camera faults are proven in pixels even where there are markers.
@@ -129,6 +137,8 @@ ReportJson ModelTable(const ReportJson& models, bool is_px) {
                  : ReportJson();
     };
     std::string verdict = proof.at("proven") == true ? "proven" : "";
+    if (const std::string earlier = EarlierFrames(proof); !earlier.empty())
+      verdict += " on " + earlier;
     if (is_other && proof.at("before").is_number() && proof.at("after").is_number()) {
       verdict += fmt::format(" ({:.3g} to {:.3g} px of its camera)",
                              proof.at("before").get<double>(), proof.at("after").get<double>());

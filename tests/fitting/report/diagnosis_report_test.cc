@@ -170,6 +170,19 @@ TEST_F(DiagnosisReport, OfChiSquaredTablesHasNoDraws) {
   }
 }
 
+TEST_F(DiagnosisReport, SaysWhichFramesAProofIsOn) {
+  EXPECT_THAT(*html_, HasSubstr("Error on held-out frames"));
+  const fs::path file = folder_ / "diagnosis.json";
+  json record = json::parse(ReadTextFile(file));
+  for (json* model : {&record.at("answer"), &record.at("models").at(0)})
+    model->at("held_out")["earlier_frames"] = {13, 26};
+  WriteWholeFile(file, record.dump());
+  const std::string page = MakeReport(folder_, kAssets).html;
+  EXPECT_THAT(page, Not(HasSubstr("Error on held-out frames")));
+  EXPECT_THAT(page, HasSubstr("Error on frames 13 to 26, after fits to those before them alone"));
+  EXPECT_THAT(page, HasSubstr("proven on frames 13 to 26"));
+}
+
 TEST_F(DiagnosisReport, NamesWhatIsMissing) {
   int checked = 0;
   for (const char* name :
