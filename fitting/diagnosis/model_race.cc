@@ -40,6 +40,8 @@ std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
   const ModelStart start = SwitchOn(current, candidate, ranking.faults);
   std::optional<FittedScene> fitted = FitModel(current, start, kFirstIterations, runner_);
   if (ranking.residual_rms < kFarOff || Stopped()) return fitted;
+  // No longer far off: it needs no other start.
+  if (fitted && !IsFarOff(fitted->scene, fitted->config, fitted->fit)) return fitted;
   ModelStart afresh = start;
   for (auto& [name, setting] : afresh.config.parameters) {
     const ParameterSetting& told = baseline_.parameters.at(name);
