@@ -31,6 +31,7 @@ namespace {
 
 constexpr int kFinestSide = 13;          // particles, where the mesh turns out to matter
 constexpr int kCoarsestSide = 9;         // on coarser meshes amounts come out a tenth wrong
+constexpr double kHopeless = 10.0;       // sigmas that no mesh makes up for
 constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
 constexpr double kCatchesUp = 0.3;       // of what a model gains, the same without its effect
 constexpr int kMostRematches = 2;        // of a diagnosis
@@ -98,6 +99,7 @@ class Diagnoser {
     HeldOutErrors before_errors;
   };
   std::optional<Kept> kept_;
+  double kept_score_ = 0.0;  // the highest of what was kept
   double baseline_cost_ = 0.0;
   bool is_above_floor_ = false;
   std::optional<FittedScene> first_scene_;  // the baseline that was ranked first
@@ -224,7 +226,8 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
   described.config = model.scene.values;
   described.cost = model.scene.fit.cost_after;
   const bool is_fault = !model.candidate.faults.empty();  // held to no share of the whole
-  const double explainable = is_fault ? model.candidate.summary.score : last_ranking_.explainable;
+  const double score = model.candidate.summary.score;
+  const double explainable = is_fault ? score : std::max(score, last_ranking_.explainable);
   described.explained = ShareExplained(before.fit.cost_after, described.cost,
                                        0.5 * last_ranking_.null_mean, 0.5 * explainable);
   std::vector<std::string> names = kept_parameters_;
@@ -322,7 +325,8 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
           "are left out of the null",
           ranking.errors->num_elsewhere));
     }
-    const bool may_be_mesh = MeshMatters(ranking) || ranking.residual_rms > kFarOff;
+    const double off = ranking.residual_rms;
+    const bool may_be_mesh = MeshMatters(ranking) || (off > kFarOff && off < kHopeless);
     const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;
     const bool may_be_all = ranking.gate_p_value >= kGate;  // of what is left
     const bool is_worth_it = is_coarse || (may_be_mesh && (may_be_all || !IsObvious(ranking)));
@@ -334,7 +338,8 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     finer.config.resolution = grid;
     Log(fmt::format("the mesh matters: {} x {} particles", grid[0], grid[1]));
     Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
-    std::optional<FittedScene> refined = FitModel(*current, finer, kModelIterations, runner_);
+    std::optional<FittedScene> refined =
+        FitModel(*current, finer, baseline_.max_iterations, runner_);
     if (!refined) return ranking;
     *current = std::move(*refined);
     Spend("baseline on a finer mesh");
@@ -432,6 +437,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   diagnosis_.answer = described;
   diagnosis_.effects = described.effects;
   for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);
+  kept_score_ = std::max(kept_score_, model.candidate.summary.score);
   kept_ = {choice->model, model.candidate, std::move(*current), std::move(*errors)};
   *errors = std::move(model.errors);
   *current = std::move(model.scene);
@@ -477,9 +483,10 @@ void Diagnoser::MeasureWhatActs(const FittedScene& model) {
 }
 
 void Diagnoser::Conclude(const FittedScene& current) {
+  const double explainable = first_ranking_ ? first_ranking_->explainable : 0.0;
   const double explained =
       ShareExplained(baseline_cost_, current.fit.cost_after, 0.5 * last_ranking_.null_mean,
-                     first_ranking_ ? 0.5 * first_ranking_->explainable : 0.0);
+                     0.5 * std::max(explainable, kept_score_));
   diagnosis_.verdict =
       Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, explained, is_above_floor_);
   if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law) MeasureWhatActs(current);
