@@ -326,7 +326,7 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
           ranking.errors->num_elsewhere));
     }
     const double off = ranking.residual_rms;
-    const bool may_be_mesh = MeshMatters(ranking) || (off > kFarOff && off < kHopeless);
+    const bool may_be_mesh = off < kHopeless && (MeshMatters(ranking) || off > kFarOff);
     const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;
     const bool may_be_all = ranking.gate_p_value >= kGate;  // of what is left
     const bool is_worth_it = is_coarse || (may_be_mesh && (may_be_all || !IsObvious(ranking)));
