@@ -297,6 +297,7 @@ void Diagnoser::FindAmbiguity(const Ranking& ranking, const std::vector<FittedMo
     diagnosis_.separating = FindSeparatingMotion(like_it);
     Spend("separating motion");
   }
+  if (ranking.residual_rms > kHopeless) return;  // the signatures are those of chaos
   for (const RankedCandidate& other : ranking.candidates) {
     const bool is_fitted = std::any_of(models.begin(), models.end(), [&](const FittedModel& m) {
       return m.candidate.summary.name == other.summary.name;
