@@ -32,6 +32,8 @@ FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResul
     // What pulled on the way to the fit is none of it.
     const bool pulls = table[i].term == "attraction_point" || table[i].term == "attraction_ray";
     if (!pulls) setting.value = fit.parameters[static_cast<Eigen::Index>(i)];
+    // A logarithm at its bound comes back a rounding error beyond it, which no config may have.
+    if (setting.free) setting.value = std::clamp(setting.value, setting.lower, setting.upper);
     setting.free = false;
   }
   return fitted;

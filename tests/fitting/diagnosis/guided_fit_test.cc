@@ -4,6 +4,7 @@
 // Fits that what was observed guides past the valleys of a lively cloth's cost.
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/modelling.h"
 #include "tracking/synthetic_recording.h"
 
@@ -55,6 +56,23 @@ TEST(GuidedFit, LeavesNothingThatPulls) {
     EXPECT_EQ(guided->values.parameters.at(name).value, 0.0) << name;
   EXPECT_EQ(guided->config.parameters.at("stretch.stiffness").value,
             start.config.parameters.at("stretch.stiffness").value);
+}
+
+TEST(FittedScene, KeepsValuesAtTheirBoundsInside) {
+  const Recording recording = LivelyCloth();
+  FitConfig config = DefaultConfig(recording);
+  config.parameters.at("bending.stiffness").free = true;
+  Scene scene = MakeScene(recording, config);
+  const FreeParameters free(config, scene, MakeParameterTable());
+  FitResult fit;
+  fit.theta = free.start();
+  fit.parameters = free.Values(fit.theta);
+  const int index = FindParameter(MakeParameterTable(), "bending.stiffness");
+  const double lower = config.parameters.at("bending.stiffness").lower;
+  fit.parameters[index] = lower * (1.0 - 1e-15);
+  const FittedScene fitted = MakeFittedScene(std::move(scene), config, fit);
+  EXPECT_EQ(fitted.values.parameters.at("bending.stiffness").value, lower);
+  EXPECT_NO_THROW(fitted.values.Check("values"));
 }
 
 TEST(GuidedFit, NeedsSomethingToPullAt) {
