@@ -54,12 +54,13 @@ std::optional<ModelStart> Pruned(const FittedScene& model, const std::string& te
 
 std::optional<FittedScene> FitFamily(const FittedScene& baseline, const RankedCandidate& family,
                                      const Ranking& ranking, const DiagnosisOptions& options) {
-  std::optional<FittedScene> model = FitModel(baseline, SwitchOn(baseline, family, ranking.faults),
-                                              kIterations, FitRunner(options));
+  const FitRunner runner(options);
+  std::optional<FittedScene> model =
+      FitModel(baseline, SwitchOn(baseline, family, ranking.faults), kIterations, runner);
   for (int round = 0; model && round < 3; ++round) {
     const std::optional<ModelStart> pruned = Pruned(*model, family.term.term);
     if (!pruned) break;
-    model = FitModel(*model, *pruned, kIterations, FitRunner(options));
+    model = FitModel(*model, *pruned, kIterations, runner);
   }
   if (model && FreeCoefficients(model->config, family.term.term).empty()) return {};
   return model;

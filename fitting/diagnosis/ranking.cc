@@ -28,13 +28,6 @@ struct Trial {
   std::vector<int> columns;
 };
 
-// The score that 1 in 20 draws of the null passes; 0 without any.
-double PassesFor(std::vector<double> null_scores) {
-  if (null_scores.empty()) return 0.0;
-  std::sort(null_scores.begin(), null_scores.end());
-  return null_scores[null_scores.size() * 19 / 20];
-}
-
 // Everything that is put into the Gram matrix.
 class Ranker {
  public:
@@ -246,7 +239,9 @@ void Ranker::Judge(const Projection& projection, const std::vector<double>& null
     summary.p_value = TailProbability({}, 0.0);
   } else {
     summary.p_value = TailProbability(null_scores, summary.score);
-    const double passes = PassesFor(null_scores);
+    std::vector<double> sorted = null_scores;
+    std::sort(sorted.begin(), sorted.end());
+    const double passes = sorted[sorted.size() * 19 / 20];
     if (information > 0.0)
       summary.detection_limit = candidate->amounts.norm() * std::sqrt(passes / information);
   }
