@@ -21,8 +21,8 @@
 #include "fitting/diagnosis/model_proof.h"
 #include "fitting/diagnosis/model_race.h"
 #include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/parameter_intervals.h"
 #include "fitting/diagnosis/ranking.h"
-#include "fitting/diagnosis/residual_correlation.h"
 #include "fitting/diagnosis/verdict.h"
 #include "tracking/text.h"
 
@@ -71,6 +71,8 @@ class Diagnoser {
                      std::size_t winner, const FittedScene& before);
   // A law instead of names, where those explain too little and it explains more.
   void LearnInstead(FittedScene* current);
+  // What mesh and step do to the parameters of the answer.
+  void WidenIntervals(const FittedScene& model);
   // Where, when and how the physics that was named acts.
   void MeasureWhatActs(const FittedScene& model);
   void Conclude(const FittedScene& current);
@@ -237,17 +239,8 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
   } else {
     described.parameters = model.candidate.summary.parameters;
   }
-  constexpr double k90Of95 = 1.645 / 1.96;
-  // The fit takes residuals for independent.
-  const double wider = k90Of95 * std::sqrt(ResidualCorrelationTime(model.scene));
-  for (const ParameterEstimate& estimate : model.scene.fit.estimates) {
-    if (std::find(names.begin(), names.end(), estimate.name) == names.end()) continue;
-    const ParameterSetting& bounds = model.scene.config.parameters.at(estimate.name);
-    described.parameters.push_back(
-        {estimate.name, estimate.unit, estimate.value,
-         std::max(bounds.lower, estimate.value + wider * (estimate.lower95 - estimate.value)),
-         std::min(bounds.upper, estimate.value + wider * (estimate.upper95 - estimate.value))});
-  }
+  const std::vector<EffectParameter> estimates = EstimatesOf(model.scene, names);
+  described.parameters.insert(described.parameters.end(), estimates.begin(), estimates.end());
   described.proof = ProveOnHeldOut(model, {before, errors, last_ranking_, options_});
   return described;
 }
@@ -261,6 +254,22 @@ void Diagnoser::ProveOtherwise(const std::vector<FittedModel>& models, std::size
   if (!choice || choice->is_kept || Stopped()) return;
   const FittedModel& model = models[choice->model - first_model];
   if (!model.candidate.faults.empty()) return;
+  if (diagnosis_.models[choice->model].proof.improvement_lower95 > 0.0) {
+    Say("fitting recordings of the baseline with " + model.candidate.summary.name, 0.65);
+    const std::optional<HeldOutProof> against = ProveAgainstNull(model, start);
+    Spend("proof against recordings of the baseline");
+    if (against) {
+      Log(fmt::format(
+          "{} gains {:.0f} % as much on recordings of the baseline alone; held out "
+          "{:.4g} -> {:.4g}, where they may tell {:.4g}: {}",
+          model.candidate.summary.name, 100.0 * *against->gain_of_null, against->before,
+          against->after, against->floor, against->is_proven ? "proven" : "not proven"));
+      if (against->is_proven) {
+        diagnosis_.models[choice->model].proof = *against;
+        return;
+      }
+    }
+  }
   Say("predicting earlier frames with " + model.candidate.summary.name, 0.65);
   const std::optional<HeldOutProof> proof = ProveEarlier(model, start);
   Spend("proof on earlier frames");
@@ -477,6 +486,16 @@ void Diagnoser::LearnInstead(FittedScene* current) {
   *current = fit->scene;
 }
 
+void Diagnoser::WidenIntervals(const FittedScene& model) {
+  if (!diagnosis_.answer || Stopped()) return;
+  Say("measuring what mesh and step do to the parameters", 0.9);
+  const NumericalShifts shifts = MeasureNumericalShifts(model, options_.seed);
+  Widen(shifts, model.config, &diagnosis_.answer->parameters);
+  if (kept_ && !diagnosis_.law)
+    diagnosis_.models[kept_->model].parameters = diagnosis_.answer->parameters;
+  Spend("intervals");
+}
+
 void Diagnoser::MeasureWhatActs(const FittedScene& model) {
   diagnosis_.acting = MeasureActingForce(model, diagnosis_.answer->effects);
   const bool acts = diagnosis_.acting && diagnosis_.acting->acts;
@@ -507,6 +526,7 @@ Diagnosis Diagnoser::Run() {
     if (!AddEffect(&current, &errors)) break;
   }
   LearnInstead(&current);
+  WidenIntervals(current);
   diagnosis_.motions.resolution = current.scene.mesh.grid;
   diagnosis_.motions.held_out = recording_.splits.held_out_frames;
   if (diagnosis_.answer || !diagnosis_.effects.empty())

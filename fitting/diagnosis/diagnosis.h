@@ -86,6 +86,10 @@ struct HeldOutProof {
   // Where those frames tell nothing: the second half of the fitted ones, predicted after fits to
   // the first half.
   std::optional<Splits::FrameRange> earlier;
+  // Where mesh and step may err by more than the improvement: the most that such a model gains in
+  // fitted frames of recordings of the baseline alone, of what it gains in these. `floor` holds
+  // what it gains in the prediction of those recordings then.
+  std::optional<double> gain_of_null;
 };
 
 // A candidate switched on and everything fitted again.

@@ -53,8 +53,15 @@ std::string SayProof(const Model& answer) {
         "on those from there to {} falls",
         proof.earlier->first, proof.earlier->last);
   }
-  return words + fmt::format(" from {} to {}; {} would be noise.", Length(proof.before, is_px),
-                             Length(proof.after, is_px), Length(proof.floor, is_px));
+  words += fmt::format(" from {} to {}; {} would be noise.", Length(proof.before, is_px),
+                       Length(proof.after, is_px), Length(proof.floor, is_px));
+  if (proof.gain_of_null) {
+    words += fmt::format(
+        " On recordings of the baseline itself, made on a finer mesh, it explains at most {:.0f} % "
+        "as much.",
+        100.0 * std::max(0.0, *proof.gain_of_null));
+  }
+  return words;
 }
 
 std::string SayAmbiguity(const Diagnosis& diagnosis) {
@@ -94,6 +101,8 @@ Json AsJson(const Candidate& c) {
 
 Json AsJson(const Model& m) {
   Json earlier;
+  Json gain_of_null;
+  if (m.proof.gain_of_null) gain_of_null = OrNull(*m.proof.gain_of_null);
   if (m.proof.earlier) earlier = {m.proof.earlier->first, m.proof.earlier->last};
   return {{"effects", m.effects},
           {"parameters", AsJson(m.parameters)},
@@ -106,6 +115,7 @@ Json AsJson(const Model& m) {
             {"floor", OrNull(m.proof.floor)},
             {"unit", m.proof.is_in_pixels ? "px" : "m"},
             {"earlier_frames", std::move(earlier)},
+            {"gain_of_null", std::move(gain_of_null)},
             {"proven", m.proof.is_proven}}},
           {"kept", m.is_kept}};
 }

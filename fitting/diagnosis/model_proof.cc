@@ -4,12 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/null_residuals.h"
 
 namespace clothfit {
 namespace {
 
 constexpr double kBlockSeconds = 0.2;  // of the bootstrap
 constexpr int kFewestFrames = 8;       // in each half, to be worth it
+constexpr int kMostNullRows = 20000;   // of the derivatives that recordings are drawn by
 
 bool HasTracksOf(const Scene& scene, int camera) {
   return std::any_of(scene.tracks.begin(), scene.tracks.end(),
@@ -26,19 +34,26 @@ std::optional<int> OwnCamera(const FittedModel& model, const Ranking& ranking) {
   return fault.source;
 }
 
+// Of what is predicted, root mean square.
+double NoiseOf(const Scene& scene, bool is_in_pixels) {
+  return is_in_pixels ? scene.track_sigma * std::sqrt(2.0) : scene.marker_sigma * std::sqrt(3.0);
+}
+
 HeldOutProof ProveBy(const HeldOutErrors& before, const HeldOutErrors& after, bool is_in_pixels,
-                     const FittedModel& model, const ProofStart& start) {
-  const Scene& scene = model.scene.scene;
-  const double noise =
-      is_in_pixels ? scene.track_sigma * std::sqrt(2.0) : scene.marker_sigma * std::sqrt(3.0);
-  // What mesh and step do to a prediction is held against physics, not against a camera.
+                     const HeldOutFloor& floor, const ProofStart& start) {
+  const Scene& scene = start.before.scene;
+  const int block = static_cast<int>(std::lround(kBlockSeconds * scene.recording.frame_rate));
+  HeldOutProof proof = Prove(before, after, block, floor, start.options.seed);
+  proof.is_in_pixels = is_in_pixels;
+  return proof;
+}
+
+// What mesh and step do to a prediction is held against physics, not against a camera.
+HeldOutFloor FloorOf(const FittedModel& model, bool is_in_pixels, const ProofStart& start) {
   const bool is_physics = model.candidate.faults.empty();
   const double numerical =
       is_physics && start.ranking.errors ? start.ranking.errors->held_out_rms : 0.0;
-  const int block = static_cast<int>(std::lround(kBlockSeconds * scene.recording.frame_rate));
-  HeldOutProof proof = Prove(before, after, block, {noise, numerical}, start.options.seed);
-  proof.is_in_pixels = is_in_pixels;
-  return proof;
+  return {NoiseOf(start.before.scene, is_in_pixels), numerical};
 }
 
 // The fit to the frames before `first` alone, begun where that of all fitted frames has ended.
@@ -49,14 +64,80 @@ std::optional<FittedScene> FitUntil(int first, const FittedScene& fitted,
   return FitModel(fitted, start, kModelIterations, FitRunner(options));
 }
 
+// The model, put on the fit without it: a tenth of its amounts, so that it is neither off nor far.
+ModelStart HardlyOn(const FittedModel& model, const FittedScene& without) {
+  constexpr double kOfAmounts = 0.1;
+  ModelStart start = GoOn(model.scene);
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  for (auto& [name, setting] : start.config.parameters) {
+    const std::vector<std::string>& amounts = model.candidate.names;
+    const bool is_own = std::find(amounts.begin(), amounts.end(), name) != amounts.end();
+    const ParameterSetting& other = without.config.parameters.at(name);
+    if (is_own) {
+      const double off = table[FindParameter(table, name)].parameter.off;
+      setting.value = off + kOfAmounts * (setting.value - off);
+    } else if (other.free) {
+      setting.value = without.values.parameters.at(name).value;
+    }
+  }
+  start.recording = without.scene.recording;
+  return start;
+}
+
+// What a model gains in recordings in which it is not, at most.
+struct NullGain {
+  double cost = -HUGE_VAL;      // of fitted frames
+  double held_out = -HUGE_VAL;  // mean of squares
+};
+
+std::optional<NullGain> GainOfNull(const FittedModel& model, const ProofStart& start) {
+  constexpr int kTwins = 3, kTwinIterations = 2 * kModelIterations;
+  const FitRunner runner(start.options);
+  const ObservationResiduals observations(start.before.scene, start.before.config);
+  const RowFrames frames(start.before.scene, observations, kMostNullRows);
+  const std::optional<Rows> rows =
+      EvaluateRows(start.before, BaselinePass(start.before), frames, {});
+  if (!rows) return {};
+  const std::vector<FittedScene> drawn =
+      DrawNearFit(start.before, *rows, kTwins, start.options.seed);
+  std::vector<std::optional<NullGain>> gains(drawn.size());
+  ParallelFor(static_cast<int>(drawn.size()), NumThreads(0), [&](int i, int) {
+    const auto k = static_cast<std::size_t>(i);
+    std::optional<Recording> twin = TwinRecording(drawn[k], start.options.seed + k);
+    if (!twin) return;
+    ModelStart without = GoOn(drawn[k]);
+    without.recording = std::move(*twin);
+    without.config.use_silhouettes = false;
+    const std::optional<FittedScene> before = FitModel(drawn[k], without, kTwinIterations, runner);
+    if (!before) return;
+    const std::optional<FittedScene> after =
+        FitModel(*before, HardlyOn(model, *before), kTwinIterations, runner);
+    if (!after) return;
+    // A finer mesh has an error of its own.
+    const double more = OfDifference() * OfDifference();
+    const double off = MeasureHeldOut(*before).Rms(), on = MeasureHeldOut(*after).Rms();
+    gains[k] = NullGain{more * (before->fit.cost_after - after->fit.cost_after),
+                        more * (off * off - on * on)};
+  });
+  std::optional<NullGain> most;
+  for (const std::optional<NullGain>& gain : gains) {
+    if (!gain) continue;
+    if (!most) most.emplace();
+    most->cost = std::max(most->cost, gain->cost);
+    most->held_out = std::max(most->held_out, gain->held_out);
+  }
+  return most;
+}
+
 }  // namespace
 
 HeldOutProof ProveOnHeldOut(const FittedModel& model, const ProofStart& start) {
   const std::optional<int> camera = OwnCamera(model, start.ranking);
   const bool is_in_pixels = model.scene.scene.markers.empty() || camera;
-  if (!camera) return ProveBy(start.errors, model.errors, is_in_pixels, model, start);
+  const HeldOutFloor floor = FloorOf(model, is_in_pixels, start);
+  if (!camera) return ProveBy(start.errors, model.errors, is_in_pixels, floor, start);
   return ProveBy(MeasureHeldOut(start.before, camera), MeasureHeldOut(model.scene, camera),
-                 is_in_pixels, model, start);
+                 is_in_pixels, floor, start);
 }
 
 std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofStart& start) {
@@ -66,14 +147,32 @@ std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofSt
   const int last = scene.last_fitted_frame, first = (last + 1) / 2;
   if (!is_at_end || first < kFewestFrames) return {};
   const bool is_in_pixels = scene.markers.empty();
-  const HeldOutProof worse = ProveBy(model.errors, start.errors, is_in_pixels, model, start);
+  const HeldOutFloor floor = FloorOf(model, is_in_pixels, start);
+  const HeldOutProof worse = ProveBy(model.errors, start.errors, is_in_pixels, floor, start);
   if (worse.improvement_lower95 > 0.0) return {};
   const std::optional<FittedScene> before = FitUntil(first, start.before, start.options);
   const std::optional<FittedScene> after = FitUntil(first, model.scene, start.options);
   if (!before || !after) return {};
   HeldOutProof proof = ProveBy(MeasureHeldOut(*before, {}, last), MeasureHeldOut(*after, {}, last),
-                               is_in_pixels, model, start);
+                               is_in_pixels, floor, start);
   proof.earlier = Splits::FrameRange{first, last};
+  return proof;
+}
+
+std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const ProofStart& start) {
+  const Scene& scene = model.scene.scene;
+  const bool is_in_pixels = scene.markers.empty();
+  if (is_in_pixels && scene.tracks.empty()) return {};
+  if (!ProveBy(start.errors, model.errors, is_in_pixels, {}, start).is_proven) return {};
+  const std::optional<NullGain> null = GainOfNull(model, start);
+  const double gain = start.before.fit.cost_after - model.scene.fit.cost_after;
+  if (!null || !(gain > 0.0)) return {};
+  // The recordings have their noise, too.
+  const double by_chance = std::sqrt(std::max(0.0, null->held_out));
+  HeldOutProof proof = ProveBy(start.errors, model.errors, is_in_pixels, {0.0, by_chance}, start);
+  proof.floor = std::hypot(NoiseOf(scene, is_in_pixels), by_chance);
+  proof.gain_of_null = null->cost / gain;
+  proof.is_proven = proof.is_proven && *proof.gain_of_null < 1.0;
   return proof;
 }
 

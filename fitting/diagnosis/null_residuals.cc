@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <random>
+#include <tuple>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <ceres/ceres.h>
 
+#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/held_out.h"
 #include "fitting/levenberg_marquardt.h"
 
@@ -167,6 +172,84 @@ FittedScene Finer(const FittedScene& fitted, bool mesh, bool step) {
                         step ? kFinerStep * fitted.scene.step : fitted.config.max_step);
 }
 
+double OfDifference() { return kOfDifference; }
+
+std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& baseline, int count,
+                                     std::uint64_t seed) {
+  constexpr double kOfPosterior = 0.5;  // sigmas
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Information(baseline));
+  const Eigen::MatrixXd root =
+      kOfPosterior * eigen.eigenvectors() *
+      eigen.eigenvalues().cwiseMax(1e-12).cwiseSqrt().cwiseInverse().asDiagonal();
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<FittedScene> scenes;
+  for (int k = 0; k < count; ++k) {
+    Eigen::VectorXd unit(root.cols());
+    for (double& u : unit) u = normal(random);
+    scenes.push_back(Moved(fitted, baseline.entries, root * unit));
+  }
+  return scenes;
+}
+
+std::vector<Eigen::VectorXd> MeasureShifts(const FittedScene& fitted, const RowFrames& frames,
+                                           const Rows& baseline, int draws, std::uint64_t seed) {
+  const std::vector<FittedScene> scenes = DrawNearFit(fitted, baseline, draws, seed);
+  const Eigen::VectorXd nowhere =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(baseline.entries.size()));
+  std::vector<std::optional<Refit>> refits(scenes.size());
+  ParallelFor(static_cast<int>(scenes.size()), NumThreads(0), [&](int i, int) {
+    const auto k = static_cast<std::size_t>(i);
+    const std::optional<Eigen::VectorXd> fine =
+        ResidualsOfOtherSteps(Finer(scenes[k], true, true), scenes[k], frames);
+    if (fine) refits[k] = FitAgain(scenes[k], frames, baseline, *fine, nowhere);
+  });
+  std::vector<Eigen::VectorXd> shifts;
+  for (const std::optional<Refit>& refit : refits) {
+    if (refit) shifts.push_back(kOfDifference * refit->by);
+  }
+  return shifts;
+}
+
+std::optional<Recording> TwinRecording(const FittedScene& scene, std::uint64_t seed) {
+  const FittedScene finer = Finer(scene, true, true);
+  Recording twin = finer.scene.recording;
+  twin.markers.clear();
+  twin.tracks.clear();
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const auto at = [](const auto& observed, const State& state) {
+    return Eigen::Vector3d(observed.on_cloth.At(state.x));
+  };
+  std::map<std::pair<int, int>, Eigen::Vector2d> uv_of_marker;
+  std::map<std::tuple<int, int, int>, Eigen::Vector2d> uv_of_track;
+  for (const Marker& m : finer.scene.recording.markers) uv_of_marker[{m.frame, m.id}] = m.uv;
+  for (const Track& t : finer.scene.recording.tracks) uv_of_track[{t.frame, t.camera, t.id}] = t.uv;
+  const FreeParameters free(finer.values, finer.scene, MakeParameterTable());
+  const int last = twin.frame_count - 1;
+  const auto observe = [&](int frame, const State& state) {
+    for (const MarkerObservation& m : finer.scene.markers) {
+      if (m.frame != frame) continue;
+      const Eigen::Vector3d noise(normal(random), normal(random), normal(random));
+      twin.markers.push_back({frame, m.id, uv_of_marker.at({frame, m.id}),
+                              at(m, state) + finer.scene.marker_sigma * noise});
+    }
+    for (const TrackObservation& t : finer.scene.tracks) {
+      if (t.frame != frame) continue;
+      const Camera& camera = twin.cameras[static_cast<std::size_t>(t.camera)];
+      const Eigen::Vector3d place = at(t, state);
+      if (!IsInFront(camera, place)) continue;
+      const Eigen::Vector2d noise(normal(random), normal(random));
+      twin.tracks.push_back({frame, t.camera, t.id, uv_of_track.at({frame, t.camera, t.id}),
+                             ProjectPoint(camera, place) + finer.scene.track_sigma * noise});
+    }
+  };
+  const int reached = SimulateFrames(finer.scene, finer.values, free,
+                                     ThetaOfPass(free, finer.unknown), last, observe);
+  if (reached != last + 1) return {};
+  return twin;
+}
+
 NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrames& frames,
                                        const Rows& baseline, int draws, std::uint64_t seed) {
   NumericalErrors errors;
@@ -194,19 +277,9 @@ NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrame
   Eigen::VectorXd of_step = nowhere, of_mesh = nowhere;
   errors.half_step = left_of(fitted, false, true, &of_step).value_or(zero);
   errors.finer_mesh = left_of(fitted, true, false, &of_mesh).value_or(zero);
-  // Half a posterior sigma: what is drawn should still look like the recording.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Information(baseline));
-  const Eigen::MatrixXd root =
-      0.5 * eigen.eigenvectors() *
-      eigen.eigenvalues().cwiseMax(1e-12).cwiseSqrt().cwiseInverse().asDiagonal();
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
   // Mesh and step change about the same wherever they are: a later fit begins where one ended.
   Eigen::VectorXd way = of_step + of_mesh;
-  for (int k = 0; k < draws; ++k) {
-    Eigen::VectorXd unit(root.cols());
-    for (double& u : unit) u = normal(random);
-    const FittedScene drawn = Moved(fitted, baseline.entries, root * unit);
+  for (const FittedScene& drawn : DrawNearFit(fitted, baseline, draws, seed)) {
     const std::optional<Eigen::VectorXd> left = left_of(drawn, true, true, &way);
     if (!left) continue;
     errors.at_draws.push_back(kOfDifference * *left);
@@ -241,8 +314,11 @@ std::vector<NullResidual> DrawNulls(const Eigen::MatrixXd& gram, Eigen::Index nu
     const Eigen::VectorXd noise = eigen.eigenvectors() * roots.cwiseProduct(unit);
     Eigen::VectorXd amounts = Eigen::VectorXd::Zero(gram.cols());
     if (!numerical.empty()) {
+      // Of either sign: a few simulations do not tell which way all of them would go, and what can
+      // only be positive would never be seen in those that happen to go the other.
       const DrawnColumn& error = numerical[static_cast<std::size_t>(random() % numerical.size())];
-      amounts[error.column] += error.amount * (1.0 + 0.3 * normal(random));
+      const double sign = random() % 2 == 0 ? 1.0 : -1.0;
+      amounts[error.column] += sign * error.amount * (1.0 + 0.3 * normal(random));
     }
     for (const DrawnColumn& fault : faults) amounts[fault.column] += fault.amount * normal(random);
     const Eigen::VectorXd moved = gram * amounts;

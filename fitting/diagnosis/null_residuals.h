@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -39,14 +40,34 @@ NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrame
 // The finer mesh and step that stand for the truth.
 FittedScene Finer(const FittedScene& fitted, bool mesh, bool step);
 
+// A finer mesh has an error of its own: that of the fit's is this much more than the difference
+// between both.
+double OfDifference();
+
+// The fit with its free vector drawn around where it ended, so near that what is simulated with it
+// still looks like the recording.
+std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& baseline, int count,
+                                     std::uint64_t seed);
+
+// How far the free vector of a fit ends from where it should for mesh and step: the scenes drawn,
+// simulated finer, and fitted again. One vector (entries of `baseline`, in their own scale) a draw;
+// fewer where a fit fails.
+std::vector<Eigen::VectorXd> MeasureShifts(const FittedScene& fitted, const RowFrames& frames,
+                                           const Rows& baseline, int draws, std::uint64_t seed);
+
+// The recording with its markers and tracks where the scene has them, simulated finer, with their
+// noise; masks are left out. Nothing is missing in it that the scene does not lack. Empty where it
+// cannot be simulated.
+std::optional<Recording> TwinRecording(const FittedScene& scene, std::uint64_t seed);
+
 // A null residual, by its products with all columns of a Gram matrix and with itself.
 struct NullResidual {
   Eigen::VectorXd products;
   double squared = 0.0;
 };
 
-// A column and how much of it a draw contains: about once its amount, or its amount times a normal
-// variate. Amounts are in the columns' own scale.
+// A column and how much of it a draw contains: about once its amount, of either sign, or its amount
+// times a normal variate. Amounts are in the columns' own scale.
 struct DrawnColumn {
   int column;
   double amount;

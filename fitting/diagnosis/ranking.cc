@@ -58,7 +58,7 @@ class Ranker {
   ScoredGroup GroupOf(const Trial& trial) const;
   RankedCandidate Physics(int candidate, const Projection& projection, const Projection& raw) const;
   RankedCandidate Observation(const std::string& group, const Projection& raw) const;
-  void Judge(const Projection& projection, const std::vector<double>& null_scores, double left,
+  void Judge(const Projection& projection, const std::vector<double>& null_scores,
              RankedCandidate* candidate) const;
   double ExplainedTogether(const Projection& projection,
                            const std::vector<Eigen::VectorXd>& nulls) const;
@@ -226,11 +226,19 @@ void Ranker::Refine() {
   }
 }
 
-// p-value, share and detection limit from the scores that the null gave the same candidate.
+double ShareOf(double score, double left) { return left > 0.0 ? std::min(1.0, score / left) : 0.0; }
+
+// Is there far more of it than the null passes for?
+bool StandsOut(const RankedCandidate& candidate) {
+  constexpr double kFarOut = 2.0;  // detection limits
+  const double limit = candidate.summary.detection_limit;
+  return limit > 0.0 && candidate.amounts.norm() >= kFarOut * limit;
+}
+
+// p-value and detection limit from the scores that the null gave the same candidate.
 void Ranker::Judge(const Projection& projection, const std::vector<double>& null_scores,
-                   double left, RankedCandidate* candidate) const {
+                   RankedCandidate* candidate) const {
   Candidate& summary = candidate->summary;
-  summary.share = left > 0.0 ? std::min(1.0, summary.score / left) : 0.0;
   const Eigen::VectorXd scaled_amounts =
       candidate->amounts.cwiseQuotient(scale_(candidate->columns));
   const double information = scaled_amounts.dot(
@@ -297,7 +305,8 @@ RankedCandidate Ranker::Observation(const std::string& group, const Projection& 
   for (const NullResidual& null : nulls_)
     null_scores.push_back(ScoreOf(projection, scored, projection.Products(null.products)).decrease);
   const double left = projection.gram()(residual_, residual_) / residual2 - null_mean_;
-  Judge(projection, null_scores, std::max(left, ranked.summary.score), &ranked);
+  Judge(projection, null_scores, &ranked);
+  ranked.summary.share = ShareOf(ranked.summary.score, std::max(left, ranked.summary.score));
   return ranked;
 }
 
@@ -439,9 +448,15 @@ Ranking Ranker::Run() {
         null_scores[k] = std::max(null_scores[k], score.decrease);
       }
     }
-    Judge(projection, null_scores, ranking.explainable, &candidate);
+    Judge(projection, null_scores, &candidate);
+    // What stands out by its pattern is there to be explained, however much mesh and step may
+    // leave.
+    if (StandsOut(candidate))
+      ranking.explainable = std::max(ranking.explainable, candidate.summary.score);
     ranking.candidates.push_back(std::move(candidate));
   }
+  for (RankedCandidate& candidate : ranking.candidates)
+    candidate.summary.share = ShareOf(candidate.summary.score, ranking.explainable);
   std::set<std::string> groups;
   for (const Fault& fault : faults_) groups.insert(fault.group);
   for (const std::string& group : groups) ranking.candidates.push_back(Observation(group, raw));

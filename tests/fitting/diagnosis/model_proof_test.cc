@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Proofs on frames before those that are held out.
+// Proofs where the held-out frames alone do not do.
 #include "fitting/diagnosis/model_proof.h"
+
+#include <memory>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "fitting/diagnosis/null_residuals.h"
 #include "tracking/synthetic_recording.h"
 
 namespace clothfit {
@@ -14,16 +19,16 @@ namespace {
 Recording ClothInWind() {
   SyntheticOptions options;
   options.size = {0.5, 0.5};
-  options.resolution = {5, 5};
+  options.resolution = {7, 7};
   options.markers = {4, 4};
-  options.marker_sigma = 0.0005;
+  options.marker_sigma = 0.003;
   options.frame_rate = 24.0;
   options.frame_count = 30;
   options.parameters = {{"wind.x", 1.5}};
   return WithHeldOutFrames(MakeSyntheticRecording(options).recording, 1.0 / 3.0);
 }
 
-class EarlierProof : public testing::Test {
+class WindProof : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     const Recording recording = ClothInWind();
@@ -33,7 +38,8 @@ class EarlierProof : public testing::Test {
     before_ = FitAfresh({recording, config}, Start::kPlain, 6, FitRunner());
     ASSERT_TRUE(before_);
     ModelStart with_wind = GoOn(*before_);
-    for (const char* name : {"wind.x", "wind.y", "wind.z"})
+    model_.candidate.names = {"wind.x", "wind.y", "wind.z"};
+    for (const std::string& name : model_.candidate.names)
       with_wind.config.parameters.at(name).free = true;
     std::optional<FittedScene> fitted = FitModel(*before_, with_wind, 8, FitRunner());
     ASSERT_TRUE(fitted);
@@ -49,6 +55,9 @@ class EarlierProof : public testing::Test {
   const DiagnosisOptions options_;
   const ProofStart start_{*before_, errors_, ranking_, options_};
 };
+
+class EarlierProof : public WindProof {};
+class ProofAgainstNull : public WindProof {};
 
 TEST_F(EarlierProof, IsOnTheSecondHalfOfWhatWasFitted) {
   const std::optional<HeldOutProof> proof = ProveEarlier(model_, start_);
@@ -88,6 +97,53 @@ TEST_F(EarlierProof, ErrorsCanBeMeasuredUpToAFrame) {
   ASSERT_EQ(some.squared.size(), 5u);
   EXPECT_TRUE(some.is_complete);
   for (std::size_t i = 0; i < some.squared.size(); ++i) EXPECT_EQ(some.squared[i], all.squared[i]);
+}
+
+TEST_F(ProofAgainstNull, HoldsForWhatGainsLittleOnRecordingsWithoutIt) {
+  const std::optional<HeldOutProof> proof = ProveAgainstNull(model_, start_);
+  ASSERT_TRUE(proof && proof->gain_of_null);
+  EXPECT_TRUE(proof->is_proven);
+  EXPECT_LT(*proof->gain_of_null, 0.1);
+  EXPECT_EQ(proof->before, errors_.Rms());
+  EXPECT_EQ(proof->after, model_.errors.Rms());
+}
+
+TEST_F(ProofAgainstNull, DoesNotDependOnWhatMeshAndStepDoToThePrediction) {
+  Ranking rough;
+  auto errors = std::make_shared<NumericalErrors>();
+  errors->held_out_rms = 1.0;  // m
+  rough.errors = errors;
+  const ProofStart start{*before_, errors_, rough, options_};
+  EXPECT_FALSE(ProveOnHeldOut(model_, start).is_proven);
+  const std::optional<HeldOutProof> proof = ProveAgainstNull(model_, start);
+  EXPECT_TRUE(proof && proof->is_proven);
+}
+
+TEST_F(ProofAgainstNull, IsNotAskedForWhereThePredictionDoesNotImprove) {
+  const FittedModel same{{}, *before_, errors_};
+  EXPECT_FALSE(ProveAgainstNull(same, start_));
+  const FittedModel without{{}, *before_, errors_};
+  EXPECT_FALSE(ProveAgainstNull(without, {model_.scene, model_.errors, ranking_, options_}));
+}
+
+// Wind, fitted to a recording without any, gains what it gains on other such recordings.
+TEST_F(ProofAgainstNull, ProvesNoWindWhereThereIsNone) {
+  ModelStart calm = GoOn(*before_);
+  std::optional<Recording> twin = TwinRecording(*before_, 7);
+  ASSERT_TRUE(twin);
+  calm.recording = std::move(*twin);
+  const std::optional<FittedScene> before = FitModel(*before_, calm, 12, FitRunner());
+  ASSERT_TRUE(before);
+  ModelStart with_wind = GoOn(*before);
+  for (const std::string& name : model_.candidate.names)
+    with_wind.config.parameters.at(name).free = true;
+  const std::optional<FittedScene> after = FitModel(*before, with_wind, 12, FitRunner());
+  ASSERT_TRUE(after);
+  const FittedModel wind{model_.candidate, *after, MeasureHeldOut(*after)};
+  const HeldOutErrors errors = MeasureHeldOut(*before);
+  const std::optional<HeldOutProof> proof =
+      ProveAgainstNull(wind, {*before, errors, ranking_, options_});
+  EXPECT_FALSE(proof && proof->is_proven);
 }
 
 }  // namespace

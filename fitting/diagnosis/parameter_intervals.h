@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How certain the parameters of a model are.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/rows.h"
+
+namespace clothfit {
+
+// The fitted ones of these names (term.parameter), in the table's order, with intervals by noise:
+// those of the fit, wider by the root of the residuals' correlation time.
+std::vector<EffectParameter> EstimatesOf(const FittedScene& fitted,
+                                         const std::vector<std::string>& names);
+
+// How far mesh and step push each free entry of a fit, root mean square over simulations of the fit
+// on a finer mesh with half the step to which it was fitted again (MeasureShifts); in the entries'
+// own scale.
+struct NumericalShifts {
+  std::vector<FreeEntry> entries;
+  Eigen::VectorXd rms;
+};
+NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t seed);
+
+// Adds what mesh and step do to the intervals' halves, in squares: which way they push a fit of
+// this recording is known for the simulations only. Bounds are those of the config.
+void Widen(const NumericalShifts& shifts, const FitConfig& config,
+           std::vector<EffectParameter>* parameters);
+
+}  // namespace clothfit
