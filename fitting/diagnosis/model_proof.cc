@@ -163,6 +163,7 @@ std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const Pro
   const Scene& scene = model.scene.scene;
   const bool is_in_pixels = scene.markers.empty();
   if (is_in_pixels && scene.tracks.empty()) return {};
+  if (start.ranking.floor_rms > start.ranking.residual_rms) return {};
   if (!ProveBy(start.errors, model.errors, is_in_pixels, {}, start).is_proven) return {};
   const std::optional<NullGain> null = GainOfNull(model, start);
   const double gain = start.before.fit.cost_after - model.scene.fit.cost_after;

@@ -32,8 +32,9 @@ std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofSt
 // to them, too, and what the model gains there is what mesh and step let it gain. For physics whose
 // improvement is less than what mesh and step do to the prediction itself, which is mostly the same
 // in both. Proven is what gains more in the fitted frames than in any of them, and whose prediction
-// improves by more. Empty where there are neither markers nor tracks, where the prediction does not
-// improve, and where every fit fails.
+// improves by more. Empty where there are neither markers nor tracks, where mesh and step alone
+// leave more than the recording does, where the prediction does not improve, and where every fit
+// fails.
 std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const ProofStart& start);
 
 }  // namespace clothfit

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/baseline_fit.h"
 
 namespace clothfit {
 namespace {
@@ -314,6 +315,7 @@ void Ranker::ShortList(Ranking* ranking) const {
   std::vector<double> p_values;
   for (const RankedCandidate& c : ranking->candidates) p_values.push_back(c.summary.p_value);
   const std::vector<double> rates = FalseDiscoveryRates(p_values);
+  const bool is_far_off = ranking->residual_rms > kFarOff;
   for (std::size_t i = 0; i < ranking->candidates.size(); ++i) {
     RankedCandidate& candidate = ranking->candidates[i];
     Candidate& summary = candidate.summary;
@@ -332,6 +334,9 @@ void Ranker::ShortList(Ranking* ranking) const {
     }
     if (summary.q_value > options_.false_discovery) {
       summary.why_not = fmt::format("the null does as much with p = {:.2g}", summary.p_value);
+    } else if (is_far_off && summary.kind == CandidateKind::kObservation && !StandsOut(candidate)) {
+      // A fit in a wrong valley errs by more, and otherwise, than the null tells.
+      summary.why_not = "the fit is far off, and it does not stand out of the null";
     } else if (summary.share < options_.least_share) {
       summary.why_not = fmt::format("explains {:.0f} % of it", 100.0 * summary.share);
     } else {

@@ -119,6 +119,13 @@ TEST_F(ProofAgainstNull, DoesNotDependOnWhatMeshAndStepDoToThePrediction) {
   EXPECT_TRUE(proof && proof->is_proven);
 }
 
+TEST_F(ProofAgainstNull, IsNotAskedForWhereMeshAndStepLeaveMore) {
+  Ranking rough;
+  rough.residual_rms = 1.2;
+  rough.floor_rms = 1.3;
+  EXPECT_FALSE(ProveAgainstNull(model_, {*before_, errors_, rough, options_}));
+}
+
 TEST_F(ProofAgainstNull, IsNotAskedForWhereThePredictionDoesNotImprove) {
   const FittedModel same{{}, *before_, errors_};
   EXPECT_FALSE(ProveAgainstNull(same, start_));
