@@ -83,6 +83,9 @@ class Diagnoser {
     if (options_.log) options_.log(line);
   }
   bool Stopped() const { return runner_.IsStopped(); }
+  ChoiceRules RulesOf(const FittedScene& before) const {
+    return {before.fit.cost_after, options_.least_share, options_.prove};
+  }
   void Spend(const std::string& stage);
   void SpendOn(const Ranking& ranking);
 
@@ -250,7 +253,7 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
 void Diagnoser::ProveOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
                                const ProofStart& start) {
   const std::optional<Choice> choice =
-      ChooseModel(diagnosis_.models, first_model, options_.least_share, options_.prove);
+      ChooseModel(diagnosis_.models, first_model, RulesOf(start.before));
   if (!choice || choice->is_kept || Stopped()) return;
   const FittedModel& model = models[choice->model - first_model];
   if (!model.candidate.faults.empty()) return;
@@ -433,7 +436,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     diagnosis_.models.push_back(Describe(model, *current, *errors));
   ProveOtherwise(models, first_model, {*current, *errors, ranking, options_});
   const std::optional<Choice> choice =
-      ChooseModel(diagnosis_.models, first_model, options_.least_share, options_.prove);
+      ChooseModel(diagnosis_.models, first_model, RulesOf(*current));
   if (!choice) return false;
   FittedModel& model = models[choice->model - first_model];
   if (CatchesUp(model, current, errors)) {
@@ -456,13 +459,13 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
 }
 
 void Diagnoser::LearnInstead(FittedScene* current) {
-  constexpr double kEnough = 0.8;  // of the excess: what is named will do
-  constexpr double kBetter = 0.1;  // share of the excess that a law has to explain more
+  // Share of the excess that a law has to explain more: this, or half of what is left.
+  constexpr double kBetter = 0.1;
   if (!first_ranking_ || Stopped() || first_ranking_->gate_p_value >= kGate || !is_above_floor_)
     return;
   const double excess = baseline_cost_ - 0.5 * first_ranking_->null_mean;
   const double explained = (baseline_cost_ - current->fit.cost_after) / excess;
-  if (!(excess > 0.0) || explained > kEnough) return;
+  if (!(excess > 0.0) || explained > MostOfIt(diagnosis_)) return;
   Say("learning a law", 0.85);
   std::optional<LearnedFit> fit = LearnLaw(*first_scene_, *first_ranking_, options_);
   Spend("learning a law");
@@ -477,7 +480,9 @@ void Diagnoser::LearnInstead(FittedScene* current) {
   Log(fmt::format("a law of {}: cost {:.6g} -> {:.6g}; {}", JoinNames(fit->terms), baseline_cost_,
                   fit->scene.fit.cost_after, law.formula));
   diagnosis_.models.push_back(law.model);
-  if (!law.model.is_kept || law.model.explained < explained + kBetter) return;
+  if (!law.model.is_kept ||
+      law.model.explained < explained + std::min(kBetter, 0.5 * (1.0 - explained)))
+    return;
   diagnosis_.answer = law.model;
   diagnosis_.effects.clear();
   diagnosis_.ambiguity.clear();
@@ -509,7 +514,12 @@ void Diagnoser::Conclude(const FittedScene& current) {
                      0.5 * std::max(explainable, kept_score_));
   diagnosis_.verdict =
       Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, explained, is_above_floor_);
-  if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law) MeasureWhatActs(current);
+  // What stands for most of something unknown acts as that does.
+  constexpr double kStandsFor = 0.5;
+  const bool stands_for = diagnosis_.verdict == Verdict::kNoneOfTheAbove && diagnosis_.answer &&
+                          explained >= kStandsFor;
+  if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law || stands_for)
+    MeasureWhatActs(current);
   diagnosis_.words = DescribeDiagnosis(diagnosis_);
 }
 

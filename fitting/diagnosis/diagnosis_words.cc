@@ -33,7 +33,10 @@ std::string Estimate(const EffectParameter& p) {
 
 std::string NameEffects(const Diagnosis& diagnosis) {
   const Model& answer = *diagnosis.answer;
-  std::string words = "What was left out: " + JoinNames(diagnosis.effects) + ".";
+  const bool is_none = diagnosis.verdict == Verdict::kNoneOfTheAbove;
+  std::string words = is_none ? "None of the effects that clothfit knows; what comes nearest: "
+                              : "What was left out: ";
+  words += JoinNames(diagnosis.effects) + ".";
   std::string estimates;
   for (const EffectParameter& p : answer.parameters)
     estimates += (estimates.empty() ? "" : "; ") + Estimate(p);
@@ -212,7 +215,8 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
     sentences.push_back("That is a fault of the observation, not of the physics.");
   if (diagnosis.verdict == Verdict::kNoneOfTheAbove && !diagnosis.law) {
     sentences.push_back(
-        diagnosis.answer ? "Most of the mismatch remains: no effect in the catalogue explains it."
+        diagnosis.answer ? "No effect in the catalogue explains all of what is missing: what comes "
+                           "nearest may only stand for it."
                          : "Something is missing, and no effect in the catalogue predicts "
                            "unseen frames better.");
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -29,7 +30,20 @@ void ForAll(std::size_t count, const std::function<void(std::size_t)>& work) {
               [&](int i, int) { work(static_cast<std::size_t>(i)); });
 }
 
+bool IsCheaper(const FittedModel& a, const FittedModel& b) {
+  return a.scene.fit.cost_after < b.scene.fit.cost_after;
+}
+
 }  // namespace
+
+// With the fabric of the config that the diagnosis was given.
+ModelStart ModelRace::FromOwnFabric(ModelStart start) const {
+  for (auto& [name, setting] : start.config.parameters) {
+    const ParameterSetting& told = baseline_.parameters.at(name);
+    if (told.free) setting.value = told.value;
+  }
+  return start;
+}
 
 // From the baseline's fit, and where that is far off from the config's own fabric, too, guided, or
 // with what is ordinary as it is in a simulation that has it: a fabric that had to stand for what
@@ -42,11 +56,7 @@ std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
   if (ranking.residual_rms < kFarOff || Stopped()) return fitted;
   // No longer far off: it needs no other start.
   if (fitted && !IsFarOff(fitted->scene, fitted->config, fitted->fit)) return fitted;
-  ModelStart afresh = start;
-  for (auto& [name, setting] : afresh.config.parameters) {
-    const ParameterSetting& told = baseline_.parameters.at(name);
-    if (told.free) setting.value = told.value;
-  }
+  ModelStart afresh = FromOwnFabric(start);
   // An estimate from so far off may be anything.
   for (const NamedParameter& named : MakeParameterTable()) {
     const std::vector<std::string>& names = candidate.names;
@@ -117,6 +127,7 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const Rankin
     }
   }
   FinishModels(current, &models);
+  BeginAnew(current, ranking, &models);
   ForAll(models.size(), [&](std::size_t i) { models[i].errors = MeasureHeldOut(models[i].scene); });
   for (const FittedModel& model : models) {
     Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
@@ -194,17 +205,49 @@ void ModelRace::FinishModels(const FittedScene& current, std::vector<FittedModel
     });
   };
   go_on(worst);
-  const auto by_cost = [&](const FittedModel& a, const FittedModel& b) {
-    return cost(a) < cost(b);
-  };
-  std::stable_sort(models->begin(), models->end(), by_cost);
+  std::stable_sort(models->begin(), models->end(), IsCheaper);
   // Those near the best once more: the one that comes first should not be the one that is fitted
   // most easily. What the best leaves is held against the next effect, so that it has to have taken
   // its part.
   const double near = current.fit.cost_after - kNearBest * (current.fit.cost_after - least);
   go_on(near);
-  std::stable_sort(models->begin(), models->end(), by_cost);
+  std::stable_sort(models->begin(), models->end(), IsCheaper);
   for (int k = 1; k < kMoreHeats; ++k) GoOnWith(&models->front());
+}
+
+// The best once more with what was found of their effects, but from the config's own fabric: the
+// baseline's had to stand for what was missing, and a model that goes on from it may keep some of
+// that. Where the best leaves more than the null only.
+void ModelRace::BeginAnew(const FittedScene& current, const Ranking& ranking,
+                          std::vector<FittedModel>* models) const {
+  constexpr std::size_t kMost = 2;
+  if (models->empty() || Stopped()) return;
+  const double before = current.fit.cost_after, best = models->front().scene.fit.cost_after;
+  if (best <= 0.5 * ranking.null_mean) return;
+  std::vector<FittedModel*> near;
+  for (FittedModel& model : *models) {
+    const bool is_near = model.scene.fit.cost_after <= before - kNearBest * (before - best);
+    if (is_near && model.candidate.faults.empty() && near.size() < kMost) near.push_back(&model);
+  }
+  Say("fitting those from another fabric", 0.62);
+  constexpr Start kStarts[] = {Start::kPlain, Start::kGuided};
+  std::vector<std::optional<FittedScene>> others(near.size() * std::size(kStarts));
+  ForAll(others.size(), [&](std::size_t i) {
+    const FittedModel& model = *near[i / std::size(kStarts)];
+    if (Stopped()) return;
+    others[i] = FitAfresh(FromOwnFabric(GoOn(model.scene)), kStarts[i % std::size(kStarts)],
+                          2 * kModelIterations, runner_);
+  });
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    FittedModel& model = *near[i / std::size(kStarts)];
+    const double cost = model.scene.fit.cost_after;
+    if (!others[i] || !(others[i]->fit.cost_after < cost)) continue;
+    Log(fmt::format("with {} from another fabric: cost {:.6g} -> {:.6g}",
+                    model.candidate.summary.name, cost, others[i]->fit.cost_after));
+    model.scene = std::move(*others[i]);
+  }
+  std::stable_sort(models->begin(), models->end(), IsCheaper);
+  GoOnWith(&models->front());
 }
 
 // Fits a model further, unless it has converged.

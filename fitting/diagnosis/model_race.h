@@ -41,6 +41,9 @@ class ModelRace {
   std::optional<FittedScene> FirstHeat(const FittedScene& current, const RankedCandidate& candidate,
                                        const Ranking& ranking) const;
   void FinishModels(const FittedScene& current, std::vector<FittedModel>* models) const;
+  ModelStart FromOwnFabric(ModelStart start) const;
+  void BeginAnew(const FittedScene& current, const Ranking& ranking,
+                 std::vector<FittedModel>* models) const;
   void GoOnWith(FittedModel* model) const;
   void TakeOutIdleParts(const FittedScene& current, const Ranking& ranking,
                         FittedModel* model) const;

@@ -9,7 +9,12 @@
 namespace clothfit {
 namespace {
 
-constexpr double kMostOfIt = 0.5;
+// Of what is missing, that an effect explains which is there; what only stands for it explains
+// less. From so far off that no fit comes near the null, half has to do.
+constexpr double kMostOfIt = 0.9, kMostFromAfar = 0.5;
+constexpr double kAfar = 10.0;  // sigmas
+
+constexpr double kWorthKeeping = 0.5;  // of what the best of a round gains
 
 bool IsPhysics(const std::string& effect, const Diagnosis& diagnosis) {
   return std::any_of(diagnosis.ranking.begin(), diagnosis.ranking.end(),
@@ -34,11 +39,21 @@ double ShareExplained(double before, double after, double null, double explainab
   return excess > 0.0 ? std::clamp((before - after) / excess, 0.0, 1.0) : 0.0;
 }
 
+double MostOfIt(const Diagnosis& diagnosis) {
+  return diagnosis.residual_rms > kAfar ? kMostFromAfar : kMostOfIt;
+}
+
 std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t first,
-                                  double least_share, bool prove) {
-  const auto explains_enough = [&](std::size_t i) { return models[i].explained >= least_share; };
+                                  const ChoiceRules& rules) {
+  const auto explains_enough = [&](std::size_t i) {
+    return models[i].explained >= rules.least_share;
+  };
+  double least = rules.cost_before;
+  for (std::size_t i = first; i < models.size(); ++i) least = std::min(least, models[i].cost);
+  const double most = rules.cost_before - kWorthKeeping * (rules.cost_before - least);
   for (std::size_t i = first; i < models.size(); ++i) {
-    if (explains_enough(i) && (!prove || models[i].proof.is_proven)) return Choice{i, true};
+    const bool is_proven = !rules.prove || models[i].proof.is_proven;
+    if (explains_enough(i) && is_proven && models[i].cost <= most) return Choice{i, true};
   }
   if (first < models.size() && explains_enough(first)) return Choice{first, false};
   return {};
@@ -52,7 +67,7 @@ Verdict VerdictOf(const Diagnosis& diagnosis, double explained, bool is_above_fl
       std::any_of(effects.begin(), effects.end(),
                   [&](const std::string& effect) { return IsPhysics(effect, diagnosis); });
   if (!is_physics) return Verdict::kObservationFault;
-  return explained >= kMostOfIt ? Verdict::kNamed : Verdict::kNoneOfTheAbove;
+  return explained >= MostOfIt(diagnosis) ? Verdict::kNamed : Verdict::kNoneOfTheAbove;
 }
 
 std::string ToString(Verdict verdict) {

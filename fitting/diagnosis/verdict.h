@@ -17,16 +17,25 @@ namespace clothfit {
 // its pattern does so below its sum, too. Nothing where nothing can.
 double ShareExplained(double before, double after, double null, double explainable);
 
+// The share of what is missing that has to be explained by what is named.
+double MostOfIt(const Diagnosis& diagnosis);
+
+struct ChoiceRules {
+  double cost_before;  // of the fit without any of the models
+  double least_share;  // that a model has to explain
+  bool prove;          // is what is kept to be proven?
+};
+
 // Which of the models from `first` on, the best first, is held against the baseline from where it
-// ended: the first that explains enough and (where that is asked for) is proven, which is kept
-// unless the baseline catches up; else the first of all where it explains enough, since it may have
-// found a better valley without having found an effect.
+// ended: the first that explains enough, gains half of what the best gains and (where that is
+// asked for) is proven, which is kept unless the baseline catches up; else the first of all where
+// it explains enough, since it may have found a better valley without having found an effect.
 struct Choice {
   std::size_t model;  // of all
   bool is_kept;
 };
 std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t first,
-                                  double least_share, bool prove);
+                                  const ChoiceRules& rules);
 
 // Of a diagnosis that has run to its end. explained: the share that what was named takes of what
 // the baseline leaves above its null; is_above_floor: what it leaves is well above what mesh and

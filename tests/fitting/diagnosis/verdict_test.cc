@@ -28,6 +28,9 @@ Diagnosis Unexplained() {
 TEST(Verdict, NamesPhysicsThatExplainsMostOfIt) {
   Diagnosis diagnosis = Unexplained();
   diagnosis.effects = {"camera cam0: pose", "wind"};
+  EXPECT_EQ(VerdictOf(diagnosis, 0.95, true), Verdict::kNamed);
+  EXPECT_EQ(VerdictOf(diagnosis, 0.85, true), Verdict::kNoneOfTheAbove);
+  diagnosis.residual_rms = 20.0;  // no fit comes near the null from there
   EXPECT_EQ(VerdictOf(diagnosis, 0.6, true), Verdict::kNamed);
   EXPECT_EQ(VerdictOf(diagnosis, 0.4, true), Verdict::kNoneOfTheAbove);
 }
@@ -72,9 +75,11 @@ TEST(Verdict, SharesBelowTheNullAreOfWhatCanBeExplained) {
   EXPECT_DOUBLE_EQ(ShareExplained(100.0, 60.0, 20.0, 20.0), 0.5);  // the excess is more
 }
 
+// Of a fit that costs 100, all of which is missing.
 Model Explaining(double share, bool is_proven) {
   Model model;
   model.explained = share;
+  model.cost = 100.0 * (1.0 - share);
   model.proof.is_proven = is_proven;
   return model;
 }
@@ -82,24 +87,33 @@ Model Explaining(double share, bool is_proven) {
 TEST(ChooseModel, TakesTheFirstThatIsProven) {
   const std::vector<Model> models = {Explaining(0.9, true), Explaining(0.8, false),
                                      Explaining(0.05, true), Explaining(0.6, true)};
-  const auto proven = ChooseModel(models, 1, 0.1, true);
+  const auto proven = ChooseModel(models, 1, {100.0, 0.1, true});
   ASSERT_TRUE(proven);
   EXPECT_EQ(proven->model, 3u);
   EXPECT_TRUE(proven->is_kept);
-  const auto unasked = ChooseModel(models, 1, 0.1, false);
+  const auto unasked = ChooseModel(models, 1, {100.0, 0.1, false});
   ASSERT_TRUE(unasked);
   EXPECT_EQ(unasked->model, 1u);
   EXPECT_TRUE(unasked->is_kept);
 }
 
+// A camera that moved explains some of whatever is wrong with a cloth.
+TEST(ChooseModel, KeepsNothingThatGainsFarLessThanTheBest) {
+  const std::vector<Model> models = {Explaining(0.8, false), Explaining(0.3, true)};
+  const auto chosen = ChooseModel(models, 0, {100.0, 0.1, true});
+  ASSERT_TRUE(chosen);
+  EXPECT_EQ(chosen->model, 0u);
+  EXPECT_FALSE(chosen->is_kept);
+}
+
 TEST(ChooseModel, LooksAtTheBestValleyWhereNothingIsProven) {
   const std::vector<Model> models = {Explaining(0.3, false), Explaining(0.8, false)};
-  const auto best = ChooseModel(models, 0, 0.1, true);
+  const auto best = ChooseModel(models, 0, {100.0, 0.1, true});
   ASSERT_TRUE(best);
   EXPECT_EQ(best->model, 0u);
   EXPECT_FALSE(best->is_kept);
-  EXPECT_FALSE(ChooseModel(models, 0, 0.5, true));  // the best comes first
-  EXPECT_FALSE(ChooseModel(models, 2, 0.1, true));  // no models in this round
+  EXPECT_FALSE(ChooseModel(models, 0, {100.0, 0.5, true}));  // the best comes first
+  EXPECT_FALSE(ChooseModel(models, 2, {100.0, 0.1, true}));  // no models in this round
 }
 
 TEST(Verdict, OfALawIsNoneOfTheAbove) {
