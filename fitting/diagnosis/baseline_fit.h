@@ -14,6 +14,7 @@ namespace clothfit {
 
 inline constexpr int kFirstIterations = 5;  // enough to see which starts and models are worth more
 inline constexpr double kFarOff = 2.0;      // sigmas of residuals
+inline constexpr double kHopeless = 10.0;   // sigmas that no mesh makes up for
 
 // Fits a baseline to the frames that are not held out, with a start state free up to bilinear
 // offsets, on the config's mesh or 13 particles a side, whichever is coarser; where that leaves

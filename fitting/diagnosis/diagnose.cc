@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/ambiguity.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/diagnosis_words.h"
@@ -31,13 +32,10 @@ namespace {
 
 constexpr int kFinestSide = 13;          // particles, where the mesh turns out to matter
 constexpr int kCoarsestSide = 9;         // on coarser meshes amounts come out a tenth wrong
-constexpr double kHopeless = 10.0;       // sigmas that no mesh makes up for
 constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
 constexpr double kCatchesUp = 0.3;       // of what a model gains, the same without its effect
 constexpr int kMostRematches = 2;        // of a diagnosis
 constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
-constexpr double kSameShare = 0.1;       // of what is explained: models nearer than that are equal
-constexpr double kSameSignature = 0.97;  // cosine beyond which two effects are one
 
 class Diagnoser {
  public:
@@ -65,10 +63,9 @@ class Diagnoser {
   void BeginAgain(std::size_t first_model, const FittedScene& better, const HeldOutErrors& errors);
   void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
   Model Describe(const FittedModel& model, const FittedScene& before, const HeldOutErrors& errors);
-  void ProveOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
-                      const ProofStart& start);
-  void FindAmbiguity(const Ranking& ranking, const std::vector<FittedModel>& models,
-                     std::size_t winner, const FittedScene& before);
+  void ProveBestOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
+                          const ProofStart& start);
+  void TellApart(const Ambiguity& ambiguity);
   // A law instead of names, where those explain too little and it explains more.
   void LearnInstead(FittedScene* current);
   // What mesh and step do to the parameters of the answer.
@@ -250,74 +247,23 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
 
 // Where the best of a round is worth it and none is proven, the held-out frames may not be able to
 // tell.
-void Diagnoser::ProveOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
-                               const ProofStart& start) {
+void Diagnoser::ProveBestOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
+                                   const ProofStart& start) {
   const std::optional<Choice> choice =
       ChooseModel(diagnosis_.models, first_model, RulesOf(start.before));
   if (!choice || choice->is_kept || Stopped()) return;
-  const FittedModel& model = models[choice->model - first_model];
-  if (!model.candidate.faults.empty()) return;
-  if (diagnosis_.models[choice->model].proof.improvement_lower95 > 0.0) {
-    Say("fitting recordings of the baseline with " + model.candidate.summary.name, 0.65);
-    const std::optional<HeldOutProof> against = ProveAgainstNull(model, start);
-    Spend("proof against recordings of the baseline");
-    if (against) {
-      Log(fmt::format(
-          "{} gains {:.0f} % as much on recordings of the baseline alone; held out "
-          "{:.4g} -> {:.4g}, where they may tell {:.4g}: {}",
-          model.candidate.summary.name, 100.0 * *against->gain_of_null, against->before,
-          against->after, against->floor, against->is_proven ? "proven" : "not proven"));
-      if (against->is_proven) {
-        diagnosis_.models[choice->model].proof = *against;
-        return;
-      }
-    }
-  }
-  Say("predicting earlier frames with " + model.candidate.summary.name, 0.65);
-  const std::optional<HeldOutProof> proof = ProveEarlier(model, start);
-  Spend("proof on earlier frames");
-  if (!proof) return;
-  Log(fmt::format(
-      "fitted to frames before {} alone, {} predicts those to {} with an error of {:.4g}"
-      ", not {:.4g}: {}",
-      proof->earlier->first, model.candidate.summary.name, proof->earlier->last, proof->after,
-      proof->before, proof->is_proven ? "proven" : "not proven"));
-  if (proof->is_proven) diagnosis_.models[choice->model].proof = *proof;
+  const std::optional<HeldOutProof> proof =
+      ProveOtherwise(models[choice->model - first_model], start);
+  Spend("proof by other means");
+  if (proof) diagnosis_.models[choice->model].proof = *proof;
 }
 
-// Every model of the round that fits about as well as the one that is kept, and what has the same
-// signature without having been fitted.
-void Diagnoser::FindAmbiguity(const Ranking& ranking, const std::vector<FittedModel>& models,
-                              std::size_t winner, const FittedScene& before) {
-  const FittedModel& best = models[winner];
-  const double gained = before.fit.cost_after - best.scene.fit.cost_after;
-  diagnosis_.ambiguity.push_back(best.candidate.summary.name);
-  std::vector<const FittedScene*> like_it = {&best.scene};
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    if (i == winner) continue;
-    const double worse = models[i].scene.fit.cost_after - best.scene.fit.cost_after;
-    // Where both leave next to nothing of a large gain, what they leave decides.
-    const double left = std::max(0.0, best.scene.fit.cost_after - 0.5 * ranking.null_mean);
-    const double mesh = 0.5 * ranking.num_rows * ranking.floor_rms * ranking.floor_rms;
-    if (worse < std::min(kSameShare * gained, 2.0 * (left + mesh))) {
-      diagnosis_.ambiguity.push_back(models[i].candidate.summary.name);
-      // What is put right in the observation moves no cloth.
-      if (models[i].candidate.faults.empty()) like_it.push_back(&models[i].scene);
-    }
-  }
-  if (best.candidate.faults.empty()) {
-    diagnosis_.separating = FindSeparatingMotion(like_it);
-    Spend("separating motion");
-  }
-  if (ranking.residual_rms > kHopeless) return;  // the signatures are those of chaos
-  for (const RankedCandidate& other : ranking.candidates) {
-    const bool is_fitted = std::any_of(models.begin(), models.end(), [&](const FittedModel& m) {
-      return m.candidate.summary.name == other.summary.name;
-    });
-    const bool is_near = other.summary.score > (1.0 - kSameShare) * best.candidate.summary.score &&
-                         ranking.Cosine(other, best.candidate) > kSameSignature;
-    if (!is_fitted && is_near) diagnosis_.ambiguity.push_back(other.summary.name);
-  }
+// What else it could be, and what to record to know.
+void Diagnoser::TellApart(const Ambiguity& ambiguity) {
+  diagnosis_.ambiguity = ambiguity.names;
+  if (ambiguity.fitted.empty()) return;
+  diagnosis_.separating = FindSeparatingMotion(ambiguity.fitted);
+  Spend("separating motion");
 }
 
 Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
@@ -434,7 +380,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   const std::size_t first_model = diagnosis_.models.size();
   for (const FittedModel& model : models)
     diagnosis_.models.push_back(Describe(model, *current, *errors));
-  ProveOtherwise(models, first_model, {*current, *errors, ranking, options_});
+  ProveBestOtherwise(models, first_model, {*current, *errors, ranking, options_});
   const std::optional<Choice> choice =
       ChooseModel(diagnosis_.models, first_model, RulesOf(*current));
   if (!choice) return false;
@@ -446,7 +392,8 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   if (!choice->is_kept) return false;
   Model& described = diagnosis_.models[choice->model];
   described.is_kept = true;
-  if (!diagnosis_.answer) FindAmbiguity(ranking, models, choice->model - first_model, *current);
+  if (!diagnosis_.answer)
+    TellApart(FindAmbiguity(ranking, models, choice->model - first_model, current->fit.cost_after));
   diagnosis_.answer = described;
   diagnosis_.effects = described.effects;
   for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "autodiff_sim/parallel.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/null_residuals.h"
@@ -175,6 +177,33 @@ std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const Pro
   proof.gain_of_null = null->cost / gain;
   proof.is_proven = proof.is_proven && *proof.gain_of_null < 1.0;
   return proof;
+}
+
+std::optional<HeldOutProof> ProveOtherwise(const FittedModel& model, const ProofStart& start) {
+  if (!model.candidate.faults.empty()) return {};
+  const std::string& name = model.candidate.summary.name;
+  const auto say = [&](const std::string& stage) {
+    if (start.options.progress) start.options.progress(stage, 0.65);
+  };
+  const auto log = [&](const std::string& line, const HeldOutProof& proof) {
+    if (start.options.log) start.options.log(line + (proof.is_proven ? "proven" : "not proven"));
+  };
+  say("fitting recordings of the baseline with " + name);
+  if (const std::optional<HeldOutProof> proof = ProveAgainstNull(model, start)) {
+    log(fmt::format("{} gains {:.0f} % as much on recordings of the baseline alone; held out "
+                    "{:.4g} -> {:.4g}, where they may tell {:.4g}: ",
+                    name, 100.0 * *proof->gain_of_null, proof->before, proof->after, proof->floor),
+        *proof);
+    if (proof->is_proven) return proof;
+  }
+  say("predicting earlier frames with " + name);
+  const std::optional<HeldOutProof> proof = ProveEarlier(model, start);
+  if (!proof) return {};
+  log(fmt::format("fitted to frames before {} alone, {} predicts those to {} with an error of "
+                  "{:.4g}, not {:.4g}: ",
+                  proof->earlier->first, name, proof->earlier->last, proof->after, proof->before),
+      *proof);
+  return proof->is_proven ? proof : std::nullopt;
 }
 
 }  // namespace clothfit

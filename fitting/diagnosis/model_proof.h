@@ -22,6 +22,10 @@ struct ProofStart {
 // there are markers, too.
 HeldOutProof ProveOnHeldOut(const FittedModel& model, const ProofStart& start);
 
+// Where the held-out frames alone do not prove it: against recordings of the fit without it, else
+// on earlier frames, both below. Empty where neither proves it, and for faults.
+std::optional<HeldOutProof> ProveOtherwise(const FittedModel& model, const ProofStart& start);
+
 // On the second half of the fitted frames, predicted by both after a fit to the first half alone,
 // begun from where they are. For physics that the held-out frames cannot show either way, since the
 // motion has come to rest by then, or a gust is over. Empty where they do show that the model is

@@ -12,8 +12,6 @@ namespace {
 // Of what is missing, that an effect explains which is there; what only stands for it explains
 // less. From so far off that no fit comes near the null, half has to do.
 constexpr double kMostOfIt = 0.9, kMostFromAfar = 0.5;
-constexpr double kAfar = 10.0;  // sigmas
-
 constexpr double kWorthKeeping = 0.5;  // of what the best of a round gains
 
 bool IsPhysics(const std::string& effect, const Diagnosis& diagnosis) {
@@ -40,7 +38,7 @@ double ShareExplained(double before, double after, double null, double explainab
 }
 
 double MostOfIt(const Diagnosis& diagnosis) {
-  return diagnosis.residual_rms > kAfar ? kMostFromAfar : kMostOfIt;
+  return diagnosis.residual_rms > kHopeless ? kMostFromAfar : kMostOfIt;
 }
 
 std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t first,
