@@ -82,6 +82,7 @@ ModelStart HardlyOn(const FittedModel& model, const FittedScene& without) {
       setting.value = without.values.parameters.at(name).value;
     }
   }
+  start.config.use_silhouettes = without.config.use_silhouettes;
   start.recording = without.scene.recording;
   return start;
 }

@@ -220,14 +220,15 @@ void ModelRace::FinishModels(const FittedScene& current, std::vector<FittedModel
 // that. Where the best leaves more than the null only.
 void ModelRace::BeginAnew(const FittedScene& current, const Ranking& ranking,
                           std::vector<FittedModel>* models) const {
-  constexpr std::size_t kMost = 2;
   if (models->empty() || Stopped()) return;
+  // Far off, every model has begun anew already, before anything was known of its effect.
+  const std::size_t most = ranking.residual_rms < kFarOff ? 2 : 1;
   const double before = current.fit.cost_after, best = models->front().scene.fit.cost_after;
   if (best <= 0.5 * ranking.null_mean) return;
   std::vector<FittedModel*> near;
   for (FittedModel& model : *models) {
     const bool is_near = model.scene.fit.cost_after <= before - kNearBest * (before - best);
-    if (is_near && model.candidate.faults.empty() && near.size() < kMost) near.push_back(&model);
+    if (is_near && model.candidate.faults.empty() && near.size() < most) near.push_back(&model);
   }
   Say("fitting those from another fabric", 0.62);
   constexpr Start kStarts[] = {Start::kPlain, Start::kGuided};
