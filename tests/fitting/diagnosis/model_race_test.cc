@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/model_race.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tracking/synthetic_recording.h"
+
+namespace clothfit {
+namespace {
+
+constexpr double kAddedMass = 0.15;  // kg/m^2, as much as the cloth itself
+constexpr const char* kAnew = "fitting those from another fabric";
+
+// A cloth that takes air along, and what a fit without that makes of it.
+class Race : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    SyntheticOptions options;
+    options.size = {0.5, 0.5};
+    options.resolution = {5, 5};
+    options.markers = {4, 4};
+    options.marker_sigma = 0.001;
+    options.frame_rate = 24.0;
+    options.frame_count = 24;
+    options.parameters = {{"added_mass.normal", kAddedMass}};
+    const Recording recording =
+        WithHeldOutFrames(MakeSyntheticRecording(options).recording, 1.0 / 3.0);
+    told_ = DefaultConfig(recording);
+    for (auto& [name, setting] : told_.parameters) setting.free = false;
+    for (const char* name : {"stretch.stiffness", "bending.stiffness", "air_drag.normal"})
+      told_.parameters.at(name).free = true;
+    current_ = FitAfresh({recording, told_}, Start::kPlain, 10, FitRunner());
+    ASSERT_TRUE(current_);
+    RankedCandidate mass;
+    mass.summary.name = "added_mass";
+    mass.summary.is_short_listed = true;
+    mass.term.name = mass.term.term = "added_mass";
+    mass.names = {"added_mass.normal"};
+    mass.amounts = Eigen::VectorXd::Constant(1, 0.02);
+    ranking_.candidates = {mass};
+    ranking_.residual_rms = 1.5;
+  }
+
+  // The stages that a race went through are added to `stages`.
+  static std::vector<FittedModel> RunRace(double null_mean, std::vector<std::string>* stages) {
+    Ranking ranking = ranking_;
+    ranking.null_mean = null_mean;
+    DiagnosisOptions options;
+    options.progress = [&](const std::string& stage, double) { stages->push_back(stage); };
+    return ModelRace(told_, options).Run(*current_, ranking, 0.0);
+  }
+
+  static inline FitConfig told_;
+  static inline std::optional<FittedScene> current_;
+  static inline Ranking ranking_;
+};
+
+TEST_F(Race, FindsTheAmountFromAFabricThatHadToStandForIt) {
+  std::vector<std::string> stages;
+  const std::vector<FittedModel> models = RunRace(0.0, &stages);
+  ASSERT_EQ(models.size(), 1u);
+  EXPECT_LT(models[0].scene.fit.cost_after, 0.5 * current_->fit.cost_after);
+  EXPECT_NEAR(models[0].scene.values.parameters.at("added_mass.normal").value, kAddedMass,
+              0.2 * kAddedMass);
+  EXPECT_EQ(std::count(stages.begin(), stages.end(), kAnew), 1);
+}
+
+TEST_F(Race, BeginsNothingAnewThatLeavesNoMoreThanTheNull) {
+  std::vector<std::string> stages;
+  const std::vector<FittedModel> models = RunRace(1e12, &stages);
+  ASSERT_EQ(models.size(), 1u);
+  EXPECT_EQ(std::count(stages.begin(), stages.end(), kAnew), 0);
+  std::vector<std::string> others;
+  EXPECT_LE(RunRace(0.0, &others)[0].scene.fit.cost_after, models[0].scene.fit.cost_after);
+}
+
+}  // namespace
+}  // namespace clothfit
