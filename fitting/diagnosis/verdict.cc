@@ -3,6 +3,7 @@
 #include "fitting/diagnosis/verdict.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fitting/diagnosis/baseline_fit.h"
 
@@ -10,7 +11,7 @@ namespace clothfit {
 namespace {
 
 // Of what is missing, that an effect explains which is there; what only stands for it explains
-// less. From so far off that no fit comes near the null, half has to do.
+// less. Where even a fit with it comes nowhere near the null, half has to do.
 constexpr double kMostOfIt = 0.9, kMostFromAfar = 0.5;
 constexpr double kWorthKeeping = 0.5;  // of what the best of a round gains
 
@@ -38,7 +39,10 @@ double ShareExplained(double before, double after, double null, double explainab
 }
 
 double MostOfIt(const Diagnosis& diagnosis) {
-  return diagnosis.residual_rms > kHopeless ? kMostFromAfar : kMostOfIt;
+  double left = diagnosis.residual_rms;
+  if (diagnosis.answer && diagnosis.baseline_fit.cost_after > 0.0)
+    left *= std::sqrt(diagnosis.answer->cost / diagnosis.baseline_fit.cost_after);
+  return left > kHopeless ? kMostFromAfar : kMostOfIt;
 }
 
 std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t first,

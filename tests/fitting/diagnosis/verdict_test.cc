@@ -30,9 +30,19 @@ TEST(Verdict, NamesPhysicsThatExplainsMostOfIt) {
   diagnosis.effects = {"camera cam0: pose", "wind"};
   EXPECT_EQ(VerdictOf(diagnosis, 0.95, true), Verdict::kNamed);
   EXPECT_EQ(VerdictOf(diagnosis, 0.85, true), Verdict::kNoneOfTheAbove);
-  diagnosis.residual_rms = 20.0;  // no fit comes near the null from there
+}
+
+TEST(Verdict, NamesWhatExplainsHalfWhereNoFitComesNearTheNull) {
+  Diagnosis diagnosis = Unexplained();
+  diagnosis.effects = {"wind"};
+  diagnosis.residual_rms = 20.0;
+  diagnosis.baseline_fit.cost_after = 1000.0;
+  diagnosis.answer.emplace();
+  diagnosis.answer->cost = 400.0;  // 12.6 sigmas
   EXPECT_EQ(VerdictOf(diagnosis, 0.6, true), Verdict::kNamed);
   EXPECT_EQ(VerdictOf(diagnosis, 0.4, true), Verdict::kNoneOfTheAbove);
+  diagnosis.answer->cost = 200.0;  // 8.9 sigmas
+  EXPECT_EQ(VerdictOf(diagnosis, 0.6, true), Verdict::kNoneOfTheAbove);
 }
 
 TEST(Verdict, BlamesTheObservationWhereNothingElseWasFound) {
