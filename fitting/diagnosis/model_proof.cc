@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kBlockSeconds = 0.2;  // of the bootstrap
 constexpr int kFewestFrames = 8;       // in each half, to be worth it
+constexpr double kAsGood = 1.05;       // times the held-out error without the model
 constexpr int kMostNullRows = 20000;   // of the derivatives that recordings are drawn by
 
 bool HasTracksOf(const Scene& scene, int camera) {
@@ -152,7 +153,9 @@ std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofSt
   const bool is_in_pixels = scene.markers.empty();
   const HeldOutFloor floor = FloorOf(model, is_in_pixels, start);
   const HeldOutProof worse = ProveBy(model.errors, start.errors, is_in_pixels, floor, start);
-  if (worse.improvement_lower95 > 0.0) return {};
+  const bool speak_against =
+      worse.improvement_lower95 > 0.0 || model.errors.Rms() > kAsGood * start.errors.Rms();
+  if (speak_against) return {};
   const std::optional<FittedScene> before = FitUntil(first, start.before, start.options);
   const std::optional<FittedScene> after = FitUntil(first, model.scene, start.options);
   if (!before || !after) return {};

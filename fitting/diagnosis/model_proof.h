@@ -29,7 +29,8 @@ std::optional<HeldOutProof> ProveOtherwise(const FittedModel& model, const Proof
 // On the second half of the fitted frames, predicted by both after a fit to the first half alone,
 // begun from where they are. For physics that the held-out frames cannot show either way, since the
 // motion has come to rest by then, or a gust is over. Empty where they do show that the model is
-// worse, where they are not the last ones, and where a fit fails.
+// worse, or where its error is higher there by a twentieth, where they are not the last ones, and
+// where a fit fails.
 std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofStart& start);
 
 // Against recordings of the fit without the model, simulated finer (TwinRecording): both are fitted
