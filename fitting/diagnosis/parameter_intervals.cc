@@ -3,6 +3,7 @@
 #include "fitting/diagnosis/parameter_intervals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fitting/diagnosis/null_residuals.h"
@@ -13,6 +14,8 @@ namespace {
 
 constexpr double k90 = 1.645, k95 = 1.96;  // sigmas
 constexpr int kDraws = 3;
+// 95 % of Student's t by degrees of freedom, from 1 on.
+constexpr std::array<double, kDraws> kStudent = {6.314, 2.920, 2.353};
 constexpr int kMostRows = 20000;
 
 }  // namespace
@@ -45,18 +48,22 @@ NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t 
   for (const Eigen::VectorXd& draw : draws)
     shifts.rms += draw.cwiseAbs2() / static_cast<double>(draws.size());
   shifts.rms = shifts.rms.cwiseSqrt();
+  shifts.draws = static_cast<int>(draws.size());
   return shifts;
 }
 
 void Widen(const NumericalShifts& shifts, const FitConfig& config,
            std::vector<EffectParameter>* parameters) {
+  if (shifts.draws == 0) return;
+  const int most = static_cast<int>(kStudent.size());
+  const double quantile = kStudent[static_cast<std::size_t>(std::min(shifts.draws, most) - 1)];
   for (EffectParameter& p : *parameters) {
     const auto entry =
         std::find_if(shifts.entries.begin(), shifts.entries.end(), [&](const FreeEntry& e) {
           return e.kind == FreeEntry::Kind::kParameter && e.name == p.name;
         });
     if (entry == shifts.entries.end()) continue;
-    const double half = k90 * shifts.rms[entry - shifts.entries.begin()];
+    const double half = quantile * shifts.rms[entry - shifts.entries.begin()];
     const ParameterSetting& bounds = config.parameters.at(p.name);
     const bool is_log = entry->is_log && p.lower90 > 0.0;
     const auto moved = [&](double end, double sign) {

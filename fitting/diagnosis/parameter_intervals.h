@@ -26,11 +26,13 @@ std::vector<EffectParameter> EstimatesOf(const FittedScene& fitted,
 struct NumericalShifts {
   std::vector<FreeEntry> entries;
   Eigen::VectorXd rms;
+  int draws = 0;  // simulations that it is known from
 };
 NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t seed);
 
 // Adds what mesh and step do to the intervals' halves, in squares: which way they push a fit of
-// this recording is known for the simulations only. Bounds are those of the config.
+// this recording is known for the simulations only, and by so few of them not well how far
+// (Student 1908). Bounds are those of the config.
 void Widen(const NumericalShifts& shifts, const FitConfig& config,
            std::vector<EffectParameter>* parameters);
 

@@ -9,14 +9,14 @@
 namespace clothfit {
 namespace {
 
-constexpr double k90 = 1.645;
+constexpr double k90 = 2.353;  // Student's t of 3
 
 NumericalShifts ShiftOf(const char* name, bool is_log, double rms) {
   FreeEntry entry{};
   entry.kind = FreeEntry::Kind::kParameter;
   entry.name = name;
   entry.is_log = is_log;
-  return {{entry}, Eigen::VectorXd::Constant(1, rms)};
+  return {{entry}, Eigen::VectorXd::Constant(1, rms), 3};
 }
 
 FitConfig Bounded(const char* name, double lower, double upper) {
@@ -54,6 +54,23 @@ TEST(ParameterIntervals, StayWhereNothingIsKnownOfAParameter) {
   Widen(ShiftOf("wind.x", false, 1.0), Bounded("wind.x", -10.0, 10.0), &parameters);
   EXPECT_EQ(parameters[0].lower90, 0.008);
   EXPECT_EQ(parameters[0].upper90, 0.012);
+}
+
+TEST(ParameterIntervals, AreWiderTheFewerSimulationsAreKnown) {
+  const FitConfig config = Bounded("wind.x", -100.0, 100.0);
+  NumericalShifts shifts = ShiftOf("wind.x", false, 1.0);
+  double last = 0.0;
+  for (const int draws : {3, 2, 1}) {
+    shifts.draws = draws;
+    std::vector<EffectParameter> parameters = {{"wind.x", "m/s", 1.0, 1.0, 1.0}};
+    Widen(shifts, config, &parameters);
+    EXPECT_GT(parameters[0].upper90 - parameters[0].lower90, last);
+    last = parameters[0].upper90 - parameters[0].lower90;
+  }
+  shifts.draws = 0;  // none came to its end
+  std::vector<EffectParameter> parameters = {{"wind.x", "m/s", 1.0, 0.5, 1.5}};
+  Widen(shifts, config, &parameters);
+  EXPECT_EQ(parameters[0].upper90, 1.5);
 }
 
 }  // namespace
