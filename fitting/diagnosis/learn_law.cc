@@ -10,6 +10,7 @@
 
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/named_parameter.h"
 
 namespace clothfit {
 namespace {
@@ -139,17 +140,15 @@ std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const Ranking& r
 std::string LawFormula(const LearnedFit& law, const Extent& extent) {
   std::map<std::string, std::string> sums;
   std::vector<std::string> order;
-  const std::vector<NamedParameter> table = MakeParameterTable();
   for (const std::string& full : law.names) {
     const std::string term = full.substr(0, full.find('.')), name = full.substr(term.size() + 1);
     const double value = law.scene.values.parameters.at(full).value;
     const std::string feature = FeatureOf(law.scene.values, term, name);
     std::string& sum = sums[LeftSide(term, name)];
     if (sum.empty()) order.push_back(LeftSide(term, name));
-    sum += fmt::format("{}{:.3g} {}{}",
-                       sum.empty() ? (value < 0.0 ? "-" : "") : (value < 0.0 ? " - " : " + "),
-                       std::abs(value), table[FindParameter(table, full)].parameter.unit,
-                       feature.empty() ? "" : " " + feature);
+    sum += fmt::format(
+        "{}{:.3g} {}{}", sum.empty() ? (value < 0.0 ? "-" : "") : (value < 0.0 ? " - " : " + "),
+        std::abs(value), ParameterNamed(full).unit, feature.empty() ? "" : " " + feature);
   }
   std::string words;
   for (const std::string& left : order)

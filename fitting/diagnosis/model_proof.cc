@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/parallel.h"
-#include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/named_parameter.h"
 #include "fitting/diagnosis/null_residuals.h"
 
 namespace clothfit {
@@ -71,13 +71,12 @@ std::optional<FittedScene> FitUntil(int first, const FittedScene& fitted,
 ModelStart HardlyOn(const FittedModel& model, const FittedScene& without) {
   constexpr double kOfAmounts = 0.1;
   ModelStart start = GoOn(model.scene);
-  const std::vector<NamedParameter> table = MakeParameterTable();
   for (auto& [name, setting] : start.config.parameters) {
     const std::vector<std::string>& amounts = model.candidate.names;
     const bool is_own = std::find(amounts.begin(), amounts.end(), name) != amounts.end();
     const ParameterSetting& other = without.config.parameters.at(name);
     if (is_own) {
-      const double off = table[FindParameter(table, name)].parameter.off;
+      const double off = ParameterNamed(name).off;
       setting.value = off + kOfAmounts * (setting.value - off);
     } else if (other.free) {
       setting.value = without.values.parameters.at(name).value;

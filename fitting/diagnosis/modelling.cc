@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/named_parameter.h"
 
 namespace clothfit {
 namespace {
@@ -111,10 +112,9 @@ ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
     start.recording = WithoutFaults(fitted.scene.recording, faults, amounts);
     return start;
   }
-  const std::vector<NamedParameter> table = MakeParameterTable();
   for (std::size_t i = 0; i < candidate.names.size(); ++i) {
     ParameterSetting& setting = start.config.parameters.at(candidate.names[i]);
-    const Parameter& parameter = table[FindParameter(table, candidate.names[i])].parameter;
+    const Parameter parameter = ParameterNamed(candidate.names[i]);
     const double amount = candidate.amounts[static_cast<Eigen::Index>(i)];
     // The amounts of logarithms are changes of them.
     const double value = parameter.scale == Scale::kLog && parameter.off > 0.0
@@ -139,10 +139,9 @@ ModelStart GoOn(const FittedScene& model) {
 
 ModelStart GoOnWithout(const FittedScene& model, const std::vector<std::string>& names) {
   ModelStart start = GoOn(model);
-  const std::vector<NamedParameter> table = MakeParameterTable();
   for (const std::string& name : names) {
     ParameterSetting& setting = start.config.parameters.at(name);
-    setting.value = table[FindParameter(table, name)].parameter.off;
+    setting.value = ParameterNamed(name).off;
     setting.free = false;
   }
   return start;

@@ -4,22 +4,20 @@
 
 #include <algorithm>
 
-#include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/named_parameter.h"
 #include "tracking/text.h"
 
 namespace clothfit {
 
 bool IsOrdinary(const RankedCandidate& candidate) {
   if (candidate.summary.kind != CandidateKind::kPhysics) return false;
-  const std::vector<NamedParameter> table = MakeParameterTable();
   return std::any_of(candidate.names.begin(), candidate.names.end(), [&](const std::string& name) {
-    const Parameter& parameter = table[FindParameter(table, name)].parameter;
+    const Parameter parameter = ParameterNamed(name);
     return parameter.initial != parameter.off;
   });
 }
 
 RankedCandidate Together(const Ranking& ranking, const std::vector<std::string>& names) {
-  const std::vector<NamedParameter> table = MakeParameterTable();
   RankedCandidate together;
   together.parts = names;
   together.summary.name = together.term.name = JoinNames(names);
@@ -36,7 +34,7 @@ RankedCandidate Together(const Ranking& ranking, const std::vector<std::string>&
   together.sigma.setZero(size);
   for (Eigen::Index i = 0; i < size; ++i) {
     const std::string& name = together.names[static_cast<std::size_t>(i)];
-    together.amounts[i] = table[FindParameter(table, name)].parameter.initial;
+    together.amounts[i] = ParameterNamed(name).initial;
   }
   return together;
 }

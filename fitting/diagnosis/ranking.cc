@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/named_parameter.h"
 
 namespace clothfit {
 namespace {
@@ -327,8 +327,7 @@ void Ranker::ShortList(Ranking* ranking) const {
       if (summary.kind == CandidateKind::kObservation) {
         unit = faults_[candidate.faults[k]].unit;
       } else {
-        const std::vector<NamedParameter> table = MakeParameterTable();
-        unit = table[FindParameter(table, candidate.names[k])].parameter.unit;
+        unit = ParameterNamed(candidate.names[k]).unit;
       }
       summary.parameters.push_back({candidate.names[k], unit, value, value - half, value + half});
     }
