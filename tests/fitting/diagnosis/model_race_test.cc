@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tracking/synthetic_recording.h"
+#include "tests/support/small_recording.h"
 
 namespace clothfit {
 namespace {
@@ -19,16 +19,8 @@ constexpr const char* kAnew = "fitting those from another fabric";
 class Race : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    SyntheticOptions options;
-    options.size = {0.5, 0.5};
-    options.resolution = {5, 5};
-    options.markers = {4, 4};
-    options.marker_sigma = 0.001;
-    options.frame_rate = 24.0;
-    options.frame_count = 24;
-    options.parameters = {{"added_mass.normal", kAddedMass}};
     const Recording recording =
-        WithHeldOutFrames(MakeSyntheticRecording(options).recording, 1.0 / 3.0);
+        MakeSmallRecording({5, 30, 0.001, {{"added_mass.normal", kAddedMass}}});
     told_ = DefaultConfig(recording);
     for (auto& [name, setting] : told_.parameters) setting.free = false;
     for (const char* name : {"stretch.stiffness", "bending.stiffness", "air_drag.normal"})
