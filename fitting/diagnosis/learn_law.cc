@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/parallel.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/named_parameter.h"
@@ -15,7 +16,7 @@
 namespace clothfit {
 namespace {
 
-constexpr int kFamiliesFitted = 2;
+constexpr std::size_t kFamiliesFitted = 2;
 constexpr int kMostFamilies = 2;  // at once
 constexpr int kIterations = 8;
 constexpr double kWorthMore = 0.2;  // share of the cost that another family has to take away
@@ -67,6 +68,16 @@ std::optional<FittedScene> FitFamily(const FittedScene& baseline, const RankedCa
   return model;
 }
 
+std::vector<RankedCandidate> FamiliesToFit(const Ranking& ranked) {
+  std::vector<RankedCandidate> families;
+  for (const RankedCandidate& family : ranked.candidates) {
+    const bool is_law = family.summary.kind == CandidateKind::kPhysics;
+    if (is_law && family.summary.is_short_listed && families.size() < kFamiliesFitted)
+      families.push_back(family);
+  }
+  return families;
+}
+
 // "x - 0.1 m" without a sign of its own.
 std::string Offset(const char* axis, double middle) {
   return middle == 0.0
@@ -111,18 +122,21 @@ std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const Ranking& r
   const FitRunner runner(options);
   for (int round = 0; round < kMostFamilies && !runner.IsStopped(); ++round) {
     const FittedScene& from = law ? law->scene : baseline;
+    // No more is left than where nothing is missing.
+    if (law && from.fit.cost_after <= 0.5 * ranking.null_mean) break;
     const Ranking ranked = RankCandidates(from, options, laws);
+    const std::vector<RankedCandidate> families = FamiliesToFit(ranked);
+    std::vector<std::optional<FittedScene>> models(families.size());
+    ParallelFor(static_cast<int>(families.size()), NumThreads(0), [&](int i, int) {
+      const auto k = static_cast<std::size_t>(i);
+      models[k] = FitFamily(from, families[k], ranked, options);
+    });
     std::optional<FittedScene> best;
     std::string best_term;
-    int fitted = 0;
-    for (const RankedCandidate& family : ranked.candidates) {
-      const bool is_law = family.summary.kind == CandidateKind::kPhysics;
-      if (!is_law || !family.summary.is_short_listed || fitted == kFamiliesFitted) continue;
-      ++fitted;
-      std::optional<FittedScene> model = FitFamily(from, family, ranked, options);
-      if (!model || (best && model->fit.cost_after >= best->fit.cost_after)) continue;
-      best = std::move(model);
-      best_term = family.term.term;
+    for (std::size_t k = 0; k < models.size(); ++k) {
+      if (!models[k] || (best && models[k]->fit.cost_after >= best->fit.cost_after)) continue;
+      best = std::move(models[k]);
+      best_term = families[k].term.term;
     }
     const double needed = (law ? 1.0 - kWorthMore : 1.0) * from.fit.cost_after;
     if (!best || best->fit.cost_after >= needed) break;
