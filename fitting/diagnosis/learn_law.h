@@ -22,7 +22,8 @@ struct LearnedFit {
 
 // Scores the families of features as candidates are scored, fits the best two, takes out of the
 // better one what its own 95 % intervals hold for nothing, and fits again until all that is left is
-// something; then looks for a second family beside it. Nothing where no family passes the null.
+// something; then looks for a second family beside it, unless the first leaves no more than the
+// null. Nothing where no family passes the null.
 std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const Ranking& ranking,
                                    const DiagnosisOptions& options);
 
