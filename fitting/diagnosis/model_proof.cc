@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/parallel.h"
+#include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/named_parameter.h"
 #include "fitting/diagnosis/null_residuals.h"
 
@@ -168,7 +169,8 @@ std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const Pro
   const Scene& scene = model.scene.scene;
   const bool is_in_pixels = scene.markers.empty();
   if (is_in_pixels && scene.tracks.empty()) return {};
-  if (start.ranking.floor_rms > start.ranking.residual_rms) return {};
+  const double off = start.ranking.residual_rms;
+  if (start.ranking.floor_rms > off || off > kHopeless) return {};
   if (!ProveBy(start.errors, model.errors, is_in_pixels, {}, start).is_proven) return {};
   const std::optional<NullGain> null = GainOfNull(model, start);
   const double gain = start.before.fit.cost_after - model.scene.fit.cost_after;
