@@ -38,8 +38,8 @@ std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofSt
 // improvement is less than what mesh and step do to the prediction itself, which is mostly the same
 // in both. Proven is what gains more in the fitted frames than in any of them, and whose prediction
 // improves by more. Empty where there are neither markers nor tracks, where mesh and step alone
-// leave more than the recording does, where the prediction does not improve, and where every fit
-// fails.
+// leave more than the recording does or the fit is hopelessly far off, where the prediction does
+// not improve, and where every fit fails.
 std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const ProofStart& start);
 
 }  // namespace clothfit

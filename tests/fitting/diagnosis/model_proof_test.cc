@@ -124,6 +124,9 @@ TEST_F(ProofAgainstNull, IsNotAskedForWhereMeshAndStepLeaveMore) {
   rough.residual_rms = 1.2;
   rough.floor_rms = 1.3;
   EXPECT_FALSE(ProveAgainstNull(model_, {*before_, errors_, rough, options_}));
+  Ranking far;
+  far.residual_rms = 16.0;  // fits from there compare nothing
+  EXPECT_FALSE(ProveAgainstNull(model_, {*before_, errors_, far, options_}));
 }
 
 TEST_F(ProofAgainstNull, IsNotAskedForWhereThePredictionDoesNotImprove) {
