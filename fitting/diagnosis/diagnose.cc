@@ -135,13 +135,11 @@ bool IsSuspicious(const Ranking& ranking) {
 
 // Does one candidate stand so far out that an error of the mesh cannot be mistaken for it?
 bool IsObvious(const Ranking& ranking) {
-  constexpr double kFarOut = 3.0;  // times what the null passes for
-  return std::any_of(ranking.candidates.begin(), ranking.candidates.end(),
-                     [&](const RankedCandidate& c) {
-                       const double limit = c.summary.detection_limit;
-                       return c.summary.is_short_listed && c.summary.share >= 0.5 && limit > 0.0 &&
-                              c.amounts.norm() >= kFarOut * limit;
-                     });
+  constexpr double kFarOut = 3.0;  // detection limits
+  return std::any_of(
+      ranking.candidates.begin(), ranking.candidates.end(), [&](const RankedCandidate& c) {
+        return c.summary.is_short_listed && c.summary.share >= 0.5 && c.Exceeds(kFarOut);
+      });
 }
 
 // Do mesh and step make much of what is left?

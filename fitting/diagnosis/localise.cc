@@ -15,7 +15,6 @@ namespace clothfit {
 namespace {
 
 constexpr int kLongestSide = 11;      // particles: a force that is even over patches needs no more
-constexpr int kMostRows = 20000;      // of residuals
 constexpr int kMostKnots = 24;        // in time
 constexpr double kKnotSpacing = 0.1;  // s, at least
 constexpr int kLinearisations = 3;    // at most

@@ -20,8 +20,6 @@ namespace {
 
 constexpr double kBlockSeconds = 0.2;  // of the bootstrap
 constexpr int kFewestFrames = 8;       // in each half, to be worth it
-constexpr double kAsGood = 1.05;       // times the held-out error without the model
-constexpr int kMostNullRows = 20000;   // of the derivatives that recordings are drawn by
 
 bool HasTracksOf(const Scene& scene, int camera) {
   return std::any_of(scene.tracks.begin(), scene.tracks.end(),
@@ -71,20 +69,17 @@ std::optional<FittedScene> FitUntil(int first, const FittedScene& fitted,
 // The model, put on the fit without it: a tenth of its amounts, so that it is neither off nor far.
 ModelStart HardlyOn(const FittedModel& model, const FittedScene& without) {
   constexpr double kOfAmounts = 0.1;
-  ModelStart start = GoOn(model.scene);
-  for (auto& [name, setting] : start.config.parameters) {
-    const std::vector<std::string>& amounts = model.candidate.names;
-    const bool is_own = std::find(amounts.begin(), amounts.end(), name) != amounts.end();
-    const ParameterSetting& other = without.config.parameters.at(name);
-    if (is_own) {
-      const double off = ParameterNamed(name).off;
-      setting.value = off + kOfAmounts * (setting.value - off);
-    } else if (other.free) {
-      setting.value = without.values.parameters.at(name).value;
-    }
+  const ModelStart on = GoOn(model.scene);
+  ModelStart start = GoOn(without);
+  const auto take_over = [&](const std::string& name) -> ParameterSetting& {
+    return start.config.parameters.at(name) = on.config.parameters.at(name);
+  };
+  for (const std::string& name : model.candidate.names) {
+    ParameterSetting& setting = take_over(name);
+    const double off = ParameterNamed(name).off;
+    setting.value = off + kOfAmounts * (setting.value - off);
   }
-  start.config.use_silhouettes = without.config.use_silhouettes;
-  start.recording = without.scene.recording;
+  for (const auto& [name, value] : model.candidate.probe) take_over(name);
   return start;
 }
 
@@ -97,13 +92,10 @@ struct NullGain {
 std::optional<NullGain> GainOfNull(const FittedModel& model, const ProofStart& start) {
   constexpr int kTwins = 3, kTwinIterations = 2 * kModelIterations;
   const FitRunner runner(start.options);
-  const ObservationResiduals observations(start.before.scene, start.before.config);
-  const RowFrames frames(start.before.scene, observations, kMostNullRows);
-  const std::optional<Rows> rows =
-      EvaluateRows(start.before, BaselinePass(start.before), frames, {});
-  if (!rows) return {};
+  const std::optional<LinearisedFit> linear = Linearise(start.before);
+  if (!linear) return {};
   const std::vector<FittedScene> drawn =
-      DrawNearFit(start.before, *rows, kTwins, start.options.seed);
+      DrawNearFit(start.before, linear->rows, kTwins, start.options.seed);
   std::vector<std::optional<NullGain>> gains(drawn.size());
   ParallelFor(static_cast<int>(drawn.size()), NumThreads(0), [&](int i, int) {
     const auto k = static_cast<std::size_t>(i);
@@ -172,9 +164,10 @@ std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const Pro
   const double off = start.ranking.residual_rms;
   if (start.ranking.floor_rms > off || off > kHopeless) return {};
   if (!ProveBy(start.errors, model.errors, is_in_pixels, {}, start).is_proven) return {};
-  const std::optional<NullGain> null = GainOfNull(model, start);
   const double gain = start.before.fit.cost_after - model.scene.fit.cost_after;
-  if (!null || !(gain > 0.0)) return {};
+  if (!(gain > 0.0)) return {};
+  const std::optional<NullGain> null = GainOfNull(model, start);
+  if (!null) return {};
   // The recordings have their noise, too.
   const double by_chance = std::sqrt(std::max(0.0, null->held_out));
   HeldOutProof proof = ProveBy(start.errors, model.errors, is_in_pixels, {0.0, by_chance}, start);

@@ -21,7 +21,6 @@ constexpr int kMoreHeats = 3;         // of the best, until it converges
 constexpr double kNearBest = 0.9;     // of what the best gains: it may come first yet
 constexpr double kAlmostAsLow = 1.2;  // times the lowest cost: of a large gain any model is near
 constexpr double kIdle = 0.1;         // of what a model gains, that it may lose without a part
-constexpr double kAsGood = 1.05;      // times the held-out error with the part
 constexpr double kStillInRace = 0.5;  // of what the best has gained by then
 
 // All cores; the numbers are the same for any.

@@ -192,17 +192,17 @@ std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& base
   return scenes;
 }
 
-std::vector<Eigen::VectorXd> MeasureShifts(const FittedScene& fitted, const RowFrames& frames,
-                                           const Rows& baseline, int draws, std::uint64_t seed) {
-  const std::vector<FittedScene> scenes = DrawNearFit(fitted, baseline, draws, seed);
+std::vector<Eigen::VectorXd> MeasureShifts(const FittedScene& fitted, const LinearisedFit& linear,
+                                           int draws, std::uint64_t seed) {
+  const std::vector<FittedScene> scenes = DrawNearFit(fitted, linear.rows, draws, seed);
   const Eigen::VectorXd nowhere =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(baseline.entries.size()));
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(linear.rows.entries.size()));
   std::vector<std::optional<Refit>> refits(scenes.size());
   ParallelFor(static_cast<int>(scenes.size()), NumThreads(0), [&](int i, int) {
     const auto k = static_cast<std::size_t>(i);
     const std::optional<Eigen::VectorXd> fine =
-        ResidualsOfOtherSteps(Finer(scenes[k], true, true), scenes[k], frames);
-    if (fine) refits[k] = FitAgain(scenes[k], frames, baseline, *fine, nowhere);
+        ResidualsOfOtherSteps(Finer(scenes[k], true, true), scenes[k], linear.frames);
+    if (fine) refits[k] = FitAgain(scenes[k], linear.frames, linear.rows, *fine, nowhere);
   });
   std::vector<Eigen::VectorXd> shifts;
   for (const std::optional<Refit>& refit : refits) {

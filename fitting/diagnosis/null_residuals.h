@@ -50,10 +50,10 @@ std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& base
                                      std::uint64_t seed);
 
 // How far the free vector of a fit ends from where it should for mesh and step: the scenes drawn,
-// simulated finer, and fitted again. One vector (entries of `baseline`, in their own scale) a draw;
+// simulated finer, and fitted again. One vector (entries of the rows, in their own scale) a draw;
 // fewer where a fit fails.
-std::vector<Eigen::VectorXd> MeasureShifts(const FittedScene& fitted, const RowFrames& frames,
-                                           const Rows& baseline, int draws, std::uint64_t seed);
+std::vector<Eigen::VectorXd> MeasureShifts(const FittedScene& fitted, const LinearisedFit& linear,
+                                           int draws, std::uint64_t seed);
 
 // The recording with its markers and tracks where the scene has them, simulated finer, with their
 // noise; masks are left out. Nothing is missing in it that the scene does not lack. Empty where it

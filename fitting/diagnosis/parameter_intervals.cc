@@ -16,13 +16,13 @@ constexpr double k90 = 1.645, k95 = 1.96;  // sigmas
 constexpr int kDraws = 3;
 // 95 % of Student's t by degrees of freedom, from 1 on.
 constexpr std::array<double, kDraws> kStudent = {6.314, 2.920, 2.353};
-constexpr int kMostRows = 20000;
 
 }  // namespace
 
 std::vector<EffectParameter> EstimatesOf(const FittedScene& fitted,
                                          const std::vector<std::string>& names) {
   std::vector<EffectParameter> parameters;
+  if (names.empty()) return parameters;
   // The fit takes residuals for independent.
   const double wider = k90 / k95 * std::sqrt(ResidualCorrelationTime(fitted));
   for (const ParameterEstimate& estimate : fitted.fit.estimates) {
@@ -38,13 +38,11 @@ std::vector<EffectParameter> EstimatesOf(const FittedScene& fitted,
 
 NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t seed) {
   NumericalShifts shifts;
-  const ObservationResiduals observations(fitted.scene, fitted.config);
-  const RowFrames frames(fitted.scene, observations, kMostRows);
-  const std::optional<Rows> rows = EvaluateRows(fitted, BaselinePass(fitted), frames, {});
-  if (!rows) return shifts;
-  shifts.entries = rows->entries;
-  shifts.rms = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows->entries.size()));
-  const std::vector<Eigen::VectorXd> draws = MeasureShifts(fitted, frames, *rows, kDraws, seed);
+  const std::optional<LinearisedFit> linear = Linearise(fitted);
+  if (!linear) return shifts;
+  shifts.entries = linear->rows.entries;
+  shifts.rms = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(shifts.entries.size()));
+  const std::vector<Eigen::VectorXd> draws = MeasureShifts(fitted, *linear, kDraws, seed);
   for (const Eigen::VectorXd& draw : draws)
     shifts.rms += draw.cwiseAbs2() / static_cast<double>(draws.size());
   shifts.rms = shifts.rms.cwiseSqrt();

@@ -17,9 +17,9 @@
 namespace clothfit {
 namespace {
 
-constexpr int kMostRows = 20000;
 constexpr int kMostProbes = 8;         // of a candidate, in the first round
 constexpr int kRefined = 5;            // candidates whose places and shapes are looked at again
+constexpr double kStandsOut = 2.0;     // detection limits
 constexpr double kLargestFault = 2.0;  // sigmas of those that go unremarked, one sigma
 
 // One candidate at one probe, and where its columns are.
@@ -229,13 +229,6 @@ void Ranker::Refine() {
 
 double ShareOf(double score, double left) { return left > 0.0 ? std::min(1.0, score / left) : 0.0; }
 
-// Is there far more of it than the null passes for?
-bool StandsOut(const RankedCandidate& candidate) {
-  constexpr double kFarOut = 2.0;  // detection limits
-  const double limit = candidate.summary.detection_limit;
-  return limit > 0.0 && candidate.amounts.norm() >= kFarOut * limit;
-}
-
 // p-value and detection limit from the scores that the null gave the same candidate.
 void Ranker::Judge(const Projection& projection, const std::vector<double>& null_scores,
                    RankedCandidate* candidate) const {
@@ -333,7 +326,8 @@ void Ranker::ShortList(Ranking* ranking) const {
     }
     if (summary.q_value > options_.false_discovery) {
       summary.why_not = fmt::format("the null does as much with p = {:.2g}", summary.p_value);
-    } else if (is_far_off && summary.kind == CandidateKind::kObservation && !StandsOut(candidate)) {
+    } else if (is_far_off && summary.kind == CandidateKind::kObservation &&
+               !candidate.Exceeds(kStandsOut)) {
       // A fit in a wrong valley errs by more, and otherwise, than the null tells.
       summary.why_not = "the fit is far off, and it does not stand out of the null";
     } else if (summary.share < options_.least_share) {
@@ -455,7 +449,7 @@ Ranking Ranker::Run() {
     Judge(projection, null_scores, &candidate);
     // What stands out by its pattern is there to be explained, however much mesh and step may
     // leave.
-    if (StandsOut(candidate))
+    if (candidate.Exceeds(kStandsOut))
       ranking.explainable = std::max(ranking.explainable, candidate.summary.score);
     ranking.candidates.push_back(std::move(candidate));
   }

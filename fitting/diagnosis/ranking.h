@@ -27,6 +27,12 @@ struct RankedCandidate {
   std::vector<int> faults;         // indices into Ranking::faults, observation only
   std::vector<std::string> parts;  // effects that it stands for together; none: itself
 
+  // Is there so many times more of it than the null passes for?
+  bool Exceeds(double detection_limits) const {
+    const double limit = summary.detection_limit;
+    return limit > 0.0 && amounts.norm() >= detection_limits * limit;
+  }
+
   std::vector<std::string> Effects() const {
     return parts.empty() ? std::vector<std::string>{summary.name} : parts;
   }

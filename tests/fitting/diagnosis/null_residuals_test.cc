@@ -53,15 +53,12 @@ class Twins : public testing::Test {
     config.parameters.at("air_drag.normal").free = true;
     fitted_ = FitAfresh({recording, config}, Start::kPlain, 6, FitRunner());
     ASSERT_TRUE(fitted_);
-    const ObservationResiduals observations(fitted_->scene, fitted_->config);
-    frames_.emplace(fitted_->scene, observations, 20000);
-    rows_ = EvaluateRows(*fitted_, BaselinePass(*fitted_), *frames_, {});
-    ASSERT_TRUE(rows_);
+    linear_ = Linearise(*fitted_);
+    ASSERT_TRUE(linear_);
   }
 
   static inline std::optional<FittedScene> fitted_;
-  static inline std::optional<RowFrames> frames_;
-  static inline std::optional<Rows> rows_;
+  static inline std::optional<LinearisedFit> linear_;
 };
 
 TEST_F(Twins, ShowTheSamePointsOfTheClothWhereTheFitHasThemWithNoise) {
@@ -92,7 +89,7 @@ TEST_F(Twins, ShowTheSamePointsOfTheClothWhereTheFitHasThemWithNoise) {
 }
 
 TEST_F(Twins, AreDrawnNearTheFit) {
-  const std::vector<FittedScene> drawn = DrawNearFit(*fitted_, *rows_, 4, 1);
+  const std::vector<FittedScene> drawn = DrawNearFit(*fitted_, linear_->rows, 4, 1);
   ASSERT_EQ(drawn.size(), 4u);
   const double value = fitted_->values.parameters.at("air_drag.normal").value;
   double furthest = 0.0;
@@ -105,14 +102,14 @@ TEST_F(Twins, AreDrawnNearTheFit) {
 }
 
 TEST_F(Twins, AreFittedElsewhereThanTheyWereMade) {
-  const std::vector<Eigen::VectorXd> shifts = MeasureShifts(*fitted_, *frames_, *rows_, 2, 1);
+  const std::vector<Eigen::VectorXd> shifts = MeasureShifts(*fitted_, *linear_, 2, 1);
   ASSERT_EQ(shifts.size(), 2u);
   for (const Eigen::VectorXd& shift : shifts) {
-    ASSERT_EQ(shift.size(), static_cast<Eigen::Index>(rows_->entries.size()));
+    ASSERT_EQ(shift.size(), static_cast<Eigen::Index>(linear_->rows.entries.size()));
     EXPECT_TRUE(shift.allFinite());
     EXPECT_GT(shift.norm(), 0.0);
   }
-  const std::vector<Eigen::VectorXd> again = MeasureShifts(*fitted_, *frames_, *rows_, 2, 1);
+  const std::vector<Eigen::VectorXd> again = MeasureShifts(*fitted_, *linear_, 2, 1);
   EXPECT_EQ(again, shifts);
 }
 
