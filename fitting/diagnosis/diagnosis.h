@@ -83,6 +83,9 @@ struct HeldOutProof {
   double floor = 0.0;                // what mesh, step and noise alone come to
   bool is_proven = false;
   bool is_in_pixels = false;
+  // Of a fault of one source: the errors are its own alone, along a motion that follows whatever
+  // else was seen in those frames, not a prediction's.
+  bool is_against_others = false;
   // Where those frames tell nothing: the second half of the fitted ones, predicted after fits to
   // the first half.
   std::optional<Splits::FrameRange> earlier;

@@ -49,6 +49,8 @@ std::string SayProof(const Model& answer) {
   const HeldOutProof& proof = answer.proof;
   const bool is_px = proof.is_in_pixels;
   std::string words = "With it, the error on the held-out frames falls";
+  if (proof.is_against_others)
+    words = "With it put right, how far it is on the held-out frames from what all else saw falls";
   if (proof.earlier) {
     words = fmt::format(
         "The held-out frames tell nothing of it; but fitted to the frames before {} alone, the "
@@ -118,6 +120,7 @@ Json AsJson(const Model& m) {
             {"floor", OrNull(m.proof.floor)},
             {"unit", m.proof.is_in_pixels ? "px" : "m"},
             {"earlier_frames", std::move(earlier)},
+            {"against_others", m.proof.is_against_others},
             {"gain_of_null", std::move(gain_of_null)},
             {"proven", m.proof.is_proven}}},
           {"kept", m.is_kept}};

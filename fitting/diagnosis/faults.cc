@@ -19,6 +19,7 @@ namespace clothfit {
 namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
+constexpr const char* kClothAxisNames[] = {"u", "v"};
 
 void AddCamera(const Scene& scene, const FitConfig& config, int camera,
                std::vector<Fault>* faults) {
@@ -50,11 +51,16 @@ void AddMarkers(const Scene& scene, std::vector<Fault>* faults) {
       {Fault::Kind::kMarkerScale, "markers: scale", "markers: scale", "1", -1, 0, 3e-3, 2e-4});
   faults->push_back(
       {Fault::Kind::kMarkerClock, "markers: clock", "markers: clock", "s", -1, 0, 5e-3, 2e-4});
+  for (int k = 0; k < 2; ++k) {
+    faults->push_back({Fault::Kind::kMarkerLayout, "markers: layout",
+                       fmt::format("markers: layout {}", kClothAxisNames[k]), "m", -1, k, 1e-3,
+                       3e-4});
+  }
   std::set<int> ids;
   for (const MarkerObservation& m : scene.markers) ids.insert(m.id);
   for (const int id : ids) {
     for (int k = 0; k < 2; ++k) {
-      const std::string name = fmt::format("marker {}: offset {}", id, k == 0 ? "u" : "v");
+      const std::string name = fmt::format("marker {}: offset {}", id, kClothAxisNames[k]);
       faults->push_back(
           {Fault::Kind::kMarkerOffset, "marker offsets", name, "m", id, k, 2e-3, 3e-4});
     }
@@ -68,9 +74,8 @@ Eigen::Vector3d MarkerCentre(const Recording& recording) {
   return sum / std::max<double>(1.0, static_cast<double>(recording.markers.size()));
 }
 
-bool IsOfMarkers(Fault::Kind kind) {
-  return kind == Fault::Kind::kMarkerShift || kind == Fault::Kind::kMarkerScale ||
-         kind == Fault::Kind::kMarkerClock || kind == Fault::Kind::kMarkerOffset;
+bool IsOnCloth(Fault::Kind kind) {
+  return kind == Fault::Kind::kMarkerLayout || kind == Fault::Kind::kMarkerOffset;
 }
 
 // How every particle would have to move (3N, m a unit of the fault) for the residuals to change as
@@ -113,6 +118,7 @@ Eigen::VectorXd EquivalentMotion(const Scene& scene, const Fault& fault, const S
       each([&](const Eigen::Vector3d& x) -> Eigen::Vector3d { return x - centre; });
       break;
     }
+    case Fault::Kind::kMarkerLayout:
     case Fault::Kind::kMarkerOffset:
     case Fault::Kind::kMaskBias:
       break;
@@ -143,6 +149,11 @@ bool Concerns(const Fault& fault, const ResidualSource& row) {
 }
 
 }  // namespace
+
+bool IsOfMarkers(Fault::Kind kind) {
+  return kind == Fault::Kind::kMarkerShift || kind == Fault::Kind::kMarkerScale ||
+         kind == Fault::Kind::kMarkerClock || IsOnCloth(kind);
+}
 
 bool ShowsInTracks(const Fault& fault) {
   return fault.kind == Fault::Kind::kCameraShift || fault.kind == Fault::Kind::kCameraTurn ||
@@ -208,7 +219,7 @@ RowMajorMatrix FaultColumns(const Scene& scene, const FitConfig& config,
       const Fault& fault = faults[i];
       if (!Concerns(fault, source)) {
         columns(r, i) = 0.0;
-      } else if (fault.kind == Fault::Kind::kMarkerOffset) {
+      } else if (IsOnCloth(fault.kind)) {
         const Eigen::Vector3d tangent = Tangent(scene.mesh, source.point, fault.axis, state.x);
         columns(r, i) = marker_weight * tangent[r % 3];  // markers come first, three rows each
       } else if (fault.kind == Fault::Kind::kMaskBias) {
@@ -296,9 +307,10 @@ Recording WithoutFaults(const Recording& recording, const std::vector<Fault>& fa
       case Fault::Kind::kMarkerScale:
         for (Marker& m : result.markers) m.position -= amount * (m.position - centre);
         break;
+      case Fault::Kind::kMarkerLayout:
       case Fault::Kind::kMarkerOffset:
         for (Marker& m : result.markers) {
-          if (m.id == fault.source) {
+          if (fault.kind == Fault::Kind::kMarkerLayout || m.id == fault.source) {
             m.uv[fault.axis] =
                 std::clamp(m.uv[fault.axis] + amount, 0.0, recording.cloth.size[fault.axis]);
           }

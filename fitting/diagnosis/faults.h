@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What may be wrong with an observation rather than with the physics, to first order: poses, clocks
-// and scales of cameras, the place, scale and clock of markers, where on the cloth they sit, fat
-// masks. These compete with physics in one list.
+// and scales of cameras, the place, scale and clock of markers, where on the cloth they sit, all or
+// one of them, fat masks. These compete with physics in one list.
 #pragma once
 
 #include <string>
@@ -26,6 +26,7 @@ struct Fault {
     kMarkerShift,   // m, of all markers together, world
     kMarkerScale,   // share by which markers are farther from their middle than said
     kMarkerClock,   // s, by which markers were seen later than said
+    kMarkerLayout,  // m, of all markers together on the cloth, along u or v
     kMarkerOffset,  // m, of one marker on the cloth, along u or v
   };
   Kind kind;
@@ -36,6 +37,9 @@ struct Fault {
   double tolerated = 0.0;  // one sigma that goes unremarked as long as physics is looked for
   double typical = 0.0;    // one sigma of a well-made recording
 };
+
+// Whether it is of the markers rather than of a camera.
+bool IsOfMarkers(Fault::Kind kind);
 
 // Whether it moves what its camera tracks.
 bool ShowsInTracks(const Fault& fault);

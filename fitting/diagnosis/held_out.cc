@@ -9,7 +9,9 @@
 #include <random>
 
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/modelling.h"
 #include "fitting/hard_silhouette.h"
+#include "fitting/window_simulator.h"
 
 namespace clothfit {
 namespace {
@@ -49,6 +51,20 @@ FrameMean TracksOf(const Scene& scene, int frame, const Eigen::VectorXd& x,
   return mean;
 }
 
+// The same scene, in which everything pulls in all frames but what one source saw.
+Scene WithoutSource(const FittedScene& fitted, const FitConfig& config, int source) {
+  Recording others = fitted.scene.recording;
+  others.splits.held_out_frames.reset();
+  if (source == kMarkers) {
+    others.markers.clear();
+  } else {
+    const auto is_of_source = [&](const Track& track) { return track.camera == source; };
+    others.tracks.erase(std::remove_if(others.tracks.begin(), others.tracks.end(), is_of_source),
+                        others.tracks.end());
+  }
+  return MakeScene(others, config);
+}
+
 // Where a model has what is seen in the held-out frames: markers, else tracks' pixels; NaN from
 // where it fails on.
 std::vector<Eigen::VectorXd> Predicted(const FittedScene& fitted) {
@@ -86,8 +102,7 @@ double HeldOutErrors::Rms() const {
   return is_complete ? RootOfMean(squared) : std::numeric_limits<double>::infinity();
 }
 
-HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camera,
-                             std::optional<int> last) {
+HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> last) {
   const Scene& scene = fitted.scene;
   const FreeParameters free(fitted.config, scene, MakeParameterTable());
   const HardSilhouette hard(scene);
@@ -98,10 +113,10 @@ HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camer
       scene, fitted.config, free, fitted.fit.theta, to, [&](int frame, const State& state) {
         if (!scene.IsHeldOut(frame)) return;
         FrameMean mean;
-        if (has_markers && !camera) {
+        if (has_markers) {
           mean = MarkersOf(scene, frame, state.x);
         } else if (has_tracks) {
-          mean = TracksOf(scene, frame, state.x, camera);
+          mean = TracksOf(scene, frame, state.x, {});
         } else {
           for (const HardSilhouette::Difference& d : hard.Differences(frame, state.x))
             mean.Add(static_cast<double>(d.pixels) * static_cast<double>(d.pixels));
@@ -109,6 +124,32 @@ HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camer
         if (mean.count > 0) errors.squared.push_back(mean.sum / mean.count);
       });
   errors.is_complete = reached == to + 1 && !errors.squared.empty();
+  return errors;
+}
+
+std::optional<HeldOutErrors> MeasureAgainstOthers(const FittedScene& fitted, int source) {
+  const Scene& scene = fitted.scene;
+  FitConfig config = fitted.values;
+  config.attract = true;
+  config.use_silhouettes = false;
+  const Scene others = WithoutSource(fitted, config, source);
+  const double pull = GuidingPull(config, others);
+  if (!(pull > 0.0)) return {};
+  config = PulledBy(std::move(config), pull);
+  const FreeParameters free(config, others, MakeParameterTable());
+  const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);
+  WindowSimulator simulator(others, config, free, config.attract, nullptr);
+  HeldOutErrors errors;
+  const auto outcome = simulator.Run(
+      simulator.FirstStart(theta), theta, scene.recording.frame_count - 1, false,
+      [&](int frame, const State& state, const Sensitivity*) {
+        if (!scene.IsHeldOut(frame)) return;
+        const FrameMean mean = source == kMarkers ? MarkersOf(scene, frame, state.x)
+                                                  : TracksOf(scene, frame, state.x, source);
+        if (mean.count > 0) errors.squared.push_back(mean.sum / mean.count);
+      });
+  if (errors.squared.empty()) return {};
+  errors.is_complete = outcome == WindowSimulator::Outcome::kComplete;
   return errors;
 }
 

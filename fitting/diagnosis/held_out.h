@@ -26,10 +26,17 @@ struct HeldOutErrors {
   double Rms() const;
 };
 
-// One open-loop simulation at what was fitted, through all frames or up to `last`. With a camera:
-// of its tracks only, whatever else was seen.
-HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> camera = std::nullopt,
-                             std::optional<int> last = std::nullopt);
+// One open-loop simulation at what was fitted, through all frames or up to `last`.
+HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> last = std::nullopt);
+
+// The source of an observation: a camera's index, or the markers.
+inline constexpr int kMarkers = -1;
+
+// How far what one source saw in the held-out frames is from a motion that follows everything else
+// that was seen, there too: all other markers and tracks pull at the cloth (Start::kGuided). What
+// is wrong with one source shows in that whatever becomes of an open-loop prediction. Markers (m),
+// a camera's tracks (px). Empty where it saw nothing, or nothing else did.
+std::optional<HeldOutErrors> MeasureAgainstOthers(const FittedScene& fitted, int source);
 
 // How far apart two models have what is seen in held-out frames, root mean square: markers (m)
 // where there are any, else tracks (px), else 0. Both of one recording. Infinite where one of them

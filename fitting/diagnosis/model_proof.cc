@@ -21,18 +21,13 @@ namespace {
 constexpr double kBlockSeconds = 0.2;  // of the bootstrap
 constexpr int kFewestFrames = 8;       // in each half, to be worth it
 
-bool HasTracksOf(const Scene& scene, int camera) {
-  return std::any_of(scene.tracks.begin(), scene.tracks.end(),
-                     [camera](const TrackObservation& track) { return track.camera == camera; });
-}
-
-// The camera by whose tracks alone the model is to be judged.
-std::optional<int> OwnCamera(const FittedModel& model, const Ranking& ranking) {
-  const Scene& scene = model.scene.scene;
+// The source of observations whose fault is put right; see MeasureAgainstOthers.
+std::optional<int> FaultySource(const FittedModel& model, const Ranking& ranking) {
   const std::vector<int>& faults = model.candidate.faults;
-  if (faults.empty() || scene.markers.empty()) return {};
+  if (faults.empty()) return {};
   const Fault& fault = ranking.faults[static_cast<std::size_t>(faults.front())];
-  if (!ShowsInTracks(fault) || !HasTracksOf(scene, fault.source)) return {};
+  if (IsOfMarkers(fault.kind)) return kMarkers;
+  if (!ShowsInTracks(fault)) return {};
   return fault.source;
 }
 
@@ -47,6 +42,19 @@ HeldOutProof ProveBy(const HeldOutErrors& before, const HeldOutErrors& after, bo
   const int block = static_cast<int>(std::lround(kBlockSeconds * scene.recording.frame_rate));
   HeldOutProof proof = Prove(before, after, block, floor, start.options.seed);
   proof.is_in_pixels = is_in_pixels;
+  return proof;
+}
+
+// What is wrong with one source is held to all the others.
+std::optional<HeldOutProof> ProveAgainstOthers(int source, const FittedModel& model,
+                                               const ProofStart& start) {
+  const std::optional<HeldOutErrors> before = MeasureAgainstOthers(start.before, source);
+  const std::optional<HeldOutErrors> after = MeasureAgainstOthers(model.scene, source);
+  if (!before || !after) return {};
+  const bool is_in_pixels = source != kMarkers;
+  const double noise = NoiseOf(start.before.scene, is_in_pixels);
+  HeldOutProof proof = ProveBy(*before, *after, is_in_pixels, {noise, 0.0}, start);
+  proof.is_against_others = true;
   return proof;
 }
 
@@ -128,12 +136,13 @@ std::optional<NullGain> GainOfNull(const FittedModel& model, const ProofStart& s
 }  // namespace
 
 HeldOutProof ProveOnHeldOut(const FittedModel& model, const ProofStart& start) {
-  const std::optional<int> camera = OwnCamera(model, start.ranking);
-  const bool is_in_pixels = model.scene.scene.markers.empty() || camera;
-  const HeldOutFloor floor = FloorOf(model, is_in_pixels, start);
-  if (!camera) return ProveBy(start.errors, model.errors, is_in_pixels, floor, start);
-  return ProveBy(MeasureHeldOut(start.before, camera), MeasureHeldOut(model.scene, camera),
-                 is_in_pixels, floor, start);
+  if (const std::optional<int> source = FaultySource(model, start.ranking)) {
+    const std::optional<HeldOutProof> proof = ProveAgainstOthers(*source, model, start);
+    if (proof) return *proof;
+  }
+  const bool is_in_pixels = model.scene.scene.markers.empty();
+  return ProveBy(start.errors, model.errors, is_in_pixels, FloorOf(model, is_in_pixels, start),
+                 start);
 }
 
 std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofStart& start) {
@@ -151,7 +160,7 @@ std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofSt
   const std::optional<FittedScene> before = FitUntil(first, start.before, start.options);
   const std::optional<FittedScene> after = FitUntil(first, model.scene, start.options);
   if (!before || !after) return {};
-  HeldOutProof proof = ProveBy(MeasureHeldOut(*before, {}, last), MeasureHeldOut(*after, {}, last),
+  HeldOutProof proof = ProveBy(MeasureHeldOut(*before, last), MeasureHeldOut(*after, last),
                                is_in_pixels, floor, start);
   proof.earlier = Splits::FrameRange{first, last};
   return proof;

@@ -30,36 +30,6 @@ void FreeShapes(const Probe& probe, FitConfig* config) {
   }
 }
 
-// N/m: how strongly every marker and every ray has to pull for the cloth to follow within
-// 1 / kGuidingRate; 0 where there are none.
-double GuidingPull(const FitConfig& config, const Scene& scene) {
-  const auto markers =
-      std::count_if(scene.markers.begin(), scene.markers.end(), [&](const MarkerObservation& m) {
-        return scene.is_fitted[static_cast<std::size_t>(m.frame)];
-      });
-  const auto tracks =
-      std::count_if(scene.tracks.begin(), scene.tracks.end(),
-                    [&](const TrackObservation& track) { return scene.IsFitted(track); });
-  if (markers + tracks == 0) return 0.0;
-  const double per_frame = static_cast<double>(markers + tracks) / (scene.last_fitted_frame + 1);
-  const double mass =
-      config.parameters.at("cloth.areal_density").value * scene.recording.cloth.size.prod();
-  return mass * kGuidingRate * kGuidingRate / per_frame;
-}
-
-// The config with markers and rays that pull so strongly, N/m.
-FitConfig PulledBy(FitConfig config, double pull) {
-  config.attract = true;
-  config.polish = false;
-  config.max_iterations = kGuidedIterations;
-  for (const char* name : {"attraction_point.linear", "attraction_ray.linear"}) {
-    ParameterSetting& linear = config.parameters.at(name);
-    linear.value = std::clamp(pull, linear.lower, linear.upper);
-    linear.free = false;
-  }
-  return config;
-}
-
 // Where a fit begins that nothing is handed on to.
 FitCheckpoint Beginning(const FreeParameters& free) {
   FitCheckpoint from;
@@ -97,6 +67,33 @@ std::optional<FittedScene> MakeModel(Scene scene, const FitConfig& own, FitConfi
 }
 
 }  // namespace
+
+double GuidingPull(const FitConfig& config, const Scene& scene) {
+  const auto markers =
+      std::count_if(scene.markers.begin(), scene.markers.end(), [&](const MarkerObservation& m) {
+        return scene.is_fitted[static_cast<std::size_t>(m.frame)];
+      });
+  const auto tracks =
+      std::count_if(scene.tracks.begin(), scene.tracks.end(),
+                    [&](const TrackObservation& track) { return scene.IsFitted(track); });
+  if (markers + tracks == 0) return 0.0;
+  const double per_frame = static_cast<double>(markers + tracks) / (scene.last_fitted_frame + 1);
+  const double mass =
+      config.parameters.at("cloth.areal_density").value * scene.recording.cloth.size.prod();
+  return mass * kGuidingRate * kGuidingRate / per_frame;
+}
+
+FitConfig PulledBy(FitConfig config, double pull) {
+  config.attract = true;
+  config.polish = false;
+  config.max_iterations = kGuidedIterations;
+  for (const char* name : {"attraction_point.linear", "attraction_ray.linear"}) {
+    ParameterSetting& linear = config.parameters.at(name);
+    linear.value = std::clamp(pull, linear.lower, linear.upper);
+    linear.free = false;
+  }
+  return config;
+}
 
 ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
                     const std::vector<Fault>& faults) {

@@ -41,6 +41,12 @@ ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model);
 // more than what a wrong valley does.
 enum class Start { kPlain, kGuided };
 
+// N/m: how strongly every fitted marker and every fitted track's ray of a scene has to pull for the
+// cloth to follow within some 25 ms; 0 where there are none.
+double GuidingPull(const FitConfig& config, const Scene& scene);
+// The config of a few iterations in which they pull so strongly.
+FitConfig PulledBy(FitConfig config, double pull);
+
 // Fits it from its config's own fabric and no offsets of the start, all over again. Empty where the
 // fit fails, or where there is nothing to guide it.
 std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,

@@ -20,6 +20,7 @@ namespace {
 constexpr int kMostProbes = 8;         // of a candidate, in the first round
 constexpr int kRefined = 5;            // candidates whose places and shapes are looked at again
 constexpr double kStandsOut = 2.0;     // detection limits
+constexpr double kWellMade = 3.0;      // sigmas of well-made recordings, one sigma
 constexpr double kLargestFault = 2.0;  // sigmas of those that go unremarked, one sigma
 
 // One candidate at one probe, and where its columns are.
@@ -55,7 +56,7 @@ class Ranker {
   void Refine();
   void Scale();
   double Floor(const Projection& projection) const;
-  std::vector<Nuisance> Nuisances(const std::string& but_fault_group) const;
+  std::vector<Nuisance> Nuisances(const std::string& fault_group) const;
   ScoredGroup GroupOf(const Trial& trial) const;
   RankedCandidate Physics(int candidate, const Projection& projection, const Projection& raw) const;
   RankedCandidate Observation(const std::string& group, const Projection& raw) const;
@@ -171,7 +172,10 @@ double Ranker::Floor(const Projection& projection) const {
   return std::sqrt(std::max(0.0, sum) / std::max(1, frames_.num_rows()));
 }
 
-std::vector<Nuisance> Ranker::Nuisances(const std::string& but_fault_group) const {
+// Of physics, and of a fault where its group is given: it is scored as the only one, all others as
+// well-made recordings have them.
+std::vector<Nuisance> Ranker::Nuisances(const std::string& fault_group) const {
+  const bool of_fault = !fault_group.empty();
   std::vector<Nuisance> nuisances;
   if (!options_.project) return nuisances;
   const auto add = [&](int column, double sigma) {
@@ -183,8 +187,10 @@ std::vector<Nuisance> Ranker::Nuisances(const std::string& but_fault_group) cons
         baseline_->entries[static_cast<std::size_t>(i)].prior_sigma);
   }
   for (std::size_t i = 0; i < faults_.size(); ++i) {
-    if (faults_[i].group != but_fault_group)
-      add(first_fault_ + static_cast<int>(i), faults_[i].tolerated);
+    if (faults_[i].group != fault_group)
+      add(first_fault_ + static_cast<int>(i),
+          of_fault ? std::min(faults_[i].tolerated, kWellMade * faults_[i].typical)
+                   : faults_[i].tolerated);
   }
   return nuisances;
 }

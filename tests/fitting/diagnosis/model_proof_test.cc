@@ -92,7 +92,7 @@ TEST_F(EarlierProof, NeedsHeldOutFramesAtTheEnd) {
 
 TEST_F(EarlierProof, ErrorsCanBeMeasuredUpToAFrame) {
   const HeldOutErrors all = MeasureHeldOut(*before_);
-  const HeldOutErrors some = MeasureHeldOut(*before_, {}, 24);
+  const HeldOutErrors some = MeasureHeldOut(*before_, 24);
   ASSERT_EQ(all.squared.size(), 10u);
   ASSERT_EQ(some.squared.size(), 5u);
   EXPECT_TRUE(some.is_complete);
