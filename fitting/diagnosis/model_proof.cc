@@ -19,7 +19,9 @@ namespace clothfit {
 namespace {
 
 constexpr double kBlockSeconds = 0.2;  // of the bootstrap
-constexpr int kFewestFrames = 8;       // in each half, to be worth it
+constexpr double kFloorTellsNothing =
+    1.5;                          // times what is left: its recordings are not like this one
+constexpr int kFewestFrames = 8;  // in each half, to be worth it
 
 // The source of observations whose fault is put right; see MeasureAgainstOthers.
 std::optional<int> FaultySource(const FittedModel& model, const Ranking& ranking) {
@@ -171,7 +173,7 @@ std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const Pro
   const bool is_in_pixels = scene.markers.empty();
   if (is_in_pixels && scene.tracks.empty()) return {};
   const double off = start.ranking.residual_rms;
-  if (start.ranking.floor_rms > off || off > kHopeless) return {};
+  if (start.ranking.floor_rms > kFloorTellsNothing * off || off > kHopeless) return {};
   if (!ProveBy(start.errors, model.errors, is_in_pixels, {}, start).is_proven) return {};
   const double gain = start.before.fit.cost_after - model.scene.fit.cost_after;
   if (!(gain > 0.0)) return {};

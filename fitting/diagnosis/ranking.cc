@@ -17,11 +17,12 @@
 namespace clothfit {
 namespace {
 
-constexpr int kMostProbes = 8;         // of a candidate, in the first round
-constexpr int kRefined = 5;            // candidates whose places and shapes are looked at again
-constexpr double kStandsOut = 2.0;     // detection limits
-constexpr double kWellMade = 3.0;      // sigmas of well-made recordings, one sigma
-constexpr double kLargestFault = 2.0;  // sigmas of those that go unremarked, one sigma
+constexpr int kMostProbes = 8;          // of a candidate, in the first round
+constexpr int kRefined = 5;             // candidates whose places and shapes are looked at again
+constexpr double kStandsOut = 2.0;      // detection limits
+constexpr double kByItsPattern = 1e-3;  // p-value
+constexpr double kWellMade = 3.0;       // sigmas of well-made recordings, one sigma
+constexpr double kLargestFault = 2.0;   // sigmas of those that go unremarked, one sigma
 
 // One candidate at one probe, and where its columns are.
 struct Trial {
@@ -455,7 +456,7 @@ Ranking Ranker::Run() {
     Judge(projection, null_scores, &candidate);
     // What stands out by its pattern is there to be explained, however much mesh and step may
     // leave.
-    if (candidate.Exceeds(kStandsOut))
+    if (candidate.summary.p_value < kByItsPattern)
       ranking.explainable = std::max(ranking.explainable, candidate.summary.score);
     ranking.candidates.push_back(std::move(candidate));
   }
