@@ -118,7 +118,7 @@ std::string LeftSide(const std::string& term, const std::string& name) {
 std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const Ranking& ranking,
                                    const DiagnosisOptions& options) {
   std::optional<LearnedFit> law;
-  RankingStart laws{ranking.errors, 1.0, CandidateSet::kLaws};
+  RankingStart laws{ranking.errors, CandidateSet::kLaws};
   const FitRunner runner(options);
   for (int round = 0; round < kMostFamilies && !runner.IsStopped(); ++round) {
     const FittedScene& from = law ? law->scene : baseline;

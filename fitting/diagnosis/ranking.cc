@@ -37,7 +37,6 @@ class Ranker {
   Ranker(const FittedScene& fitted, const DiagnosisOptions& options, const RankingStart& start)
       : fitted_(fitted),
         options_(options),
-        enough_(start.enough),
         errors_(start.errors),
         set_(start.set),
         draws_(start.draws),
@@ -71,7 +70,6 @@ class Ranker {
 
   const FittedScene& fitted_;
   const DiagnosisOptions& options_;
-  double enough_;
   std::shared_ptr<const NumericalErrors> errors_;
   CandidateSet set_;
   int draws_;
@@ -430,7 +428,6 @@ Ranking Ranker::Run() {
   AddNumericalErrors();
   PassGate(&ranking);
   spent("errors of mesh and step");
-  if (ranking.gate_p_value > enough_) return ranking;
   AddFirstTrials();
   spent("absent terms");
   if (set_ == CandidateSet::kCatalogue) Refine();

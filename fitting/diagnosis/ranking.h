@@ -60,11 +60,9 @@ struct Ranking {
   std::vector<std::pair<std::string, double>> seconds;  // spent on each part
 };
 
-// What is known before a ranking, and when there is no need of one.
+// What is known before a ranking.
 struct RankingStart {
   std::shared_ptr<const NumericalErrors> errors;  // null: measured
-  // With a gate's p-value above this no candidate is looked at.
-  double enough = 1.0;
   CandidateSet set = CandidateSet::kCatalogue;
   int draws = 3;  // of the errors of mesh and step, where they are measured
 };
