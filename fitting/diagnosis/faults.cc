@@ -160,6 +160,11 @@ bool ShowsInTracks(const Fault& fault) {
          fault.kind == Fault::Kind::kCameraClock || fault.kind == Fault::Kind::kCameraScale;
 }
 
+double LargestSigma(const Fault& fault) {
+  constexpr double kOfTolerated = 2.0;
+  return kOfTolerated * fault.tolerated;
+}
+
 std::vector<Fault> ListFaults(const Scene& scene, const FitConfig& config) {
   std::vector<Fault> faults;
   std::set<int> cameras;

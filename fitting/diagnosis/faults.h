@@ -44,6 +44,9 @@ bool IsOfMarkers(Fault::Kind kind);
 // Whether it moves what its camera tracks.
 bool ShowsInTracks(const Fault& fault);
 
+// One sigma of its amount where it is not as it should be.
+double LargestSigma(const Fault& fault);
+
 std::vector<Fault> ListFaults(const Scene& scene, const FitConfig& config);
 
 // Where each residual of a frame comes from, in the order of ObservationResiduals.

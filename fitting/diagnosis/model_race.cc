@@ -11,6 +11,7 @@
 #include "autodiff_sim/parallel.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/fault_estimate.h"
 #include "fitting/diagnosis/ordinary_physics.h"
 #include "tracking/text.h"
 
@@ -125,6 +126,8 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const Rankin
       Log(names[i] + ": the fit with it fails");
     }
   }
+  ForAll(models.size(),
+         [&](std::size_t i) { EstimateFaultAgain(ranking.faults, runner_, &models[i]); });
   FinishModels(current, &models);
   BeginAnew(current, ranking, &models);
   ForAll(models.size(), [&](std::size_t i) { models[i].errors = MeasureHeldOut(models[i].scene); });

@@ -22,7 +22,6 @@ constexpr int kRefined = 5;             // candidates whose places and shapes ar
 constexpr double kStandsOut = 2.0;      // detection limits
 constexpr double kByItsPattern = 1e-3;  // p-value
 constexpr double kWellMade = 3.0;       // sigmas of well-made recordings, one sigma
-constexpr double kLargestFault = 2.0;   // sigmas of those that go unremarked, one sigma
 
 // One candidate at one probe, and where its columns are.
 struct Trial {
@@ -289,7 +288,7 @@ RankedCandidate Ranker::Observation(const std::string& group, const Projection& 
     ranked.names.push_back(faults_[i].name);
     scored.columns.push_back(first_fault_ + static_cast<int>(i));
     scored.is_one_sided.push_back(false);
-    const double sigma = kLargestFault * faults_[i].tolerated * AtScale(scored.columns.back());
+    const double sigma = LargestSigma(faults_[i]) * AtScale(scored.columns.back());
     scored.precision.push_back(1.0 / (sigma * sigma));
   }
   const Projection projection(gram_, Nuisances(group));

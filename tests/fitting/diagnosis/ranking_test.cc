@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fitting/diagnosis/fault_estimate.h"
 #include "fitting/diagnosis/modelling.h"
 #include "tests/support/small_recording.h"
 #include "tracking/synthetic_recording.h"
@@ -98,6 +99,31 @@ TEST(Ranking, AFaultIsOfOneCameraAndNotAllOfThem) {
         Named(ranking, "camera " + cameras[static_cast<std::size_t>(other)].name + ": scale");
     EXPECT_LT(innocent.summary.score, 0.2 * guilty.summary.score);
   }
+}
+
+// However little of it the ranking has found.
+TEST(Ranking, AFaultIsEstimatedAgainInItsModel) {
+  Recording recording = SeenByThree();
+  recording.markers.clear();
+  recording.cameras[1].fx *= 1.01;
+  recording.cameras[1].fy *= 1.01;
+  const FittedScene fitted = Fitted(recording);
+  RankingStart start;
+  start.errors = ErrorsOf(fitted, 0.5);
+  const Ranking ranking = RankCandidates(fitted, {}, start);
+  FittedModel model{Named(ranking, "camera " + recording.cameras[1].name + ": scale"), fitted, {}};
+  model.candidate.amounts[0] = -0.004;
+  const ModelStart put_right = SwitchOn(fitted, model.candidate, ranking.faults);
+  model.scene = *FitModel(fitted, put_right, kModelIterations, FitRunner());
+  EstimateFaultAgain(ranking.faults, FitRunner(), &model);
+  EXPECT_NEAR(model.candidate.amounts[0], -0.0099, 0.0003);
+  const EffectParameter& told = model.candidate.summary.parameters[0];
+  EXPECT_EQ(told.value, model.candidate.amounts[0]);
+  EXPECT_LT(told.lower90, -0.0099);
+  EXPECT_GT(told.upper90, -0.0099);
+  const Camera& camera = model.scene.scene.recording.cameras[1];
+  const double true_focal_length = recording.cameras[1].fx / 1.01;
+  EXPECT_NEAR(camera.fx, true_focal_length, 3e-4 * true_focal_length);
 }
 
 TEST(Ranking, MarkersThatAreAllBesideTheirPlacesAreOneFault) {
