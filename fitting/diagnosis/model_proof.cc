@@ -18,6 +18,7 @@
 namespace clothfit {
 namespace {
 
+constexpr double kFarBeyond = 0.3;     // of what a model gains, in recordings without it
 constexpr double kBlockSeconds = 0.2;  // of the bootstrap
 constexpr double kFloorTellsNothing =
     1.5;                          // times what is left: its recordings are not like this one
@@ -184,7 +185,11 @@ std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const Pro
   HeldOutProof proof = ProveBy(start.errors, model.errors, is_in_pixels, {0.0, by_chance}, start);
   proof.floor = std::hypot(NoiseOf(scene, is_in_pixels), by_chance);
   proof.gain_of_null = null->cost / gain;
-  proof.is_proven = proof.is_proven && *proof.gain_of_null < 1.0;
+  // Where it gains many times as much as in any of them, so few frames need not be certain of it:
+  // that their errors fall, and by more than there, is enough.
+  const double fall = proof.before * proof.before - proof.after * proof.after;
+  const bool is_beyond = *proof.gain_of_null < kFarBeyond && fall > by_chance * by_chance;
+  proof.is_proven = is_beyond || (proof.is_proven && *proof.gain_of_null < 1.0);
   return proof;
 }
 
