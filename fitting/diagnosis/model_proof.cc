@@ -172,7 +172,7 @@ std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofSt
 std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const ProofStart& start) {
   const Scene& scene = model.scene.scene;
   const bool is_in_pixels = scene.markers.empty();
-  if (is_in_pixels && scene.tracks.empty()) return {};
+  if (!HasPoints(scene)) return {};
   const double off = start.ranking.residual_rms;
   if (start.ranking.floor_rms > kFloorTellsNothing * off || off > kHopeless) return {};
   if (!ProveBy(start.errors, model.errors, is_in_pixels, {}, start).is_proven) return {};

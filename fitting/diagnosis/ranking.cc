@@ -63,6 +63,7 @@ class Ranker {
              RankedCandidate* candidate) const;
   double ExplainedTogether(const Projection& projection,
                            const std::vector<Eigen::VectorXd>& nulls) const;
+  bool IsBeyondWellMade(const RankedCandidate& candidate) const;
   void ShortList(Ranking* ranking) const;
   void DrawTheNulls();
   double AtScale(int column) const { return 1.0 / scale_[column]; }
@@ -170,10 +171,10 @@ double Ranker::Floor(const Projection& projection) const {
   return std::sqrt(std::max(0.0, sum) / std::max(1, frames_.num_rows()));
 }
 
-// Of physics, and of a fault where its group is given: it is scored as the only one, all others as
-// well-made recordings have them.
+// Of physics, and of a fault where its group is given: it is scored as the only one where there are
+// points (outlines are no such sharp test), all others as well-made recordings have them.
 std::vector<Nuisance> Ranker::Nuisances(const std::string& fault_group) const {
-  const bool of_fault = !fault_group.empty();
+  const bool is_only = !fault_group.empty() && HasPoints(fitted_.scene);
   std::vector<Nuisance> nuisances;
   if (!options_.project) return nuisances;
   const auto add = [&](int column, double sigma) {
@@ -187,8 +188,8 @@ std::vector<Nuisance> Ranker::Nuisances(const std::string& fault_group) const {
   for (std::size_t i = 0; i < faults_.size(); ++i) {
     if (faults_[i].group != fault_group)
       add(first_fault_ + static_cast<int>(i),
-          of_fault ? std::min(faults_[i].tolerated, kWellMade * faults_[i].typical)
-                   : faults_[i].tolerated);
+          is_only ? std::min(faults_[i].tolerated, kWellMade * faults_[i].typical)
+                  : faults_[i].tolerated);
   }
   return nuisances;
 }
@@ -232,6 +233,16 @@ void Ranker::Refine() {
 }
 
 double ShareOf(double score, double left) { return left > 0.0 ? std::min(1.0, score / left) : 0.0; }
+
+// Is any of a fault's amounts larger than well-made recordings have it?
+bool Ranker::IsBeyondWellMade(const RankedCandidate& candidate) const {
+  for (std::size_t k = 0; k < candidate.faults.size(); ++k) {
+    const Fault& fault = faults_[static_cast<std::size_t>(candidate.faults[k])];
+    const double amount = std::abs(candidate.amounts[static_cast<Eigen::Index>(k)]);
+    if (amount > kWellMade * fault.typical) return true;
+  }
+  return false;
+}
 
 // p-value and detection limit from the scores that the null gave the same candidate.
 void Ranker::Judge(const Projection& projection, const std::vector<double>& null_scores,
@@ -334,6 +345,8 @@ void Ranker::ShortList(Ranking* ranking) const {
                !candidate.Exceeds(kStandsOut)) {
       // A fit in a wrong valley errs by more, and otherwise, than the null tells.
       summary.why_not = "the fit is far off, and it does not stand out of the null";
+    } else if (!candidate.faults.empty() && !IsBeyondWellMade(candidate)) {
+      summary.why_not = "no larger than in well-made recordings";
     } else if (summary.share < options_.least_share) {
       summary.why_not = fmt::format("explains {:.0f} % of it", 100.0 * summary.share);
     } else {
@@ -350,7 +363,8 @@ void Ranker::ShortList(Ranking* ranking) const {
   }
   for (RankedCandidate& candidate : ranking->candidates) {
     Candidate& summary = candidate.summary;
-    if (summary.score <= of_fault || summary.q_value > options_.false_discovery) continue;
+    const bool competes = summary.kind == CandidateKind::kPhysics && summary.score > of_fault;
+    if (!competes || summary.q_value > options_.false_discovery) continue;
     summary.is_short_listed = true;
     summary.why_not.clear();
   }
@@ -451,8 +465,8 @@ Ranking Ranker::Run() {
     }
     Judge(projection, null_scores, &candidate);
     // What stands out by its pattern is there to be explained, however much mesh and step may
-    // leave.
-    if (candidate.summary.p_value < kByItsPattern)
+    // leave: where it can be held to simulated recordings of the baseline.
+    if (HasPoints(fitted_.scene) && candidate.summary.p_value < kByItsPattern)
       ranking.explainable = std::max(ranking.explainable, candidate.summary.score);
     ranking.candidates.push_back(std::move(candidate));
   }

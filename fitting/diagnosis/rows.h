@@ -28,6 +28,8 @@ struct FittedScene {
 };
 // The config must be the one that `fit` came from.
 FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResult& fit);
+// Are there markers or tracks, of which it is known where on the cloth they are?
+bool HasPoints(const Scene& scene);
 // The same fit on another mesh or with another step; nothing is fitted again.
 FittedScene WithOtherSteps(const FittedScene& fitted, const std::array<int, 2>& resolution,
                            double max_step);

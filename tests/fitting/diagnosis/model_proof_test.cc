@@ -119,11 +119,13 @@ TEST_F(ProofAgainstNull, DoesNotDependOnWhatMeshAndStepDoToThePrediction) {
   EXPECT_TRUE(proof && proof->is_proven);
 }
 
-TEST_F(ProofAgainstNull, IsNotAskedForWhereMeshAndStepLeaveMore) {
+TEST_F(ProofAgainstNull, IsNotAskedForWhereMeshAndStepLeaveMuchMore) {
   Ranking rough;
   rough.residual_rms = 1.2;
-  rough.floor_rms = 1.3;
+  rough.floor_rms = 1.9;
   EXPECT_FALSE(ProveAgainstNull(model_, {*before_, errors_, rough, options_}));
+  rough.floor_rms = 1.3;  // about as much
+  EXPECT_TRUE(ProveAgainstNull(model_, {*before_, errors_, rough, options_}));
   Ranking far;
   far.residual_rms = 16.0;  // fits from there compare nothing
   EXPECT_FALSE(ProveAgainstNull(model_, {*before_, errors_, far, options_}));

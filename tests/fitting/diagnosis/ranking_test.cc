@@ -70,14 +70,14 @@ TEST(Ranking, NothingStandsOutOfNoise) {
     EXPECT_FALSE(candidate.summary.is_short_listed) << candidate.summary.name;
 }
 
-Recording SeenByThree() {
+Recording SeenByThree(double track_sigma = 0.5) {
   SyntheticOptions options;
   options.resolution = {6, 6};
   options.frame_count = 24;
   options.frame_rate = 60.0;
   options.num_cameras = 3;
   options.markers = {5, 5};
-  options.track_sigma = 0.5;
+  options.track_sigma = track_sigma;
   return MakeSyntheticRecording(options).recording;
 }
 
@@ -99,6 +99,22 @@ TEST(Ranking, AFaultIsOfOneCameraAndNotAllOfThem) {
         Named(ranking, "camera " + cameras[static_cast<std::size_t>(other)].name + ": scale");
     EXPECT_LT(innocent.summary.score, 0.2 * guilty.summary.score);
   }
+}
+
+TEST(Ranking, WhatWellMadeRecordingsHaveIsNoFault) {
+  Recording recording = SeenByThree(0.05);
+  recording.markers.clear();
+  recording.cameras[1].fx *= 1.0006;
+  recording.cameras[1].fy *= 1.0006;
+  const FittedScene fitted = Fitted(recording);
+  RankingStart start;
+  start.errors = ErrorsOf(fitted, 0.0);
+  DiagnosisOptions options;
+  options.false_discovery = 1.0;  // whatever stands out
+  const Ranking ranking = RankCandidates(fitted, options, start);
+  const Candidate scale = Named(ranking, "camera " + recording.cameras[1].name + ": scale").summary;
+  EXPECT_NEAR(scale.parameters[0].value, -6e-4, 2e-4);
+  EXPECT_FALSE(scale.is_short_listed);
 }
 
 // However little of it the ranking has found.
