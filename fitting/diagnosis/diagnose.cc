@@ -30,12 +30,11 @@
 namespace clothfit {
 namespace {
 
-constexpr int kFinestSide = 13;          // particles, where the mesh turns out to matter
-constexpr int kCoarsestSide = 9;         // on coarser meshes amounts come out a tenth wrong
-constexpr double kFineEnough = 0.7;      // share of the unexplained that the mesh may make
-constexpr double kCatchesUp = 0.3;       // of what a model gains, the same without its effect
-constexpr double kLooksLikeNull = 0.05;  // p-value above which nothing more is looked for
-constexpr int kMostRematches = 2;        // of a diagnosis
+constexpr int kFinestSide = 13;      // particles, where the mesh turns out to matter
+constexpr int kCoarsestSide = 9;     // on coarser meshes amounts come out a tenth wrong
+constexpr double kFineEnough = 0.7;  // share of the unexplained that the mesh may make
+constexpr double kCatchesUp = 0.3;   // of what a model gains, the same without its effect
+constexpr int kMostRematches = 2;    // of a diagnosis
 
 class Diagnoser {
  public:
@@ -351,9 +350,6 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   Ranking ranking = is_first ? RankOnFineMesh(current, errors)
                              : RankCandidates(*current, options_, {last_ranking_.errors});
   if (!is_first) SpendOn(ranking);
-  // Of outlines alone nothing is proven against mesh and step, so that more has to be left.
-  if (!is_first && !HasPoints(current->scene) && ranking.gate_p_value >= kLooksLikeNull)
-    return false;
   if (is_first) {
     diagnosis_.gate_p_value = ranking.gate_p_value;
     diagnosis_.left_rms = ranking.left_rms;

@@ -324,6 +324,8 @@ void Ranker::ShortList(Ranking* ranking) const {
   for (const RankedCandidate& c : ranking->candidates) p_values.push_back(c.summary.p_value);
   const std::vector<double> rates = FalseDiscoveryRates(p_values);
   const bool is_far_off = ranking->residual_rms > kFarOff;
+  // Of outlines alone nothing is proven against mesh and step, so that more has to be left.
+  const bool may_be_mesh = !HasPoints(fitted_.scene) && ranking->gate_p_value >= kGate;
   for (std::size_t i = 0; i < ranking->candidates.size(); ++i) {
     RankedCandidate& candidate = ranking->candidates[i];
     Candidate& summary = candidate.summary;
@@ -345,6 +347,8 @@ void Ranker::ShortList(Ranking* ranking) const {
                !candidate.Exceeds(kStandsOut)) {
       // A fit in a wrong valley errs by more, and otherwise, than the null tells.
       summary.why_not = "the fit is far off, and it does not stand out of the null";
+    } else if (may_be_mesh && summary.kind == CandidateKind::kPhysics) {
+      summary.why_not = "mesh and step may make all that is left";
     } else if (!candidate.faults.empty() && !IsBeyondWellMade(candidate)) {
       summary.why_not = "no larger than in well-made recordings";
     } else if (summary.share < options_.least_share) {
@@ -363,7 +367,8 @@ void Ranker::ShortList(Ranking* ranking) const {
   }
   for (RankedCandidate& candidate : ranking->candidates) {
     Candidate& summary = candidate.summary;
-    const bool competes = summary.kind == CandidateKind::kPhysics && summary.score > of_fault;
+    const bool competes =
+        summary.kind == CandidateKind::kPhysics && !may_be_mesh && summary.score > of_fault;
     if (!competes || summary.q_value > options_.false_discovery) continue;
     summary.is_short_listed = true;
     summary.why_not.clear();
