@@ -81,11 +81,16 @@ Recording SeenByThree(double track_sigma = 0.5) {
   return MakeSyntheticRecording(options).recording;
 }
 
-TEST(Ranking, AFaultIsOfOneCameraAndNotAllOfThem) {
-  Recording recording = SeenByThree();
+// Its tracks alone, with the second camera's focal length told so many times too long.
+Recording WithLongFocalLength(Recording recording, double times) {
   recording.markers.clear();
-  recording.cameras[1].fx *= 1.01;
-  recording.cameras[1].fy *= 1.01;
+  recording.cameras[1].fx *= times;
+  recording.cameras[1].fy *= times;
+  return recording;
+}
+
+TEST(Ranking, AFaultIsOfOneCameraAndNotAllOfThem) {
+  const Recording recording = WithLongFocalLength(SeenByThree(), 1.01);
   const FittedScene fitted = Fitted(recording);
   RankingStart start;
   start.errors = ErrorsOf(fitted, 0.5);
@@ -102,10 +107,7 @@ TEST(Ranking, AFaultIsOfOneCameraAndNotAllOfThem) {
 }
 
 TEST(Ranking, WhatWellMadeRecordingsHaveIsNoFault) {
-  Recording recording = SeenByThree(0.05);
-  recording.markers.clear();
-  recording.cameras[1].fx *= 1.0006;
-  recording.cameras[1].fy *= 1.0006;
+  const Recording recording = WithLongFocalLength(SeenByThree(0.05), 1.0006);
   const FittedScene fitted = Fitted(recording);
   RankingStart start;
   start.errors = ErrorsOf(fitted, 0.0);
@@ -119,10 +121,7 @@ TEST(Ranking, WhatWellMadeRecordingsHaveIsNoFault) {
 
 // However little of it the ranking has found.
 TEST(Ranking, AFaultIsEstimatedAgainInItsModel) {
-  Recording recording = SeenByThree();
-  recording.markers.clear();
-  recording.cameras[1].fx *= 1.01;
-  recording.cameras[1].fy *= 1.01;
+  const Recording recording = WithLongFocalLength(SeenByThree(), 1.01);
   const FittedScene fitted = Fitted(recording);
   RankingStart start;
   start.errors = ErrorsOf(fitted, 0.5);
