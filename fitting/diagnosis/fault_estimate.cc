@@ -9,6 +9,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "fitting/diagnosis/parameter_intervals.h"
+
 namespace clothfit {
 namespace {
 
@@ -31,10 +33,7 @@ std::optional<Left> EstimateLeft(const FittedScene& fitted, const std::vector<Fa
   Eigen::MatrixXd columns(rows->jacobian.rows(), size);
   columns << rows->jacobian, rows->faults;
   Eigen::MatrixXd information = columns.transpose() * columns;
-  for (Eigen::Index i = 0; i < own; ++i) {
-    const double sigma = rows->entries[static_cast<std::size_t>(i)].prior_sigma;
-    information(i, i) += 1.0 / (sigma * sigma);
-  }
+  AddPriors(rows->entries, &information);
   Eigen::VectorXd rhs = -columns.transpose() * rows->residuals;
   for (Eigen::Index i = 0; i < found.size(); ++i) {
     const double sigma = LargestSigma(faults[static_cast<std::size_t>(i)]);
@@ -71,11 +70,8 @@ void EstimateFaultAgain(const std::vector<Fault>& faults, const FitRunner& runne
     candidate.sigma = left->sigmas;
     for (std::size_t i = 0; i < own.size(); ++i) {
       const auto index = static_cast<Eigen::Index>(i);
-      EffectParameter& parameter = candidate.summary.parameters[i];
-      const double half = 1.645 * candidate.sigma[index];
-      parameter.value = candidate.amounts[index];
-      parameter.lower90 = parameter.value - half;
-      parameter.upper90 = parameter.value + half;
+      SetInterval(candidate.amounts[index], candidate.sigma[index],
+                  &candidate.summary.parameters[i]);
     }
   }
 }

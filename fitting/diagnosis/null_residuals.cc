@@ -50,10 +50,7 @@ FittedScene Moved(const FittedScene& fitted, const std::vector<FreeEntry>& entri
 // J'J with the priors of the entries.
 Eigen::MatrixXd Information(const Rows& rows) {
   Eigen::MatrixXd information = rows.jacobian.transpose() * rows.jacobian;
-  for (Eigen::Index i = 0; i < information.rows(); ++i) {
-    const double sigma = rows.entries[static_cast<std::size_t>(i)].prior_sigma;
-    information(i, i) += 1.0 / (sigma * sigma);
-  }
+  AddPriors(rows.entries, &information);
   return information;
 }
 

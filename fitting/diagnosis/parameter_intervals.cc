@@ -19,6 +19,12 @@ constexpr std::array<double, kDraws> kStudent = {6.314, 2.920, 2.353};
 
 }  // namespace
 
+void SetInterval(double value, double sigma, EffectParameter* parameter) {
+  parameter->value = value;
+  parameter->lower90 = value - k90 * sigma;
+  parameter->upper90 = value + k90 * sigma;
+}
+
 std::vector<EffectParameter> EstimatesOf(const FittedScene& fitted,
                                          const std::vector<std::string>& names) {
   std::vector<EffectParameter> parameters;

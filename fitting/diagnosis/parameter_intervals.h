@@ -15,6 +15,9 @@
 
 namespace clothfit {
 
+// Sets value and 90 % interval of a normal estimate.
+void SetInterval(double value, double sigma, EffectParameter* parameter);
+
 // The fitted ones of these names (term.parameter), in the table's order, with intervals by noise:
 // those of the fit, wider by the root of the residuals' correlation time.
 std::vector<EffectParameter> EstimatesOf(const FittedScene& fitted,

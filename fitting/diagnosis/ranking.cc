@@ -13,6 +13,7 @@
 
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/named_parameter.h"
+#include "fitting/diagnosis/parameter_intervals.h"
 
 namespace clothfit {
 namespace {
@@ -332,14 +333,14 @@ void Ranker::ShortList(Ranking* ranking) const {
     summary.q_value = rates[i];
     for (std::size_t k = 0; k < candidate.names.size(); ++k) {
       const auto index = static_cast<Eigen::Index>(k);
-      const double value = candidate.amounts[index], half = 1.645 * candidate.sigma[index];
       std::string unit;
       if (summary.kind == CandidateKind::kObservation) {
         unit = faults_[candidate.faults[k]].unit;
       } else {
         unit = ParameterNamed(candidate.names[k]).unit;
       }
-      summary.parameters.push_back({candidate.names[k], unit, value, value - half, value + half});
+      summary.parameters.push_back({candidate.names[k], unit});
+      SetInterval(candidate.amounts[index], candidate.sigma[index], &summary.parameters.back());
     }
     if (summary.q_value > options_.false_discovery) {
       summary.why_not = fmt::format("the null does as much with p = {:.2g}", summary.p_value);
@@ -423,7 +424,6 @@ void Ranker::PassGate(Ranking* ranking) {
   ranking->gate_p_value = TailProbability(left, own);
   const auto rms = [&](double sum) { return std::sqrt(std::max(0.0, sum) / frames_.num_rows()); };
   ranking->left_rms = rms(own);
-  ranking->null_left_rms.clear();  // the gate is passed twice
   for (const double sum : left) ranking->null_left_rms.push_back(rms(sum));
   ranking->unexplained = std::max(0.0, own - null_mean_);
   ranking->residual_rms = std::sqrt(1.0 / residual2 / frames_.num_rows());
@@ -444,13 +444,12 @@ Ranking Ranker::Run() {
   };
   RunBaseline();
   AddNumericalErrors();
-  PassGate(&ranking);
   spent("errors of mesh and step");
   AddFirstTrials();
   spent("absent terms");
   if (set_ == CandidateSet::kCatalogue) Refine();
   spent("their places and shapes");
-  PassGate(&ranking);  // the same again, by products with all columns
+  PassGate(&ranking);
   const Projection projection(gram_, Nuisances("")), raw(gram_, {});
   ranking.faults = faults_;
   ranking.extent = extent_;

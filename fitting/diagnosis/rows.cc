@@ -41,6 +41,14 @@ FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResul
   return fitted;
 }
 
+void AddPriors(const std::vector<FreeEntry>& entries, Eigen::MatrixXd* information) {
+  Eigen::Index i = 0;
+  for (const FreeEntry& entry : entries) {
+    (*information)(i, i) += 1.0 / (entry.prior_sigma * entry.prior_sigma);
+    ++i;
+  }
+}
+
 FittedScene WithOtherSteps(const FittedScene& fitted, const std::array<int, 2>& resolution,
                            double max_step) {
   FittedScene other = fitted;

@@ -61,6 +61,9 @@ struct Rows {
   RowMajorMatrix faults;  // rows x faults, where asked for
 };
 
+// Adds the precisions of the entries' priors to the first places of a matrix J'J's diagonal.
+void AddPriors(const std::vector<FreeEntry>& entries, Eigen::MatrixXd* information);
+
 // Which derivatives a pass takes.
 struct Pass {
   FitConfig config;         // FittedScene::values with what is to be differentiated set free

@@ -72,14 +72,19 @@ TEST(HeldOut, FramesAreHeldOutWhereNoneAre) {
   EXPECT_EQ(WithHeldOutFrames(recording, 0.5).splits.held_out_frames->first, 80);
 }
 
-TEST(HeldOut, ASourceIsMeasuredAgainstAllOthers) {
+// Half of the frames held out.
+Recording SeenByTwo(int frames) {
   SyntheticOptions options;
   options.resolution = {5, 5};
   options.frame_rate = 30.0;
-  options.frame_count = 12;
+  options.frame_count = frames;
   options.steps_per_frame = 4;
   options.num_cameras = 2;
-  Recording recording = WithHeldOutFrames(MakeSyntheticRecording(options).recording, 0.5);
+  return WithHeldOutFrames(MakeSyntheticRecording(options).recording, 0.5);
+}
+
+TEST(HeldOut, ASourceIsMeasuredAgainstAllOthers) {
+  Recording recording = SeenByTwo(12);
   ASSERT_FALSE(recording.markers.empty());
   ASSERT_FALSE(recording.tracks.empty());
   const FittedScene right = UnfittedScene(recording);
@@ -101,13 +106,7 @@ TEST(HeldOut, ASourceIsMeasuredAgainstAllOthers) {
 // The cloth follows the others, so that a wrong model of it tells nothing against a source; an
 // open-loop prediction of the same frames is far off.
 TEST(HeldOut, AgainstOthersTheModelHardlyMatters) {
-  SyntheticOptions options;
-  options.resolution = {5, 5};
-  options.frame_rate = 30.0;
-  options.frame_count = 30;
-  options.steps_per_frame = 4;
-  options.num_cameras = 2;
-  const Recording recording = WithHeldOutFrames(MakeSyntheticRecording(options).recording, 0.5);
+  const Recording recording = SeenByTwo(30);
   FittedScene windy = UnfittedScene(recording);
   for (FitConfig* config : {&windy.config, &windy.values})
     config->parameters.at("wind.y").value = 3.0;

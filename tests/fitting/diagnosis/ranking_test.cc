@@ -49,12 +49,17 @@ std::shared_ptr<const NumericalErrors> ErrorsOf(const FittedScene& fitted, doubl
   return std::make_shared<const NumericalErrors>(std::move(errors));
 }
 
+Ranking Rank(const FittedScene& fitted, double sigmas_of_errors,
+             const DiagnosisOptions& options = {}) {
+  RankingStart start;
+  start.errors = ErrorsOf(fitted, sigmas_of_errors);
+  return RankCandidates(fitted, options, start);
+}
+
 TEST(Ranking, WhatStandsOutByItsPatternIsLookedAtWhateverMeshAndStepLeave) {
   const FittedScene fitted =
       Fitted(MakeSmallRecording({5, 30, 0.002, {{"added_mass.normal", 0.01}}}));
-  RankingStart start;
-  start.errors = ErrorsOf(fitted, 4.0);
-  const Ranking ranking = RankCandidates(fitted, {}, start);
+  const Ranking ranking = Rank(fitted, 4.0);
   EXPECT_GT(ranking.floor_rms, ranking.residual_rms);
   EXPECT_GT(ranking.gate_p_value, 0.05);  // no more is left than the null leaves
   const Candidate& mass = Named(ranking, "added_mass").summary;
@@ -64,9 +69,7 @@ TEST(Ranking, WhatStandsOutByItsPatternIsLookedAtWhateverMeshAndStepLeave) {
 
 TEST(Ranking, NothingStandsOutOfNoise) {
   const FittedScene fitted = Fitted(MakeSmallRecording({5, 30, 0.002, {}}));
-  RankingStart start;
-  start.errors = ErrorsOf(fitted, 0.5);
-  for (const RankedCandidate& candidate : RankCandidates(fitted, {}, start).candidates)
+  for (const RankedCandidate& candidate : Rank(fitted, 0.5).candidates)
     EXPECT_FALSE(candidate.summary.is_short_listed) << candidate.summary.name;
 }
 
@@ -92,9 +95,7 @@ Recording WithLongFocalLength(Recording recording, double times) {
 TEST(Ranking, AFaultIsOfOneCameraAndNotAllOfThem) {
   const Recording recording = WithLongFocalLength(SeenByThree(), 1.01);
   const FittedScene fitted = Fitted(recording);
-  RankingStart start;
-  start.errors = ErrorsOf(fitted, 0.5);
-  const Ranking ranking = RankCandidates(fitted, {}, start);
+  const Ranking ranking = Rank(fitted, 0.5);
   const std::vector<Camera>& cameras = recording.cameras;
   const RankedCandidate& guilty = Named(ranking, "camera " + cameras[1].name + ": scale");
   EXPECT_TRUE(guilty.summary.is_short_listed) << guilty.summary.why_not;
@@ -109,11 +110,9 @@ TEST(Ranking, AFaultIsOfOneCameraAndNotAllOfThem) {
 TEST(Ranking, WhatWellMadeRecordingsHaveIsNoFault) {
   const Recording recording = WithLongFocalLength(SeenByThree(0.05), 1.0006);
   const FittedScene fitted = Fitted(recording);
-  RankingStart start;
-  start.errors = ErrorsOf(fitted, 0.0);
   DiagnosisOptions options;
   options.false_discovery = 1.0;  // whatever stands out
-  const Ranking ranking = RankCandidates(fitted, options, start);
+  const Ranking ranking = Rank(fitted, 0.0, options);
   const Candidate scale = Named(ranking, "camera " + recording.cameras[1].name + ": scale").summary;
   EXPECT_NEAR(scale.parameters[0].value, -6e-4, 2e-4);
   EXPECT_FALSE(scale.is_short_listed);
@@ -123,9 +122,7 @@ TEST(Ranking, WhatWellMadeRecordingsHaveIsNoFault) {
 TEST(Ranking, AFaultIsEstimatedAgainInItsModel) {
   const Recording recording = WithLongFocalLength(SeenByThree(), 1.01);
   const FittedScene fitted = Fitted(recording);
-  RankingStart start;
-  start.errors = ErrorsOf(fitted, 0.5);
-  const Ranking ranking = RankCandidates(fitted, {}, start);
+  const Ranking ranking = Rank(fitted, 0.5);
   FittedModel model{Named(ranking, "camera " + recording.cameras[1].name + ": scale"), fitted, {}};
   model.candidate.amounts[0] = -0.004;
   const ModelStart put_right = SwitchOn(fitted, model.candidate, ranking.faults);
@@ -146,9 +143,7 @@ TEST(Ranking, MarkersThatAreAllBesideTheirPlacesAreOneFault) {
   recording.tracks.clear();
   for (Marker& marker : recording.markers) marker.uv += Eigen::Vector2d(0.006, -0.004);
   const FittedScene fitted = Fitted(recording);
-  RankingStart start;
-  start.errors = ErrorsOf(fitted, 0.5);
-  const RankedCandidate layout = Named(RankCandidates(fitted, {}, start), "markers: layout");
+  const RankedCandidate layout = Named(Rank(fitted, 0.5), "markers: layout");
   EXPECT_TRUE(layout.summary.is_short_listed) << layout.summary.why_not;
   EXPECT_NEAR(layout.amounts[0], -0.006, 0.003);
   EXPECT_NEAR(layout.amounts[1], 0.004, 0.003);
