@@ -11,6 +11,33 @@
 #include "fitting/window_simulator.h"
 
 namespace clothfit {
+namespace {
+
+// What each particle has is spread evenly over its part of one side of the cloth.
+struct Spread {
+  double low, high;  // m
+  double amount;
+};
+
+// Where this share of all amounts lies below, m.
+double Quantile(const std::vector<Spread>& spreads, double share) {
+  double low = HUGE_VAL, high = -HUGE_VAL, all = 0.0;
+  for (const Spread& s : spreads) {
+    low = std::min(low, s.low);
+    high = std::max(high, s.high);
+    all += s.amount;
+  }
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = 0.5 * (low + high);
+    double below = 0.0;
+    for (const Spread& s : spreads)
+      below += s.amount * std::clamp((middle - s.low) / (s.high - s.low), 0.0, 1.0);
+    (below < share * all ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
 
 ForceMeter::ForceMeter(std::vector<double> areas, int frame_count)
     : areas_(std::move(areas)),
@@ -58,13 +85,7 @@ ActingForce ForceMeter::Result(const ClothMesh& mesh) const {
   result.mean_direction = net_ / parts_;
   result.net_force_share = std::sqrt(net2_ / parts2_);
   result.net_moment_share = std::sqrt(moment2_ / std::max(1e-300, part_moments2_));
-  result.low_uv = Eigen::Vector2d::Constant(HUGE_VAL);
-  result.high_uv = -result.low_uv;
-  for (int i = 0; i < mesh.num_particles(); ++i) {
-    if (of_particles_[i] < 0.25 * most) continue;  // squares: half of the largest
-    result.low_uv = result.low_uv.cwiseMin(mesh.uv[i]);
-    result.high_uv = result.high_uv.cwiseMax(mesh.uv[i]);
-  }
+  FindRegion(mesh, &result);
   // Frame 0 has no step of its own.
   const double largest = *std::max_element(of_frames_.begin(), of_frames_.end());
   const int count = static_cast<int>(of_frames_.size());
@@ -77,6 +98,33 @@ ActingForce ForceMeter::Result(const ClothMesh& mesh) const {
   result.first_frame = first == 1 ? 0 : first;
   result.last_frame = last;
   return result;
+}
+
+// The strongest places alone would do for no region: the force per area is largest at single
+// particles of the edge, which stand for little of it.
+void ForceMeter::FindRegion(const ClothMesh& mesh, ActingForce* result) const {
+  constexpr double kOutside = 0.1;  // of the force, on either side
+  Eigen::Vector2d low = mesh.uv.front(), high = low;
+  for (const Eigen::Vector2d& uv : mesh.uv) {
+    low = low.cwiseMin(uv);
+    high = high.cwiseMax(uv);
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    std::vector<Spread> spreads;
+    for (int i = 0; i < mesh.num_particles(); ++i) {
+      const double area = areas_[static_cast<std::size_t>(i)];
+      const double side =
+          mesh.is_grid() ? (high[axis] - low[axis]) / (mesh.grid[axis] - 1) : std::sqrt(area);
+      const double at = mesh.uv[i][axis];
+      spreads.push_back({std::max(low[axis], at - 0.5 * side),
+                         std::min(high[axis], at + 0.5 * side),
+                         area * std::sqrt(of_particles_[i])});
+    }
+    const double from = Quantile(spreads, kOutside), to = Quantile(spreads, 1.0 - kOutside);
+    const double more = 0.5 * (to - from) * (1.0 / (1.0 - 2.0 * kOutside) - 1.0);
+    result->low_uv[axis] = std::max(low[axis], from - more);
+    result->high_uv[axis] = std::min(high[axis], to + more);
+  }
 }
 
 Eigen::VectorXd ForceOfParameters(const ClothModel& model, const ForcePoint& at,

@@ -19,8 +19,8 @@ namespace clothfit {
 
 struct ActingForce {
   bool acts = false;
-  // Box around the particles where the force per area (rms over time) is at least half of its
-  // largest, m on the cloth.
+  // Box on the cloth, m: along either side where the middle four fifths of the force are (rms over
+  // time), and a quarter longer about its middle, so that of an even force it is where that acts.
   Eigen::Vector2d low_uv = Eigen::Vector2d::Zero(), high_uv = Eigen::Vector2d::Zero();
   // Frames in which the force (rms over the cloth) is at least a tenth of its largest.
   int first_frame = 0, last_frame = 0;
@@ -45,6 +45,8 @@ class ForceMeter {
   ActingForce Result(const ClothMesh& mesh) const;
 
  private:
+  void FindRegion(const ClothMesh& mesh, ActingForce* result) const;
+
   std::vector<double> areas_;
   std::vector<double> of_frames_;  // sum of squared forces, N^2
   Eigen::VectorXd of_particles_;   // sum of squared forces per area, (N/m^2)^2
