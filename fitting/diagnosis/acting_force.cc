@@ -37,6 +37,13 @@ double Quantile(const std::vector<Spread>& spreads, double share) {
   return 0.5 * (low + high);
 }
 
+// What holds all but this share at either end, longer by as much as of what is even.
+Spread Middle(const std::vector<Spread>& spreads, double outside) {
+  const double low = Quantile(spreads, outside), high = Quantile(spreads, 1.0 - outside);
+  const double more = 0.5 * (high - low) * (1.0 / (1.0 - 2.0 * outside) - 1.0);
+  return {low - more, high + more, 1.0 - 2.0 * outside};
+}
+
 }  // namespace
 
 ForceMeter::ForceMeter(std::vector<double> areas, int frame_count)
@@ -86,17 +93,7 @@ ActingForce ForceMeter::Result(const ClothMesh& mesh) const {
   result.net_force_share = std::sqrt(net2_ / parts2_);
   result.net_moment_share = std::sqrt(moment2_ / std::max(1e-300, part_moments2_));
   FindRegion(mesh, &result);
-  // Frame 0 has no step of its own.
-  const double largest = *std::max_element(of_frames_.begin(), of_frames_.end());
-  const int count = static_cast<int>(of_frames_.size());
-  const auto is_on = [&](int frame) {
-    return of_frames_[static_cast<std::size_t>(frame)] >= 0.01 * largest;
-  };
-  int first = 1, last = count - 1;
-  while (first < count && !is_on(first)) ++first;
-  while (last > first && !is_on(last)) --last;
-  result.first_frame = first == 1 ? 0 : first;
-  result.last_frame = last;
+  FindFrames(&result);
   return result;
 }
 
@@ -120,11 +117,27 @@ void ForceMeter::FindRegion(const ClothMesh& mesh, ActingForce* result) const {
                          std::min(high[axis], at + 0.5 * side),
                          area * std::sqrt(of_particles_[i])});
     }
-    const double from = Quantile(spreads, kOutside), to = Quantile(spreads, 1.0 - kOutside);
-    const double more = 0.5 * (to - from) * (1.0 / (1.0 - 2.0 * kOutside) - 1.0);
-    result->low_uv[axis] = std::max(low[axis], from - more);
-    result->high_uv[axis] = std::min(high[axis], to + more);
+    const Spread middle = Middle(spreads, kOutside);
+    result->low_uv[axis] = std::max(low[axis], middle.low);
+    result->high_uv[axis] = std::min(high[axis], middle.high);
   }
+}
+
+// A jerk of the first frame may be larger than a tenth of all that follows, too.
+void ForceMeter::FindFrames(ActingForce* result) const {
+  constexpr double kOutside = 0.01;
+  constexpr double kRounding = 1e-6;  // frames
+  const int last = static_cast<int>(of_frames_.size()) - 1;
+  if (last < 1) return;
+  std::vector<Spread> spreads;  // frame 0 has no step of its own
+  for (int frame = 1; frame <= last; ++frame) {
+    const double squares = of_frames_[static_cast<std::size_t>(frame)];
+    spreads.push_back({frame - 1.0, frame * 1.0, std::sqrt(squares)});
+  }
+  const Spread middle = Middle(spreads, kOutside);
+  const int first = 1 + static_cast<int>(std::floor(middle.low + kRounding));
+  result->first_frame = first <= 1 ? 0 : first;
+  result->last_frame = std::clamp(static_cast<int>(std::ceil(middle.high - kRounding)), 1, last);
 }
 
 Eigen::VectorXd ForceOfParameters(const ClothModel& model, const ForcePoint& at,

@@ -22,7 +22,8 @@ struct ActingForce {
   // Box on the cloth, m: along either side where the middle four fifths of the force are (rms over
   // time), and a quarter longer about its middle, so that of an even force it is where that acts.
   Eigen::Vector2d low_uv = Eigen::Vector2d::Zero(), high_uv = Eigen::Vector2d::Zero();
-  // Frames in which the force (rms over the cloth) is at least a tenth of its largest.
+  // The frames that hold all but a hundredth of the force (rms over the cloth) at either end, found
+  // in the same way.
   int first_frame = 0, last_frame = 0;
   double peak = 0.0;  // N/m^2, rms over time where it is largest
   // World; the mean over time of the net force, over the mean of the sum of all parts' lengths: 1
@@ -46,6 +47,7 @@ class ForceMeter {
 
  private:
   void FindRegion(const ClothMesh& mesh, ActingForce* result) const;
+  void FindFrames(ActingForce* result) const;
 
   std::vector<double> areas_;
   std::vector<double> of_frames_;  // sum of squared forces, N^2

@@ -24,6 +24,7 @@
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/parameter_intervals.h"
 #include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/undetermined.h"
 #include "fitting/diagnosis/verdict.h"
 #include "tracking/text.h"
 
@@ -67,6 +68,8 @@ class Diagnoser {
   void TellApart(const Ambiguity& ambiguity);
   // A law instead of names, where those explain too little and it explains more.
   void LearnInstead(FittedScene* current);
+  // The answer without those of its amounts that may be anything about nothing.
+  void TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors);
   // What mesh and step do to the parameters of the answer.
   void WidenIntervals(const FittedScene& model);
   // Where, when and how the physics that was named acts.
@@ -410,7 +413,7 @@ void Diagnoser::LearnInstead(FittedScene* current) {
   const double explained = (baseline_cost_ - current->fit.cost_after) / excess;
   if (!(excess > 0.0) || explained > MostOfIt(diagnosis_)) return;
   Say("learning a law", 0.85);
-  std::optional<LearnedFit> fit = LearnLaw(*first_scene_, *first_ranking_, options_);
+  std::optional<LearnedFit> fit = LearnLaw(*first_scene_, baseline_, *first_ranking_, options_);
   Spend("learning a law");
   if (!fit) return;
   FittedModel model{{}, fit->scene, MeasureHeldOut(fit->scene)};
@@ -442,6 +445,27 @@ void Diagnoser::WidenIntervals(const FittedScene& model) {
   if (kept_ && !diagnosis_.law)
     diagnosis_.models[kept_->model].parameters = diagnosis_.answer->parameters;
   Spend("intervals");
+}
+
+void Diagnoser::TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors) {
+  if (!diagnosis_.answer || !kept_ || diagnosis_.law || !kept_->candidate.faults.empty()) return;
+  Model& answer = *diagnosis_.answer;
+  std::optional<FittedModel> simpler =
+      WithoutUndetermined({kept_->candidate, *current, errors}, kept_->before.fit.cost_after,
+                          answer.parameters, runner_);
+  Spend("without what is not determined");
+  if (!simpler) return;
+  Log(fmt::format("without {}, which this recording does not determine: cost {:.6g} -> {:.6g}",
+                  JoinNames(Undetermined(answer.parameters)), current->fit.cost_after,
+                  simpler->scene.fit.cost_after));
+  Model described = Describe(*simpler, kept_->before, kept_->before_errors);
+  TakeValues(simpler->scene.values, &answer.parameters);
+  answer.config = described.config;
+  answer.cost = described.cost;
+  answer.explained = described.explained;
+  if (described.proof.is_proven) answer.proof = described.proof;
+  diagnosis_.models[kept_->model] = answer;
+  *current = std::move(simpler->scene);
 }
 
 void Diagnoser::MeasureWhatActs(const FittedScene& model) {
@@ -480,6 +504,7 @@ Diagnosis Diagnoser::Run() {
   }
   LearnInstead(&current);
   WidenIntervals(current);
+  TakeOutUndetermined(&current, errors);
   diagnosis_.motions.resolution = current.scene.mesh.grid;
   diagnosis_.motions.held_out = recording_.splits.held_out_frames;
   if (diagnosis_.answer || !diagnosis_.effects.empty())

@@ -10,6 +10,7 @@
 
 #include "autodiff_sim/parallel.h"
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/named_parameter.h"
 
@@ -54,11 +55,24 @@ std::optional<ModelStart> Pruned(const FittedScene& model, const std::string& te
   return start;
 }
 
-std::optional<FittedScene> FitFamily(const FittedScene& baseline, const RankedCandidate& family,
-                                     const Ranking& ranking, const DiagnosisOptions& options) {
+// Far off, a fabric that had to stand for what is missing is no good start.
+std::optional<FittedScene> FirstFit(const FittedScene& baseline, const FitConfig& told,
+                                    const RankedCandidate& family, const Ranking& ranking,
+                                    const FitRunner& runner) {
+  const ModelStart start = SwitchOn(baseline, family, ranking.faults);
+  std::optional<FittedScene> model = FitModel(baseline, start, kIterations, runner);
+  if (model && !IsFarOff(model->scene, model->config, model->fit)) return model;
+  std::optional<FittedScene> guided =
+      FitAfresh(FromNothing(told, start, family), Start::kGuided, kIterations, runner);
+  const bool is_better = guided && (!model || guided->fit.cost_after < model->fit.cost_after);
+  return is_better ? std::move(guided) : std::move(model);
+}
+
+std::optional<FittedScene> FitFamily(const FittedScene& baseline, const FitConfig& told,
+                                     const RankedCandidate& family, const Ranking& ranking,
+                                     const DiagnosisOptions& options) {
   const FitRunner runner(options);
-  std::optional<FittedScene> model =
-      FitModel(baseline, SwitchOn(baseline, family, ranking.faults), kIterations, runner);
+  std::optional<FittedScene> model = FirstFit(baseline, told, family, ranking, runner);
   for (int round = 0; model && round < 3; ++round) {
     const std::optional<ModelStart> pruned = Pruned(*model, family.term.term);
     if (!pruned) break;
@@ -115,8 +129,8 @@ std::string LeftSide(const std::string& term, const std::string& name) {
 
 }  // namespace
 
-std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const Ranking& ranking,
-                                   const DiagnosisOptions& options) {
+std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const FitConfig& told,
+                                   const Ranking& ranking, const DiagnosisOptions& options) {
   std::optional<LearnedFit> law;
   RankingStart laws{ranking.errors, CandidateSet::kLaws};
   const FitRunner runner(options);
@@ -129,7 +143,7 @@ std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const Ranking& r
     std::vector<std::optional<FittedScene>> models(families.size());
     ParallelFor(static_cast<int>(families.size()), NumThreads(0), [&](int i, int) {
       const auto k = static_cast<std::size_t>(i);
-      models[k] = FitFamily(from, families[k], ranked, options);
+      models[k] = FitFamily(from, told, families[k], ranked, options);
     });
     std::optional<FittedScene> best;
     std::string best_term;

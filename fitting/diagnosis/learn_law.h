@@ -20,12 +20,13 @@ struct LearnedFit {
   std::vector<std::string> names;  // of the coefficients that are kept
 };
 
-// Scores the families of features as candidates are scored, fits the best two, takes out of the
+// Scores the families of features as candidates are scored, fits the best two (far off, from the
+// fabric that the config `told` has, too, guided by what was observed), takes out of the
 // better one what its own 95 % intervals hold for nothing, and fits again until all that is left is
 // something; then looks for a second family beside it, unless the first leaves no more than the
 // null. Nothing where no family passes the null.
-std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const Ranking& ranking,
-                                   const DiagnosisOptions& options);
+std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const FitConfig& told,
+                                   const Ranking& ranking, const DiagnosisOptions& options);
 
 // The law as formulas with units and the range of places it was learned in: "air velocity w_x =
 // 0.4 m/s - 3.1 1/s (y - 0.1 m)".

@@ -21,7 +21,6 @@ namespace {
 constexpr int kMoreHeats = 3;         // of the best, until it converges
 constexpr double kNearBest = 0.9;     // of what the best gains: it may come first yet
 constexpr double kAlmostAsLow = 1.2;  // times the lowest cost: of a large gain any model is near
-constexpr double kIdle = 0.1;         // of what a model gains, that it may lose without a part
 constexpr double kStillInRace = 0.5;  // of what the best has gained by then
 
 // All cores; the numbers are the same for any.
@@ -36,15 +35,6 @@ bool IsCheaper(const FittedModel& a, const FittedModel& b) {
 
 }  // namespace
 
-// With the fabric of the config that the diagnosis was given.
-ModelStart ModelRace::FromOwnFabric(ModelStart start) const {
-  for (auto& [name, setting] : start.config.parameters) {
-    const ParameterSetting& told = baseline_.parameters.at(name);
-    if (told.free) setting.value = told.value;
-  }
-  return start;
-}
-
 // From the baseline's fit, and where that is far off from the config's own fabric, too, guided, or
 // with what is ordinary as it is in a simulation that has it: a fabric that had to stand for what
 // was missing is no good start.
@@ -56,14 +46,7 @@ std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
   if (ranking.residual_rms < kFarOff || Stopped()) return fitted;
   // No longer far off: it needs no other start.
   if (fitted && !IsFarOff(fitted->scene, fitted->config, fitted->fit)) return fitted;
-  ModelStart afresh = FromOwnFabric(start);
-  // An estimate from so far off may be anything.
-  for (const NamedParameter& named : MakeParameterTable()) {
-    const std::vector<std::string>& names = candidate.names;
-    if (std::find(names.begin(), names.end(), named.name) == names.end()) continue;
-    ParameterSetting& setting = afresh.config.parameters.at(named.name);
-    setting.value = std::clamp(named.parameter.initial, setting.lower, setting.upper);
-  }
+  const ModelStart afresh = FromNothing(baseline_, start, candidate);
   std::vector<std::optional<FittedScene>> others;
   others.push_back(FitAfresh(afresh, Start::kGuided, kFirstIterations, runner_));
   if (IsOrdinary(candidate)) {
@@ -238,8 +221,8 @@ void ModelRace::BeginAnew(const FittedScene& current, const Ranking& ranking,
   ForAll(others.size(), [&](std::size_t i) {
     const FittedModel& model = *near[i / std::size(kStarts)];
     if (Stopped()) return;
-    others[i] = FitAfresh(FromOwnFabric(GoOn(model.scene)), kStarts[i % std::size(kStarts)],
-                          2 * kModelIterations, runner_);
+    others[i] = FitAfresh(FromFabricOf(baseline_, GoOn(model.scene)),
+                          kStarts[i % std::size(kStarts)], 2 * kModelIterations, runner_);
   });
   for (std::size_t i = 0; i < others.size(); ++i) {
     FittedModel& model = *near[i / std::size(kStarts)];

@@ -16,6 +16,9 @@ namespace clothfit {
 
 inline constexpr int kModelIterations = 12;  // a model starts near its end
 
+// Of what a model gains, that it may lose without a part of it.
+inline constexpr double kIdle = 0.1;
+
 // A candidate with what was fitted with it.
 struct FittedModel {
   RankedCandidate candidate;
@@ -41,7 +44,6 @@ class ModelRace {
   std::optional<FittedScene> FirstHeat(const FittedScene& current, const RankedCandidate& candidate,
                                        const Ranking& ranking) const;
   void FinishModels(const FittedScene& current, std::vector<FittedModel>* models) const;
-  ModelStart FromOwnFabric(ModelStart start) const;
   void BeginAnew(const FittedScene& current, const Ranking& ranking,
                  std::vector<FittedModel>* models) const;
   void GoOnWith(FittedModel* model) const;

@@ -152,6 +152,24 @@ ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model) {
   return start;
 }
 
+ModelStart FromFabricOf(const FitConfig& told, ModelStart start) {
+  for (auto& [name, setting] : start.config.parameters) {
+    const ParameterSetting& own = told.parameters.at(name);
+    if (own.free) setting.value = own.value;
+  }
+  return start;
+}
+
+ModelStart FromNothing(const FitConfig& told, ModelStart start, const RankedCandidate& candidate) {
+  start = FromFabricOf(told, std::move(start));
+  if (candidate.summary.kind == CandidateKind::kObservation) return start;
+  for (const std::string& name : candidate.names) {
+    ParameterSetting& setting = start.config.parameters.at(name);
+    setting.value = std::clamp(ParameterNamed(name).initial, setting.lower, setting.upper);
+  }
+  return start;
+}
+
 std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
                                      const FitRunner& runner) {
   const FitConfig quick = QuickConfig(start.config, most_iterations);

@@ -33,6 +33,12 @@ inline constexpr double kEnoughForDiagnosis = 1e-4;
 // The same scene without the model's effect, begun from what the model found for everything else.
 ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model);
 
+// The same from the fabric that a config was told, where that is free.
+ModelStart FromFabricOf(const FitConfig& told, ModelStart start);
+// The same, and with a candidate's amounts where a fit of its term begins: an estimate that was
+// made far off may be anything.
+ModelStart FromNothing(const FitConfig& told, ModelStart start, const RankedCandidate& candidate);
+
 // How a fit begins. Guided: with some iterations in which every marker and every track's ray pulls
 // at the cloth, at first so strongly that the motion follows within some 25 ms, then weaker and
 // weaker (nudging; Abarbanel, Creveling, Farsian and Kostuk 2009, Dynamical state and parameter

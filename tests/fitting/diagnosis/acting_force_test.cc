@@ -4,6 +4,7 @@
 // The region in which a force acts, on cloths of 0.5 m x 0.5 m.
 #include "fitting/diagnosis/acting_force.h"
 
+#include <array>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -69,6 +70,25 @@ TEST(ActingRegionTest, IsNotThatOfASingleParticle) {
   const ActingForce without = patch(0.0), with = patch(3.0);
   EXPECT_GT(BoxOverlap(without.low_uv, without.high_uv, with.low_uv, with.high_uv), 0.8);
   EXPECT_NEAR(with.peak, 3.0, 1e-9);
+}
+
+// As a jerk at the start, which damping answers with hundred times what it does later.
+TEST(ActingFramesTest, AreNotThoseOfAJerk) {
+  const ClothMesh mesh = MakeGrid({0.5, 0.5}, {3, 3});
+  const auto frames_of = [&](const std::function<double(int)>& force_of) {
+    ForceMeter meter(BuildTopology(mesh).areas, 61);
+    for (int frame = 1; frame <= 60; ++frame) {
+      const Eigen::VectorXd force = Eigen::VectorXd::Constant(27, force_of(frame));
+      meter.Add(frame, force, force, force, 0.04);
+    }
+    const ActingForce acting = meter.Result(mesh);
+    return std::array<int, 2>{acting.first_frame, acting.last_frame};
+  };
+  EXPECT_EQ(frames_of([](int) { return 1.0; }), (std::array<int, 2>{0, 60}));
+  EXPECT_EQ(frames_of([](int f) { return f == 1 ? 100.0 : 1.0; })[0], 0);
+  EXPECT_GE(frames_of([](int f) { return f == 1 ? 100.0 : 1.0; })[1], 58);
+  EXPECT_EQ(frames_of([](int f) { return f > 20 && f <= 40 ? 1.0 : 0.0; }),
+            (std::array<int, 2>{21, 40}));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class LearnedLaw : public testing::Test {
 };
 
 TEST_F(LearnedLaw, IsTheForceThatWasLeftOut) {
-  const std::optional<LearnedFit> law = LearnLaw(*baseline_, {}, {});
+  const std::optional<LearnedFit> law = LearnLaw(*baseline_, baseline_->config, {}, {});
   ASSERT_TRUE(law);
   EXPECT_LT(law->scene.fit.cost_after, 0.2 * baseline_->fit.cost_after);
   ASSERT_FALSE(law->terms.empty());
@@ -51,7 +51,7 @@ TEST_F(LearnedLaw, IsTheForceThatWasLeftOut) {
 TEST_F(LearnedLaw, HasNoSecondFamilyWhereNothingIsLeft) {
   Ranking ranking;
   ranking.null_mean = 2.0 * baseline_->fit.cost_after;
-  const std::optional<LearnedFit> law = LearnLaw(*baseline_, ranking, {});
+  const std::optional<LearnedFit> law = LearnLaw(*baseline_, baseline_->config, ranking, {});
   ASSERT_TRUE(law);
   EXPECT_EQ(law->terms.size(), 1u);
 }
