@@ -103,7 +103,7 @@ class Fitter {
     RowMajorMatrix jacobian;
     StepReport steps;
     bool IsAt(const Eigen::VectorXd& point) const {
-      return theta.size() == point.size() && theta == point;
+      return residuals.size() > 0 && theta.size() == point.size() && theta == point;
     }
   };
   Linearisation newest_, at_best_;

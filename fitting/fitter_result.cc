@@ -42,20 +42,21 @@ void Fitter::Finish(FitResult* result) {
   result->iterations = iterations_;
   // What follows is short and must be done even after an interruption.
   WindowSimulator simulator(scene_, config_, free_, false, nullptr);
-  if (!at_best_.IsAt(result->theta)) {
+  bool is_complete = at_best_.IsAt(result->theta);
+  if (!is_complete) {
     const WindowStart start = simulator.FirstStart(result->theta);
     at_best_ = {};
-    if (EvaluateWindow(&simulator, observations_, start, result->theta, 0, scene_.last_fitted_frame,
-                       Rows::kCompressed, &at_best_.residuals,
-                       &at_best_.jacobian) == WindowSimulator::Outcome::kComplete)
-      at_best_.theta = result->theta;
+    is_complete = EvaluateWindow(&simulator, observations_, start, result->theta, 0,
+                                 scene_.last_fitted_frame, Rows::kCompressed, &at_best_.residuals,
+                                 &at_best_.jacobian) == WindowSimulator::Outcome::kComplete;
+    if (is_complete) at_best_.theta = result->theta;
     at_best_.steps = simulator.last_report();
   }
   const Eigen::VectorXd& residuals = at_best_.residuals;
   const RowMajorMatrix& jacobian = at_best_.jacobian;
   result->steps = at_best_.steps;
   Uncertainty uncertainty;
-  if (at_best_.theta.size() > 0) {
+  if (is_complete) {
     result->cost_after =
         0.5 * (residuals.squaredNorm() + free_.PriorResiduals(result->theta).squaredNorm());
     uncertainty = QuantifyUncertainty(free_, observations_.NumObserved(0, scene_.last_fitted_frame),

@@ -284,6 +284,7 @@ Eigen::MatrixXd FreeParameters::PriorInformation() const {
 }
 
 Eigen::VectorXd FreeParameters::PriorMean() const {
+  if (size() == 0) return {};  // which Eigen does not decompose
   return prior_jacobian_.colPivHouseholderQr().solve(prior_target_);
 }
 

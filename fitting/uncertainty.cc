@@ -123,6 +123,7 @@ Uncertainty QuantifyUncertainty(const FreeParameters& free, int num_observed,
   const int n = free.size();
   const double spare = std::max(1, num_observed - n);
   result.noise_factor = std::max(1.0, std::sqrt(residuals.squaredNorm() / spare));
+  if (n == 0) return result;
   const Eigen::MatrixXd covariance =
       Covariance(jacobian / result.noise_factor, free.prior_jacobian());
   result.sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();

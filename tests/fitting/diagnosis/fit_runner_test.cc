@@ -62,6 +62,14 @@ class FitRunnerTest : public testing::Test {
   int iterations_ = 0;
 };
 
+TEST_F(FitRunnerTest, WithNothingFreeOnlySimulates) {
+  for (auto& [name, setting] : config_.parameters) setting.free = false;
+  const FitResult fit = Run(config_);
+  EXPECT_EQ(fit.status, FitStatus::kConverged);
+  EXPECT_NEAR(fit.cost_after, fit.cost_before, 1e-9 * fit.cost_before);
+  EXPECT_GT(fit.cost_after, 0.0);
+}
+
 TEST_F(FitRunnerTest, GivesTheSameResultWithoutFittingAgain) {
   const FitResult first = Run(config_);
   ASSERT_GT(iterations_, 0);
