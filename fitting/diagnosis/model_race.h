@@ -26,6 +26,13 @@ struct FittedModel {
   HeldOutErrors errors;
 };
 
+// Of models in the order of their costs, those that explain nearly all that the first does come in
+// the order of their predictions: what stands for another effect follows the frames that it was
+// fitted to more easily than it foresees the others. Of those that predict about as well the one
+// with the fewest unknowns is the first. `before`: of the fit without any of them.
+void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before,
+                            std::vector<FittedModel>* models);
+
 class ModelRace {
  public:
   // `baseline`: the config that a diagnosis was given, whose fabric models begin from where the
@@ -34,7 +41,8 @@ class ModelRace {
       : baseline_(baseline), options_(options), runner_(options) {}
 
   // The best first: of those that explain nearly all that the lowest cost does, the one that
-  // predicts the held-out frames best, and then by cost. least_score: sum of squares that a
+  // predicts the held-out frames best (of several that do, the one with the fewest unknowns), and
+  // then by cost. least_score: sum of squares that a
   // short-listed candidate has to promise.
   std::vector<FittedModel> Run(const FittedScene& current, const Ranking& ranking,
                                double least_score) const;
@@ -49,7 +57,6 @@ class ModelRace {
   void GoOnWith(FittedModel* model) const;
   void TakeOutIdleParts(const FittedScene& current, const Ranking& ranking,
                         FittedModel* model) const;
-  void PutBestPredictionFirst(const FittedScene& current, std::vector<FittedModel>* models) const;
   void Say(const std::string& stage, double fraction) const {
     if (options_.progress) options_.progress(stage, fraction);
   }
