@@ -70,7 +70,10 @@ class Diagnoser {
   void LearnInstead(FittedScene* current);
   // The answer without those of its amounts that may be anything about nothing.
   void TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors);
-  // What mesh and step do to the parameters of the answer.
+  // What mesh and step do to the answer: to its parameters, and what they leave of it.
+  void MeasureAnswer(const FittedScene& model);
+  // Share of what the baseline does not explain that the answer does.
+  double ExplainedBy(const FittedScene& model) const;
   void WidenIntervals(const FittedScene& model);
   // Where, when and how the physics that was named acts.
   void MeasureWhatActs(const FittedScene& model);
@@ -111,6 +114,7 @@ class Diagnoser {
   HeldOutErrors first_errors_;
   int rematches_ = 0;
   double first_unexplained_ = 0.0;  // sum of squares
+  NumericalShifts shifts_;          // of the answer
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
 
@@ -407,11 +411,13 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
 void Diagnoser::LearnInstead(FittedScene* current) {
   // Share of the excess that a law has to explain more: this, or half of what is left.
   constexpr double kBetter = 0.1;
-  if (!first_ranking_ || Stopped() || first_ranking_->gate_p_value >= kGate || !is_above_floor_)
-    return;
-  const double excess = baseline_cost_ - 0.5 * first_ranking_->null_mean;
-  const double explained = (baseline_cost_ - current->fit.cost_after) / excess;
-  if (!(excess > 0.0) || explained > MostOfIt(diagnosis_)) return;
+  if (!first_ranking_ || Stopped()) return;
+  // What is proven is there, whatever mesh and step may leave.
+  const bool is_there =
+      diagnosis_.answer || (first_ranking_->gate_p_value < kGate && is_above_floor_);
+  if (!is_there) return;
+  const double explained = ExplainedBy(*current);
+  if (explained > MostOfIt(diagnosis_)) return;
   Say("learning a law", 0.85);
   std::optional<LearnedFit> fit = LearnLaw(*first_scene_, baseline_, *first_ranking_, options_);
   Spend("learning a law");
@@ -426,25 +432,49 @@ void Diagnoser::LearnInstead(FittedScene* current) {
   Log(fmt::format("a law of {}: cost {:.6g} -> {:.6g}; {}", JoinNames(fit->terms), baseline_cost_,
                   fit->scene.fit.cost_after, law.formula));
   diagnosis_.models.push_back(law.model);
-  if (!law.model.is_kept ||
-      law.model.explained < explained + std::min(kBetter, 0.5 * (1.0 - explained)))
-    return;
+  // By the same measure as the names.
+  const double by_names = baseline_cost_ - current->fit.cost_after;
+  const double by_law = explained > 0.0
+                            ? explained * (baseline_cost_ - law.model.cost) / by_names
+                            : law.model.explained;
+  if (!law.model.is_kept || by_law < explained + std::min(kBetter, 0.5 * (1.0 - explained))) return;
   diagnosis_.answer = law.model;
   diagnosis_.effects.clear();
   diagnosis_.ambiguity.clear();
   diagnosis_.separating.reset();
   diagnosis_.law = std::move(law);
   *current = fit->scene;
+  MeasureAnswer(*current);
+}
+
+void Diagnoser::MeasureAnswer(const FittedScene& model) {
+  if (!diagnosis_.answer || Stopped()) return;
+  Say("measuring what mesh and step do to the answer", 0.85);
+  shifts_ = MeasureNumericalShifts(model, options_.seed);
+  Spend("intervals");
+}
+
+// Around a fit that is far off mesh and step leave more than around the truth, so that much seems
+// to be explained by whatever comes as near as that. What is far off itself is held to what they
+// leave of it.
+double Diagnoser::ExplainedBy(const FittedScene& model) const {
+  double null = last_ranking_.null_mean;
+  if (diagnosis_.answer && shifts_.draws > 0 && IsFarOff(model.scene, model.config, model.fit)) {
+    Log(fmt::format(
+        "noise, mesh and step leave a cost of {:.4g} of the baseline, of the answer {:.4g}",
+        0.5 * null, 0.5 * shifts_.left_squared));
+    null = std::min(null, shifts_.left_squared);
+  }
+  const double explainable = first_ranking_ ? first_ranking_->explainable : 0.0;
+  return ShareExplained(baseline_cost_, model.fit.cost_after, 0.5 * null,
+                        0.5 * std::max(explainable, kept_score_));
 }
 
 void Diagnoser::WidenIntervals(const FittedScene& model) {
   if (!diagnosis_.answer || Stopped()) return;
-  Say("measuring what mesh and step do to the parameters", 0.9);
-  const NumericalShifts shifts = MeasureNumericalShifts(model, options_.seed);
-  Widen(shifts, model.config, &diagnosis_.answer->parameters);
+  Widen(shifts_, model.config, &diagnosis_.answer->parameters);
   if (kept_ && !diagnosis_.law)
     diagnosis_.models[kept_->model].parameters = diagnosis_.answer->parameters;
-  Spend("intervals");
 }
 
 void Diagnoser::TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors) {
@@ -475,10 +505,7 @@ void Diagnoser::MeasureWhatActs(const FittedScene& model) {
 }
 
 void Diagnoser::Conclude(const FittedScene& current) {
-  const double explainable = first_ranking_ ? first_ranking_->explainable : 0.0;
-  const double explained =
-      ShareExplained(baseline_cost_, current.fit.cost_after, 0.5 * last_ranking_.null_mean,
-                     0.5 * std::max(explainable, kept_score_));
+  const double explained = ExplainedBy(current);
   diagnosis_.verdict =
       Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, explained, is_above_floor_);
   // What stands for most of something unknown acts as that does.
@@ -502,6 +529,7 @@ Diagnosis Diagnoser::Run() {
   for (int k = 0; k < options_.max_effects && !Stopped(); ++k) {
     if (!AddEffect(&current, &errors)) break;
   }
+  MeasureAnswer(current);
   LearnInstead(&current);
   WidenIntervals(current);
   TakeOutUndetermined(&current, errors);

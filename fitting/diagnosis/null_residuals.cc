@@ -189,8 +189,8 @@ std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& base
   return scenes;
 }
 
-std::vector<Eigen::VectorXd> MeasureShifts(const FittedScene& fitted, const LinearisedFit& linear,
-                                           int draws, std::uint64_t seed) {
+std::vector<NumericalShift> MeasureShifts(const FittedScene& fitted, const LinearisedFit& linear,
+                                          int draws, std::uint64_t seed) {
   const std::vector<FittedScene> scenes = DrawNearFit(fitted, linear.rows, draws, seed);
   const Eigen::VectorXd nowhere =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(linear.rows.entries.size()));
@@ -201,9 +201,11 @@ std::vector<Eigen::VectorXd> MeasureShifts(const FittedScene& fitted, const Line
         ResidualsOfOtherSteps(Finer(scenes[k], true, true), scenes[k], linear.frames);
     if (fine) refits[k] = FitAgain(scenes[k], linear.frames, linear.rows, *fine, nowhere);
   });
-  std::vector<Eigen::VectorXd> shifts;
+  std::vector<NumericalShift> shifts;
   for (const std::optional<Refit>& refit : refits) {
-    if (refit) shifts.push_back(kOfDifference * refit->by);
+    if (!refit) continue;
+    const double left = kOfDifference * refit->left.norm();
+    shifts.push_back({kOfDifference * refit->by, left * left});
   }
   return shifts;
 }

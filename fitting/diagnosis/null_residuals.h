@@ -49,11 +49,14 @@ double OfDifference();
 std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& baseline, int count,
                                      std::uint64_t seed);
 
-// How far the free vector of a fit ends from where it should for mesh and step: the scenes drawn,
-// simulated finer, and fitted again. One vector (entries of the rows, in their own scale) a draw;
-// fewer where a fit fails.
-std::vector<Eigen::VectorXd> MeasureShifts(const FittedScene& fitted, const LinearisedFit& linear,
-                                           int draws, std::uint64_t seed);
+// What mesh and step do to a fit: a scene that is drawn near it, simulated finer and fitted again.
+struct NumericalShift {
+  Eigen::VectorXd by;         // how far the free vector ends from where it should; own scale
+  double left_squared = 0.0;  // sum of squares of what the fit leaves, in sigmas
+};
+// Fewer than so many draws where a fit fails.
+std::vector<NumericalShift> MeasureShifts(const FittedScene& fitted, const LinearisedFit& linear,
+                                          int draws, std::uint64_t seed);
 
 // The recording with its markers and tracks where the scene has them, simulated finer, with their
 // noise; masks are left out. Nothing is missing in it that the scene does not lack. Empty where it

@@ -48,9 +48,12 @@ NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t 
   if (!linear) return shifts;
   shifts.entries = linear->rows.entries;
   shifts.rms = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(shifts.entries.size()));
-  const std::vector<Eigen::VectorXd> draws = MeasureShifts(fitted, *linear, kDraws, seed);
-  for (const Eigen::VectorXd& draw : draws)
-    shifts.rms += draw.cwiseAbs2() / static_cast<double>(draws.size());
+  const std::vector<NumericalShift> draws = MeasureShifts(fitted, *linear, kDraws, seed);
+  shifts.left_squared = linear->frames.num_rows();
+  for (const NumericalShift& draw : draws) {
+    shifts.rms += draw.by.cwiseAbs2() / static_cast<double>(draws.size());
+    shifts.left_squared += draw.left_squared / static_cast<double>(draws.size());
+  }
   shifts.rms = shifts.rms.cwiseSqrt();
   shifts.draws = static_cast<int>(draws.size());
   return shifts;

@@ -30,6 +30,8 @@ struct NumericalShifts {
   std::vector<FreeEntry> entries;
   Eigen::VectorXd rms;
   int draws = 0;  // simulations that it is known from
+  // Mean sum of squares (in sigmas) that noise, mesh and step leave after such a fit.
+  double left_squared = 0.0;
 };
 NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t seed);
 

@@ -102,15 +102,20 @@ TEST_F(Twins, AreDrawnNearTheFit) {
 }
 
 TEST_F(Twins, AreFittedElsewhereThanTheyWereMade) {
-  const std::vector<Eigen::VectorXd> shifts = MeasureShifts(*fitted_, *linear_, 2, 1);
+  const std::vector<NumericalShift> shifts = MeasureShifts(*fitted_, *linear_, 2, 1);
   ASSERT_EQ(shifts.size(), 2u);
-  for (const Eigen::VectorXd& shift : shifts) {
-    ASSERT_EQ(shift.size(), static_cast<Eigen::Index>(linear_->rows.entries.size()));
-    EXPECT_TRUE(shift.allFinite());
-    EXPECT_GT(shift.norm(), 0.0);
+  for (const NumericalShift& shift : shifts) {
+    ASSERT_EQ(shift.by.size(), static_cast<Eigen::Index>(linear_->rows.entries.size()));
+    EXPECT_TRUE(shift.by.allFinite());
+    EXPECT_GT(shift.by.norm(), 0.0);
+    EXPECT_GT(shift.left_squared, 0.0);
   }
-  const std::vector<Eigen::VectorXd> again = MeasureShifts(*fitted_, *linear_, 2, 1);
-  EXPECT_EQ(again, shifts);
+  const std::vector<NumericalShift> again = MeasureShifts(*fitted_, *linear_, 2, 1);
+  ASSERT_EQ(again.size(), shifts.size());
+  for (std::size_t k = 0; k < shifts.size(); ++k) {
+    EXPECT_EQ(again[k].by, shifts[k].by);
+    EXPECT_EQ(again[k].left_squared, shifts[k].left_squared);
+  }
 }
 
 }  // namespace
