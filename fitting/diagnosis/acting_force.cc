@@ -13,13 +13,14 @@
 namespace clothfit {
 namespace {
 
-// What each particle has is spread evenly over its part of one side of the cloth.
+// What each particle has is spread evenly over its part of one side of the cloth (m), what each
+// frame has over the time since the one before (frames).
 struct Spread {
-  double low, high;  // m
+  double low, high;
   double amount;
 };
 
-// Where this share of all amounts lies below, m.
+// Where this share of all amounts lies below.
 double Quantile(const std::vector<Spread>& spreads, double share) {
   double low = HUGE_VAL, high = -HUGE_VAL, all = 0.0;
   for (const Spread& s : spreads) {

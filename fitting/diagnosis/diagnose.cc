@@ -3,29 +3,18 @@
 //
 // The steps of a diagnosis, one after the other.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "autodiff_sim/parameter_table.h"
-#include "fitting/diagnosis/ambiguity.h"
 #include "fitting/diagnosis/baseline_fit.h"
-#include "fitting/diagnosis/diagnosis.h"
-#include "fitting/diagnosis/diagnosis_words.h"
-#include "fitting/diagnosis/held_out.h"
-#include "fitting/diagnosis/learn_law.h"
+#include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/localise.h"
 #include "fitting/diagnosis/mismatch_pictures.h"
 #include "fitting/diagnosis/mismatch_words.h"
-#include "fitting/diagnosis/model_proof.h"
-#include "fitting/diagnosis/model_race.h"
 #include "fitting/diagnosis/modelling.h"
-#include "fitting/diagnosis/parameter_intervals.h"
-#include "fitting/diagnosis/ranking.h"
-#include "fitting/diagnosis/undetermined.h"
-#include "fitting/diagnosis/verdict.h"
 #include "tracking/text.h"
 
 namespace clothfit {
@@ -36,99 +25,6 @@ constexpr int kCoarsestSide = 9;     // on coarser meshes amounts come out a ten
 constexpr double kFineEnough = 0.7;  // share of the unexplained that the mesh may make
 constexpr double kCatchesUp = 0.3;   // of what a model gains, the same without its effect
 constexpr int kMostRematches = 2;    // of a diagnosis
-
-class Diagnoser {
- public:
-  Diagnoser(const Recording& recording, const FitConfig& baseline, const DiagnosisOptions& options)
-      : recording_(WithHeldOutFrames(recording, options.held_out_share)),
-        baseline_(baseline),
-        options_(options),
-        runner_(options) {}
-
-  Diagnosis Run();
-
- private:
-  FittedScene UndoSwaps(FittedScene fitted);
-  // Ranks; where mesh and step make much of what is left, on a finer mesh.
-  Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
-  // Where, when and of what class a force is missing.
-  void LocateMismatch(const FittedScene& fitted);
-  // One more effect. False where there is none to be had.
-  bool AddEffect(FittedScene* current, HeldOutErrors* errors);
-  // Whether a fit without the effect, begun where the model has ended, comes (nearly) as far: then
-  // the model had found a better valley, not an effect. What is explained is held against that
-  // fit then.
-  bool CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors);
-  // Forgets a round, so that it can be held again from a better fit.
-  void BeginAgain(std::size_t first_model, const FittedScene& better, const HeldOutErrors& errors);
-  void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
-  Model Describe(const FittedModel& model, const FittedScene& before, const HeldOutErrors& errors);
-  void ProveBestOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
-                          const ProofStart& start);
-  void TellApart(const Ambiguity& ambiguity);
-  // A law instead of names, where those explain too little and it explains more.
-  void LearnInstead(FittedScene* current);
-  // The answer without those of its amounts that may be anything about nothing.
-  void TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors);
-  // What mesh and step do to the answer: to its parameters, and what they leave of it.
-  void MeasureAnswer(const FittedScene& model);
-  // Share of what the baseline does not explain that the answer does.
-  double ExplainedBy(const FittedScene& model) const;
-  void WidenIntervals(const FittedScene& model);
-  // Where, when and how the physics that was named acts.
-  void MeasureWhatActs(const FittedScene& model);
-  void Conclude(const FittedScene& current);
-  void Say(const std::string& stage, double fraction) {
-    if (options_.progress) options_.progress(stage, fraction);
-  }
-  void Log(const std::string& line) const {
-    if (options_.log) options_.log(line);
-  }
-  bool Stopped() const { return runner_.IsStopped(); }
-  ChoiceRules RulesOf(const FittedScene& before) const {
-    return {before.fit.cost_after, options_.least_share, options_.prove};
-  }
-  void Spend(const std::string& stage);
-  void SpendOn(const Ranking& ranking);
-
-  Recording recording_;
-  FitConfig baseline_;
-  const DiagnosisOptions& options_;
-  FitRunner runner_;
-  Diagnosis diagnosis_;
-  Ranking last_ranking_;
-  std::vector<std::string> kept_parameters_;
-  // What was kept last, and what it was held against.
-  struct Kept {
-    std::size_t model;  // of diagnosis_.models
-    RankedCandidate candidate;
-    FittedScene before;
-    HeldOutErrors before_errors;
-  };
-  std::optional<Kept> kept_;
-  double kept_score_ = 0.0;  // the highest of what was kept
-  double baseline_cost_ = 0.0;
-  bool is_above_floor_ = false;
-  std::optional<FittedScene> first_scene_;  // the baseline that was ranked first
-  std::optional<Ranking> first_ranking_;
-  HeldOutErrors first_errors_;
-  int rematches_ = 0;
-  double first_unexplained_ = 0.0;  // sum of squares
-  NumericalShifts shifts_;          // of the answer
-  std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
-};
-
-void Diagnoser::Spend(const std::string& stage) {
-  const auto now = std::chrono::steady_clock::now();
-  diagnosis_.seconds.push_back({stage, std::chrono::duration<double>(now - mark_).count()});
-  mark_ = now;
-}
-
-void Diagnoser::SpendOn(const Ranking& ranking) {
-  for (const auto& [part, seconds] : ranking.seconds)
-    diagnosis_.seconds.push_back({"ranking: " + part, seconds});
-  mark_ = std::chrono::steady_clock::now();
-}
 
 // Would anything be held against the physics?
 bool IsSuspicious(const Ranking& ranking) {
@@ -152,6 +48,20 @@ bool IsObvious(const Ranking& ranking) {
 bool MeshMatters(const Ranking& ranking) {
   const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
   return ranking.floor_rms > kFineEnough * left;
+}
+
+}  // namespace
+
+void Diagnoser::Spend(const std::string& stage) {
+  const auto now = std::chrono::steady_clock::now();
+  diagnosis_.seconds.push_back({stage, std::chrono::duration<double>(now - mark_).count()});
+  mark_ = now;
+}
+
+void Diagnoser::SpendOn(const Ranking& ranking) {
+  for (const auto& [part, seconds] : ranking.seconds)
+    diagnosis_.seconds.push_back({"ranking: " + part, seconds});
+  mark_ = std::chrono::steady_clock::now();
 }
 
 // Swapped markers are put right at once: nothing else can be said before.
@@ -408,115 +318,6 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   return true;
 }
 
-void Diagnoser::LearnInstead(FittedScene* current) {
-  // Share of the excess that a law has to explain more: this, or half of what is left.
-  constexpr double kBetter = 0.1;
-  if (!first_ranking_ || Stopped()) return;
-  // What is proven is there, whatever mesh and step may leave.
-  const bool is_there =
-      diagnosis_.answer || (first_ranking_->gate_p_value < kGate && is_above_floor_);
-  if (!is_there) return;
-  const double explained = ExplainedBy(*current);
-  if (explained > MostOfIt(diagnosis_)) return;
-  Say("learning a law", 0.85);
-  std::optional<LearnedFit> fit = LearnLaw(*first_scene_, baseline_, *first_ranking_, options_);
-  Spend("learning a law");
-  if (!fit) return;
-  FittedModel model{{}, fit->scene, MeasureHeldOut(fit->scene)};
-  model.candidate.names = fit->names;
-  last_ranking_ = *first_ranking_;
-  kept_parameters_.clear();
-  Law law{Describe(model, *first_scene_, first_errors_), LawFormula(*fit, first_ranking_->extent)};
-  law.model.effects = fit->terms;
-  law.model.is_kept = !options_.prove || law.model.proof.is_proven;
-  Log(fmt::format("a law of {}: cost {:.6g} -> {:.6g}; {}", JoinNames(fit->terms), baseline_cost_,
-                  fit->scene.fit.cost_after, law.formula));
-  diagnosis_.models.push_back(law.model);
-  // By the same measure as the names.
-  const double by_names = baseline_cost_ - current->fit.cost_after;
-  const double by_law = explained > 0.0
-                            ? explained * (baseline_cost_ - law.model.cost) / by_names
-                            : law.model.explained;
-  if (!law.model.is_kept || by_law < explained + std::min(kBetter, 0.5 * (1.0 - explained))) return;
-  diagnosis_.answer = law.model;
-  diagnosis_.effects.clear();
-  diagnosis_.ambiguity.clear();
-  diagnosis_.separating.reset();
-  diagnosis_.law = std::move(law);
-  *current = fit->scene;
-  MeasureAnswer(*current);
-}
-
-void Diagnoser::MeasureAnswer(const FittedScene& model) {
-  if (!diagnosis_.answer || Stopped()) return;
-  Say("measuring what mesh and step do to the answer", 0.85);
-  shifts_ = MeasureNumericalShifts(model, options_.seed);
-  Spend("intervals");
-}
-
-// Around a fit that is far off mesh and step leave more than around the truth, so that much seems
-// to be explained by whatever comes as near as that. What is far off itself is held to what they
-// leave of it.
-double Diagnoser::ExplainedBy(const FittedScene& model) const {
-  double null = last_ranking_.null_mean;
-  if (diagnosis_.answer && shifts_.draws > 0 && IsFarOff(model.scene, model.config, model.fit)) {
-    Log(fmt::format(
-        "noise, mesh and step leave a cost of {:.4g} of the baseline, of the answer {:.4g}",
-        0.5 * null, 0.5 * shifts_.left_squared));
-    null = std::min(null, shifts_.left_squared);
-  }
-  const double explainable = first_ranking_ ? first_ranking_->explainable : 0.0;
-  return ShareExplained(baseline_cost_, model.fit.cost_after, 0.5 * null,
-                        0.5 * std::max(explainable, kept_score_));
-}
-
-void Diagnoser::WidenIntervals(const FittedScene& model) {
-  if (!diagnosis_.answer || Stopped()) return;
-  Widen(shifts_, model.config, &diagnosis_.answer->parameters);
-  if (kept_ && !diagnosis_.law)
-    diagnosis_.models[kept_->model].parameters = diagnosis_.answer->parameters;
-}
-
-void Diagnoser::TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors) {
-  if (!diagnosis_.answer || !kept_ || diagnosis_.law || !kept_->candidate.faults.empty()) return;
-  Model& answer = *diagnosis_.answer;
-  std::optional<FittedModel> simpler =
-      WithoutUndetermined({kept_->candidate, *current, errors}, kept_->before.fit.cost_after,
-                          answer.parameters, runner_);
-  Spend("without what is not determined");
-  if (!simpler) return;
-  Log(fmt::format("without {}, which this recording does not determine: cost {:.6g} -> {:.6g}",
-                  JoinNames(Undetermined(answer.parameters)), current->fit.cost_after,
-                  simpler->scene.fit.cost_after));
-  Model described = Describe(*simpler, kept_->before, kept_->before_errors);
-  TakeValues(simpler->scene.values, &answer.parameters);
-  answer.config = described.config;
-  answer.cost = described.cost;
-  answer.explained = described.explained;
-  if (described.proof.is_proven) answer.proof = described.proof;
-  diagnosis_.models[kept_->model] = answer;
-  *current = std::move(simpler->scene);
-}
-
-void Diagnoser::MeasureWhatActs(const FittedScene& model) {
-  diagnosis_.acting = MeasureActingForce(model, diagnosis_.answer->effects);
-  const bool acts = diagnosis_.acting && diagnosis_.acting->acts;
-  if (acts) diagnosis_.acting_class = ClassOfActing(model.scene, *diagnosis_.acting);
-}
-
-void Diagnoser::Conclude(const FittedScene& current) {
-  const double explained = ExplainedBy(current);
-  diagnosis_.verdict =
-      Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, explained, is_above_floor_);
-  // What stands for most of something unknown acts as that does.
-  constexpr double kStandsFor = 0.5;
-  const bool stands_for = diagnosis_.verdict == Verdict::kNoneOfTheAbove && diagnosis_.answer &&
-                          explained >= kStandsFor;
-  if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law || stands_for)
-    MeasureWhatActs(current);
-  diagnosis_.words = DescribeDiagnosis(diagnosis_);
-}
-
 Diagnosis Diagnoser::Run() {
   Say("fitting the baseline", 0.0);
   FittedScene fitted = FitBaseline(recording_, baseline_, options_);
@@ -540,8 +341,6 @@ Diagnosis Diagnoser::Run() {
   Conclude(current);
   return diagnosis_;
 }
-
-}  // namespace
 
 Diagnosis Diagnose(const Recording& recording, const FitConfig& baseline,
                    const DiagnosisOptions& options) {

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A diagnosis under way: what is known so far, and its steps. Its answer is looked at in
+// diagnoser_answer.cc, all else is in diagnose.cc.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fitting/diagnosis/ambiguity.h"
+#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/fit_runner.h"
+#include "fitting/diagnosis/held_out.h"
+#include "fitting/diagnosis/model_proof.h"
+#include "fitting/diagnosis/model_race.h"
+#include "fitting/diagnosis/parameter_intervals.h"
+#include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/verdict.h"
+
+namespace clothfit {
+
+class Diagnoser {
+ public:
+  Diagnoser(const Recording& recording, const FitConfig& baseline, const DiagnosisOptions& options)
+      : recording_(WithHeldOutFrames(recording, options.held_out_share)),
+        baseline_(baseline),
+        options_(options),
+        runner_(options) {}
+
+  Diagnosis Run();
+
+ private:
+  FittedScene UndoSwaps(FittedScene fitted);
+  // Ranks; where mesh and step make much of what is left, on a finer mesh.
+  Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
+  // Where, when and of what class a force is missing.
+  void LocateMismatch(const FittedScene& fitted);
+  // One more effect. False where there is none to be had.
+  bool AddEffect(FittedScene* current, HeldOutErrors* errors);
+  // Whether a fit without the effect, begun where the model has ended, comes (nearly) as far: then
+  // the model had found a better valley, not an effect. What is explained is held against that
+  // fit then.
+  bool CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors);
+  // Forgets a round, so that it can be held again from a better fit.
+  void BeginAgain(std::size_t first_model, const FittedScene& better, const HeldOutErrors& errors);
+  void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
+  Model Describe(const FittedModel& model, const FittedScene& before, const HeldOutErrors& errors);
+  void ProveBestOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
+                          const ProofStart& start);
+  void TellApart(const Ambiguity& ambiguity);
+  // A law instead of names, where those explain too little and it explains more.
+  void LearnInstead(FittedScene* current);
+  // The answer without those of its amounts that may be anything about nothing.
+  void TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors);
+  // What mesh and step do to the answer: to its parameters, and what they leave of it.
+  void MeasureAnswer(const FittedScene& model);
+  // Share of what the baseline does not explain that the answer does.
+  double ExplainedBy(const FittedScene& model) const;
+  void WidenIntervals(const FittedScene& model);
+  // Where, when and how the physics that was named acts.
+  void MeasureWhatActs(const FittedScene& model);
+  void Conclude(const FittedScene& current);
+  void Say(const std::string& stage, double fraction) {
+    if (options_.progress) options_.progress(stage, fraction);
+  }
+  void Log(const std::string& line) const {
+    if (options_.log) options_.log(line);
+  }
+  bool Stopped() const { return runner_.IsStopped(); }
+  ChoiceRules RulesOf(const FittedScene& before) const {
+    return {before.fit.cost_after, options_.least_share, options_.prove};
+  }
+  void Spend(const std::string& stage);
+  void SpendOn(const Ranking& ranking);
+
+  Recording recording_;
+  FitConfig baseline_;
+  const DiagnosisOptions& options_;
+  FitRunner runner_;
+  Diagnosis diagnosis_;
+  Ranking last_ranking_;
+  std::vector<std::string> kept_parameters_;
+  // What was kept last, and what it was held against.
+  struct Kept {
+    std::size_t model;  // of diagnosis_.models
+    RankedCandidate candidate;
+    FittedScene before;
+    HeldOutErrors before_errors;
+  };
+  std::optional<Kept> kept_;
+  double kept_score_ = 0.0;  // the highest of what was kept
+  double baseline_cost_ = 0.0;
+  bool is_above_floor_ = false;
+  std::optional<FittedScene> first_scene_;  // the baseline that was ranked first
+  std::optional<Ranking> first_ranking_;
+  HeldOutErrors first_errors_;
+  int rematches_ = 0;
+  double first_unexplained_ = 0.0;  // sum of squares
+  NumericalShifts shifts_;          // of the answer
+  std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace clothfit

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The answer of a diagnosis: a law where names explain too little, how certain its parameters are,
+// where it acts, and the verdict.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/diagnoser.h"
+#include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/diagnosis/learn_law.h"
+#include "fitting/diagnosis/mismatch_words.h"
+#include "fitting/diagnosis/undetermined.h"
+#include "tracking/text.h"
+
+namespace clothfit {
+
+void Diagnoser::LearnInstead(FittedScene* current) {
+  // Share of the excess that a law has to explain more: this, or half of what is left.
+  constexpr double kBetter = 0.1;
+  if (!first_ranking_ || Stopped()) return;
+  const bool stands_out = first_ranking_->gate_p_value < kGate && is_above_floor_;
+  // Physics that is proven is there, whatever mesh and step may leave.
+  const bool is_there = kept_ && kept_->candidate.faults.empty() &&
+                        IsFarOff(current->scene, current->config, current->fit);
+  if (!stands_out && !is_there) return;
+  const double explained = ExplainedBy(*current);
+  if (explained > MostOfIt(diagnosis_)) return;
+  Say("learning a law", 0.85);
+  std::optional<LearnedFit> fit = LearnLaw(*first_scene_, baseline_, *first_ranking_, options_);
+  Spend("learning a law");
+  if (!fit) return;
+  FittedModel model{{}, fit->scene, MeasureHeldOut(fit->scene)};
+  model.candidate.names = fit->names;
+  last_ranking_ = *first_ranking_;
+  kept_parameters_.clear();
+  Law law{Describe(model, *first_scene_, first_errors_), LawFormula(*fit, first_ranking_->extent)};
+  law.model.effects = fit->terms;
+  law.model.is_kept = !options_.prove || law.model.proof.is_proven;
+  Log(fmt::format("a law of {}: cost {:.6g} -> {:.6g}; {}", JoinNames(fit->terms), baseline_cost_,
+                  fit->scene.fit.cost_after, law.formula));
+  diagnosis_.models.push_back(law.model);
+  // By the same measure as the names.
+  const double by_names = baseline_cost_ - current->fit.cost_after;
+  const double by_law = explained > 0.0 ? explained * (baseline_cost_ - law.model.cost) / by_names
+                                        : law.model.explained;
+  if (!law.model.is_kept || by_law < explained + std::min(kBetter, 0.5 * (1.0 - explained))) return;
+  diagnosis_.answer = law.model;
+  diagnosis_.effects.clear();
+  diagnosis_.ambiguity.clear();
+  diagnosis_.separating.reset();
+  diagnosis_.law = std::move(law);
+  *current = fit->scene;
+  MeasureAnswer(*current);
+}
+
+void Diagnoser::MeasureAnswer(const FittedScene& model) {
+  if (!diagnosis_.answer || Stopped()) return;
+  Say("measuring what mesh and step do to the answer", 0.85);
+  shifts_ = MeasureNumericalShifts(model, options_.seed);
+  Spend("intervals");
+}
+
+// Around a fit that is far off mesh and step leave more than around the truth, so that much seems
+// to be explained by whatever comes as near as that. What is far off itself is held to what they
+// leave of it.
+double Diagnoser::ExplainedBy(const FittedScene& model) const {
+  double null = last_ranking_.null_mean;
+  if (diagnosis_.answer && shifts_.draws > 0 && IsFarOff(model.scene, model.config, model.fit)) {
+    Log(fmt::format(
+        "noise, mesh and step leave a cost of {:.4g} of the baseline, of the answer {:.4g}",
+        0.5 * null, 0.5 * shifts_.left_squared));
+    null = std::min(null, shifts_.left_squared);
+  }
+  const double explainable = first_ranking_ ? first_ranking_->explainable : 0.0;
+  return ShareExplained(baseline_cost_, model.fit.cost_after, 0.5 * null,
+                        0.5 * std::max(explainable, kept_score_));
+}
+
+void Diagnoser::WidenIntervals(const FittedScene& model) {
+  if (!diagnosis_.answer || Stopped()) return;
+  Widen(shifts_, model.config, &diagnosis_.answer->parameters);
+  if (kept_ && !diagnosis_.law)
+    diagnosis_.models[kept_->model].parameters = diagnosis_.answer->parameters;
+}
+
+void Diagnoser::TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors) {
+  if (!diagnosis_.answer || !kept_ || diagnosis_.law || !kept_->candidate.faults.empty()) return;
+  Model& answer = *diagnosis_.answer;
+  std::optional<FittedModel> simpler =
+      WithoutUndetermined({kept_->candidate, *current, errors}, kept_->before.fit.cost_after,
+                          answer.parameters, runner_);
+  Spend("without what is not determined");
+  if (!simpler) return;
+  Log(fmt::format("without {}, which this recording does not determine: cost {:.6g} -> {:.6g}",
+                  JoinNames(Undetermined(answer.parameters)), current->fit.cost_after,
+                  simpler->scene.fit.cost_after));
+  Model described = Describe(*simpler, kept_->before, kept_->before_errors);
+  TakeValues(simpler->scene.values, &answer.parameters);
+  answer.config = described.config;
+  answer.cost = described.cost;
+  answer.explained = described.explained;
+  if (described.proof.is_proven) answer.proof = described.proof;
+  diagnosis_.models[kept_->model] = answer;
+  *current = std::move(simpler->scene);
+}
+
+void Diagnoser::MeasureWhatActs(const FittedScene& model) {
+  diagnosis_.acting = MeasureActingForce(model, diagnosis_.answer->effects);
+  const bool acts = diagnosis_.acting && diagnosis_.acting->acts;
+  if (acts) diagnosis_.acting_class = ClassOfActing(model.scene, *diagnosis_.acting);
+}
+
+void Diagnoser::Conclude(const FittedScene& current) {
+  const double explained = ExplainedBy(current);
+  diagnosis_.verdict =
+      Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, explained, is_above_floor_);
+  // What stands for most of something unknown acts as that does.
+  constexpr double kStandsFor = 0.5;
+  const bool stands_for = diagnosis_.verdict == Verdict::kNoneOfTheAbove && diagnosis_.answer &&
+                          explained >= kStandsFor;
+  if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law || stands_for)
+    MeasureWhatActs(current);
+  diagnosis_.words = DescribeDiagnosis(diagnosis_);
+}
+
+}  // namespace clothfit
