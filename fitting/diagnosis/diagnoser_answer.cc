@@ -115,6 +115,10 @@ void Diagnoser::MeasureWhatActs(const FittedScene& model) {
 
 void Diagnoser::Conclude(const FittedScene& current) {
   const double explained = ExplainedBy(current);
+  if (diagnosis_.answer && kept_ && !diagnosis_.law) {  // of what is far off no more than that
+    diagnosis_.answer->explained = std::min(diagnosis_.answer->explained, explained);
+    diagnosis_.models[kept_->model].explained = diagnosis_.answer->explained;
+  }
   diagnosis_.verdict =
       Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, explained, is_above_floor_);
   // What stands for most of something unknown acts as that does.
