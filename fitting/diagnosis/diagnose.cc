@@ -287,7 +287,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   if (is_first && IsSuspicious(ranking)) LocateMismatch(*current);
   const ModelRace race(baseline_, options_);
   std::vector<FittedModel> models =
-      race.Run(*current, ranking, options_.least_share * first_unexplained_);
+      race.Run(*current, *errors, ranking, options_.least_share * first_unexplained_);
   Spend("fitting models");
   if (models.empty()) return false;
   const std::size_t first_model = diagnosis_.models.size();

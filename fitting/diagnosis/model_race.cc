@@ -118,8 +118,8 @@ std::vector<RankedCandidate> ModelRace::Entrants(const Ranking& ranking, double 
   return entrants;
 }
 
-std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const Ranking& ranking,
-                                        double least_score) const {
+std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const HeldOutErrors& errors,
+                                        const Ranking& ranking, double least_score) const {
   const std::vector<RankedCandidate> entrants = Entrants(ranking, least_score);
   std::vector<std::optional<FittedScene>> heats(entrants.size());
   std::vector<std::string> names;
@@ -145,7 +145,7 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const Rankin
     Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
                     current.fit.cost_after, model.scene.fit.cost_after));
   }
-  PutBestPredictionFirst(current.fit.cost_after, MeasureHeldOut(current), &models);
+  PutBestPredictionFirst(current.fit.cost_after, errors, &models);
   if (!models.empty()) TakeOutIdleParts(current, ranking, &models.front());
   return models;
 }

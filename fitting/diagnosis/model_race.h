@@ -42,10 +42,10 @@ class ModelRace {
 
   // The best first: of those that explain nearly all that the lowest cost does, the one that
   // predicts the held-out frames best (of several that do, the one with the fewest unknowns), and
-  // then by cost. least_score: sum of squares that a
+  // then by cost. `errors`: those of `current`; least_score: sum of squares that a
   // short-listed candidate has to promise.
-  std::vector<FittedModel> Run(const FittedScene& current, const Ranking& ranking,
-                               double least_score) const;
+  std::vector<FittedModel> Run(const FittedScene& current, const HeldOutErrors& errors,
+                               const Ranking& ranking, double least_score) const;
 
  private:
   std::vector<RankedCandidate> Entrants(const Ranking& ranking, double least_score) const;

@@ -43,7 +43,7 @@ class Race : public testing::Test {
     ranking.null_mean = null_mean;
     DiagnosisOptions options;
     options.progress = [&](const std::string& stage, double) { stages->push_back(stage); };
-    return ModelRace(told_, options).Run(*current_, ranking, 0.0);
+    return ModelRace(told_, options).Run(*current_, MeasureHeldOut(*current_), ranking, 0.0);
   }
 
   static inline FitConfig told_;
