@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "autodiff_sim/cloth_box.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/window_simulator.h"
 
@@ -18,6 +19,10 @@ namespace {
 struct Spread {
   double low, high;
   double amount;
+};
+
+struct Stretch {
+  double low, high;
 };
 
 // Where this share of all amounts lies below.
@@ -39,10 +44,10 @@ double Quantile(const std::vector<Spread>& spreads, double share) {
 }
 
 // What holds all but this share at either end, longer by as much as of what is even.
-Spread Middle(const std::vector<Spread>& spreads, double outside) {
+Stretch Middle(const std::vector<Spread>& spreads, double outside) {
   const double low = Quantile(spreads, outside), high = Quantile(spreads, 1.0 - outside);
   const double more = 0.5 * (high - low) * (1.0 / (1.0 - 2.0 * outside) - 1.0);
-  return {low - more, high + more, 1.0 - 2.0 * outside};
+  return {low - more, high + more};
 }
 
 }  // namespace
@@ -102,11 +107,7 @@ ActingForce ForceMeter::Result(const ClothMesh& mesh) const {
 // particles of the edge, which stand for little of it.
 void ForceMeter::FindRegion(const ClothMesh& mesh, ActingForce* result) const {
   constexpr double kOutside = 0.1;  // of the force, on either side
-  Eigen::Vector2d low = mesh.uv.front(), high = low;
-  for (const Eigen::Vector2d& uv : mesh.uv) {
-    low = low.cwiseMin(uv);
-    high = high.cwiseMax(uv);
-  }
+  const auto [low, high] = BoxOf(mesh);
   for (int axis = 0; axis < 2; ++axis) {
     std::vector<Spread> spreads;
     for (int i = 0; i < mesh.num_particles(); ++i) {
@@ -118,7 +119,7 @@ void ForceMeter::FindRegion(const ClothMesh& mesh, ActingForce* result) const {
                          std::min(high[axis], at + 0.5 * side),
                          area * std::sqrt(of_particles_[i])});
     }
-    const Spread middle = Middle(spreads, kOutside);
+    const Stretch middle = Middle(spreads, kOutside);
     result->low_uv[axis] = std::max(low[axis], middle.low);
     result->high_uv[axis] = std::min(high[axis], middle.high);
   }
@@ -135,7 +136,7 @@ void ForceMeter::FindFrames(ActingForce* result) const {
     const double squares = of_frames_[static_cast<std::size_t>(frame)];
     spreads.push_back({frame - 1.0, frame * 1.0, std::sqrt(squares)});
   }
-  const Spread middle = Middle(spreads, kOutside);
+  const Stretch middle = Middle(spreads, kOutside);
   const int first = 1 + static_cast<int>(std::floor(middle.low + kRounding));
   result->first_frame = first <= 1 ? 0 : first;
   result->last_frame = std::clamp(static_cast<int>(std::ceil(middle.high - kRounding)), 1, last);

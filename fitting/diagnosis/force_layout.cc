@@ -7,6 +7,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "autodiff_sim/cloth_box.h"
 #include "autodiff_sim/terms/residual_force.h"
 
 namespace clothfit {
@@ -94,11 +95,9 @@ Eigen::MatrixXd ForceLayout::CorrelationFactor(double length, double time) const
 ForceLayout MakeForceLayout(const ClothMesh& mesh, const std::array<int, 2>& nodes,
                             double frame_rate, int last_frame, double spacing) {
   ForceLayout layout;
-  layout.low = layout.high = mesh.uv.front();
-  for (const Eigen::Vector2d& uv : mesh.uv) {
-    layout.low = layout.low.cwiseMin(uv);
-    layout.high = layout.high.cwiseMax(uv);
-  }
+  const ClothBox cloth = BoxOf(mesh);
+  layout.low = cloth.low;
+  layout.high = cloth.high;
   layout.nodes = nodes;
   layout.frame_rate = frame_rate;
   layout.frames_per_knot = std::max(1, static_cast<int>(std::lround(spacing * frame_rate)));

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/cloth_box.h"
+
 namespace clothfit {
 
 std::string DirectionWords(const Eigen::Vector3d& direction) {
@@ -84,16 +86,13 @@ ActingClass ClassOfActing(const Scene& scene, const ActingForce& force) {
       is_always ? "all the time"
                 : fmt::format("between {:.2f} s and {:.2f} s", scene.FrameTime(force.first_frame),
                               scene.FrameTime(force.last_frame));
-  Eigen::Vector2d low = scene.mesh.uv.front(), high = low;
-  for (const Eigen::Vector2d& uv : scene.mesh.uv) {
-    low = low.cwiseMin(uv);
-    high = high.cwiseMax(uv);
-  }
+  const ClothBox cloth = BoxOf(scene.mesh);
   const double length = force.mean_direction.norm();
   const std::string along =
       length > kOneWay ? ", mostly along " + DirectionWords(force.mean_direction / length) : "";
   found.words = fmt::format("It acts {} on {}, with {:.2g} N/m^2 where it is strongest{}.", when,
-                            RegionWords(low, high, force.low_uv, force.high_uv), force.peak, along);
+                            RegionWords(cloth.low, cloth.high, force.low_uv, force.high_uv),
+                            force.peak, along);
   found.words += found.is_internal ? " It is the cloth's own: no net force, no net moment"
                                    : " It comes from outside the cloth";
   if (found.is_dissipative) found.words += ", and takes energy out of the motion";
