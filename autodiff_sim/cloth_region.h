@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "autodiff_sim/cloth_box.h"
 #include "autodiff_sim/term.h"
 
 namespace clothfit {
@@ -33,12 +34,8 @@ constexpr Parameter kLineOffset =
 
 // Middle of the box around the cloth's (u, v), m.
 inline Eigen::Vector2d MiddleOfCloth(const ClothMesh& mesh) {
-  Eigen::Vector2d low = mesh.uv.front(), high = low;
-  for (const Eigen::Vector2d& uv : mesh.uv) {
-    low = low.cwiseMin(uv);
-    high = high.cwiseMax(uv);
-  }
-  return 0.5 * (low + high);
+  const ClothBox box = BoxOf(mesh);
+  return 0.5 * (box.low + box.high);
 }
 
 // (u, v) of the middle of an element, m.

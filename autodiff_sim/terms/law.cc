@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "autodiff_sim/cloth_box.h"
 #include "autodiff_sim/force_batch_impl.h"
 
 namespace clothfit {
@@ -12,11 +13,7 @@ namespace clothfit {
 std::vector<LawTension::Element> LawTension::Elements(const TermContext& context) {
   constexpr double kBand = 0.06;  // one sigma of its width, of the cloth's longer side
   const std::vector<Eigen::Vector2d>& uv = context.mesh.uv;
-  Eigen::Vector2d low = uv.front(), high = low;
-  for (const Eigen::Vector2d& p : uv) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const auto [low, high] = BoxOf(context.mesh);
   const Eigen::Vector2d middle = 0.5 * (low + high);
   const double width = kBand * (high - low).maxCoeff();
   const double half = std::sqrt(0.5);
