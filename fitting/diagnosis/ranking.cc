@@ -9,20 +9,15 @@
 #include <set>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "fitting/diagnosis/baseline_fit.h"
-#include "fitting/diagnosis/named_parameter.h"
-#include "fitting/diagnosis/parameter_intervals.h"
+#include "fitting/diagnosis/short_list.h"
 
 namespace clothfit {
 namespace {
 
 constexpr int kMostProbes = 8;          // of a candidate, in the first round
 constexpr int kRefined = 5;             // candidates whose places and shapes are looked at again
-constexpr double kStandsOut = 2.0;      // detection limits
 constexpr double kByItsPattern = 1e-3;  // p-value
-constexpr double kWellMade = 3.0;       // sigmas of well-made recordings, one sigma
 
 // One candidate at one probe, and where its columns are.
 struct Trial {
@@ -64,8 +59,6 @@ class Ranker {
              RankedCandidate* candidate) const;
   double ExplainedTogether(const Projection& projection,
                            const std::vector<Eigen::VectorXd>& nulls) const;
-  bool IsBeyondWellMade(const RankedCandidate& candidate) const;
-  void ShortList(Ranking* ranking) const;
   void DrawTheNulls();
   double AtScale(int column) const { return 1.0 / scale_[column]; }
 
@@ -235,16 +228,6 @@ void Ranker::Refine() {
 
 double ShareOf(double score, double left) { return left > 0.0 ? std::min(1.0, score / left) : 0.0; }
 
-// Is any of a fault's amounts larger than well-made recordings have it?
-bool Ranker::IsBeyondWellMade(const RankedCandidate& candidate) const {
-  for (std::size_t k = 0; k < candidate.faults.size(); ++k) {
-    const Fault& fault = faults_[static_cast<std::size_t>(candidate.faults[k])];
-    const double amount = std::abs(candidate.amounts[static_cast<Eigen::Index>(k)]);
-    if (amount > kWellMade * fault.typical) return true;
-  }
-  return false;
-}
-
 // p-value and detection limit from the scores that the null gave the same candidate.
 void Ranker::Judge(const Projection& projection, const std::vector<double>& null_scores,
                    RankedCandidate* candidate) const {
@@ -318,62 +301,6 @@ RankedCandidate Ranker::Observation(const std::string& group, const Projection& 
   Judge(projection, null_scores, &ranked);
   ranked.summary.share = ShareOf(ranked.summary.score, std::max(left, ranked.summary.score));
   return ranked;
-}
-
-void Ranker::ShortList(Ranking* ranking) const {
-  std::vector<double> p_values;
-  for (const RankedCandidate& c : ranking->candidates) p_values.push_back(c.summary.p_value);
-  const std::vector<double> rates = FalseDiscoveryRates(p_values);
-  const bool is_far_off = ranking->residual_rms > kFarOff;
-  // Of outlines alone nothing is proven against mesh and step, so that more has to be left.
-  const bool may_be_mesh = !HasPoints(fitted_.scene) && ranking->gate_p_value >= kGate;
-  for (std::size_t i = 0; i < ranking->candidates.size(); ++i) {
-    RankedCandidate& candidate = ranking->candidates[i];
-    Candidate& summary = candidate.summary;
-    summary.q_value = rates[i];
-    for (std::size_t k = 0; k < candidate.names.size(); ++k) {
-      const auto index = static_cast<Eigen::Index>(k);
-      std::string unit;
-      if (summary.kind == CandidateKind::kObservation) {
-        unit = faults_[candidate.faults[k]].unit;
-      } else {
-        unit = ParameterNamed(candidate.names[k]).unit;
-      }
-      summary.parameters.push_back({candidate.names[k], unit});
-      SetInterval(candidate.amounts[index], candidate.sigma[index], &summary.parameters.back());
-    }
-    if (summary.q_value > options_.false_discovery) {
-      summary.why_not = fmt::format("the null does as much with p = {:.2g}", summary.p_value);
-    } else if (is_far_off && summary.kind == CandidateKind::kObservation &&
-               !candidate.Exceeds(kStandsOut)) {
-      // A fit in a wrong valley errs by more, and otherwise, than the null tells.
-      summary.why_not = "the fit is far off, and it does not stand out of the null";
-    } else if (may_be_mesh && summary.kind == CandidateKind::kPhysics) {
-      summary.why_not = "mesh and step may make all that is left";
-    } else if (!candidate.faults.empty() && !IsBeyondWellMade(candidate)) {
-      summary.why_not = "no larger than in well-made recordings";
-    } else if (summary.share < options_.least_share) {
-      summary.why_not = fmt::format("explains {:.0f} % of it", 100.0 * summary.share);
-    } else {
-      summary.is_short_listed = true;
-    }
-  }
-  // A fault is held to no share of the whole. What stands out as much and explains more of the same
-  // residuals competes with it, so that no fault is blamed for want of an alternative.
-  double of_fault = HUGE_VAL;
-  for (const RankedCandidate& candidate : ranking->candidates) {
-    const Candidate& summary = candidate.summary;
-    if (summary.is_short_listed && summary.kind == CandidateKind::kObservation)
-      of_fault = std::min(of_fault, summary.score);
-  }
-  for (RankedCandidate& candidate : ranking->candidates) {
-    Candidate& summary = candidate.summary;
-    const bool competes =
-        summary.kind == CandidateKind::kPhysics && !may_be_mesh && summary.score > of_fault;
-    if (!competes || summary.q_value > options_.false_discovery) continue;
-    summary.is_short_listed = true;
-    summary.why_not.clear();
-  }
 }
 
 // By how much all absent physics together would lower the sum of squares, above what they do to the
@@ -481,7 +408,7 @@ Ranking Ranker::Run() {
   for (const std::string& group : groups) ranking.candidates.push_back(Observation(group, raw));
   std::stable_sort(ranking.candidates.begin(), ranking.candidates.end(),
                    [](const auto& a, const auto& b) { return a.summary.score > b.summary.score; });
-  ShortList(&ranking);
+  ShortList(HasPoints(fitted_.scene), options_, &ranking);
   ranking.projection = projection;
   spent("scores");
   return ranking;
