@@ -82,8 +82,12 @@ double Diagnoser::ExplainedBy(const FittedScene& model) const {
 void Diagnoser::WidenIntervals(const FittedScene& model) {
   if (!diagnosis_.answer || Stopped()) return;
   Widen(shifts_, model.config, &diagnosis_.answer->parameters);
-  if (kept_ && !diagnosis_.law)
-    diagnosis_.models[kept_->model].parameters = diagnosis_.answer->parameters;
+  const std::vector<EffectParameter>& widened = diagnosis_.answer->parameters;
+  if (diagnosis_.law) {  // the last of the models
+    diagnosis_.law->model.parameters = diagnosis_.models.back().parameters = widened;
+  } else if (kept_) {
+    diagnosis_.models[kept_->model].parameters = widened;
+  }
 }
 
 void Diagnoser::TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors) {

@@ -22,63 +22,47 @@ constexpr int kMostFamilies = 2;  // at once
 constexpr int kIterations = 8;
 constexpr double kWorthMore = 0.2;  // share of the cost that another family has to take away
 
-bool IsCoefficient(const NamedParameter& named, const std::string& term) {
-  return named.term == term && SwitchesOff(named.parameter);
-}
-
-// Coefficients of a family that are free.
-std::vector<std::string> FreeCoefficients(const FitConfig& config, const std::string& term) {
+// Coefficients of families that are free, a family after the other.
+std::vector<std::string> FreeCoefficients(const FitConfig& config,
+                                          const std::vector<std::string>& terms) {
   std::vector<std::string> names;
-  for (const NamedParameter& named : MakeParameterTable()) {
-    if (IsCoefficient(named, term) && config.parameters.at(named.name).free)
-      names.push_back(named.name);
+  for (const std::string& term : terms) {
+    for (const NamedParameter& named : MakeParameterTable()) {
+      const bool is_coefficient = named.term == term && SwitchesOff(named.parameter);
+      if (is_coefficient && config.parameters.at(named.name).free) names.push_back(named.name);
+    }
   }
   return names;
 }
 
 // The model without the coefficients that its intervals hold for nothing; nothing to take out:
 // empty.
-std::optional<ModelStart> Pruned(const FittedScene& model, const std::string& term) {
-  ModelStart start = GoOn(model);
-  bool is_changed = false;
-  for (const std::string& name : FreeCoefficients(model.config, term)) {
+std::optional<ModelStart> Pruned(const FittedScene& model, const std::vector<std::string>& terms) {
+  std::vector<std::string> nothing;
+  for (const std::string& name : FreeCoefficients(model.config, terms)) {
     for (const ParameterEstimate& e : model.fit.estimates) {
       const bool is_something = e.lower95 > 0.0 || e.upper95 < 0.0;
-      if (e.name != name || is_something) continue;
-      ParameterSetting& setting = start.config.parameters.at(name);
-      setting.value = 0.0;
-      setting.free = false;
-      is_changed = true;
+      if (e.name == name && !is_something) nothing.push_back(name);
     }
   }
-  if (!is_changed) return {};
-  return start;
+  if (nothing.empty()) return {};
+  return GoOnWithout(model, nothing);
 }
 
-// Far off, a fabric that had to stand for what is missing is no good start.
-std::optional<FittedScene> FirstFit(const FittedScene& baseline, const FitConfig& told,
-                                    const RankedCandidate& family, const Ranking& ranking,
-                                    const FitRunner& runner) {
-  const ModelStart start = SwitchOn(baseline, family, ranking.faults);
-  std::optional<FittedScene> model = FitModel(baseline, start, kIterations, runner);
-  if (model && !IsFarOff(model->scene, model->config, model->fit)) return model;
-  std::optional<FittedScene> guided =
-      FitAfresh(FromNothing(told, start, family), Start::kGuided, kIterations, runner);
-  const bool is_better = guided && (!model || guided->fit.cost_after < model->fit.cost_after);
-  return is_better ? std::move(guided) : std::move(model);
-}
-
+// Beside the families of `terms`, whose coefficients may come to nothing next to it.
 std::optional<FittedScene> FitFamily(const FittedScene& baseline, const FitConfig& told,
-                                     const RankedCandidate& family, const Ranking& ranking,
-                                     const DiagnosisOptions& options) {
+                                     const RankedCandidate& family, std::vector<std::string> terms,
+                                     const Ranking& ranking, const DiagnosisOptions& options) {
   const FitRunner runner(options);
-  std::optional<FittedScene> model = FirstFit(baseline, told, family, ranking, runner);
+  std::optional<FittedScene> model = FitFirst(baseline, SwitchOn(baseline, family, ranking.faults),
+                                              told, family, kIterations, runner);
+  terms.push_back(family.term.term);
   for (int round = 0; model && round < 3; ++round) {
-    const std::optional<ModelStart> pruned = Pruned(*model, family.term.term);
+    const std::optional<ModelStart> pruned = Pruned(*model, terms);
     if (!pruned) break;
     model = FitModel(*model, *pruned, kIterations, runner);
   }
-  if (model && FreeCoefficients(model->config, family.term.term).empty()) return {};
+  if (model && FreeCoefficients(model->config, {family.term.term}).empty()) return {};
   return model;
 }
 
@@ -140,10 +124,11 @@ std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const FitConfig&
     if (law && from.fit.cost_after <= 0.5 * ranking.null_mean) break;
     const Ranking ranked = RankCandidates(from, options, laws);
     const std::vector<RankedCandidate> families = FamiliesToFit(ranked);
+    const std::vector<std::string> terms = law ? law->terms : std::vector<std::string>();
     std::vector<std::optional<FittedScene>> models(families.size());
     ParallelFor(static_cast<int>(families.size()), NumThreads(0), [&](int i, int) {
       const auto k = static_cast<std::size_t>(i);
-      models[k] = FitFamily(from, told, families[k], ranked, options);
+      models[k] = FitFamily(from, told, families[k], terms, ranked, options);
     });
     std::optional<FittedScene> best;
     std::string best_term;
@@ -154,12 +139,12 @@ std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const FitConfig&
     }
     const double needed = (law ? 1.0 - kWorthMore : 1.0) * from.fit.cost_after;
     if (!best || best->fit.cost_after >= needed) break;
-    LearnedFit next{std::move(*best), law ? law->terms : std::vector<std::string>(), {}};
-    next.terms.push_back(best_term);
-    for (const std::string& term : next.terms) {
-      for (const std::string& name : FreeCoefficients(next.scene.config, term))
-        next.names.push_back(name);
+    LearnedFit next{std::move(*best), {}, {}};
+    for (const std::string& term : terms) {  // whatever is left of them
+      if (!FreeCoefficients(next.scene.config, {term}).empty()) next.terms.push_back(term);
     }
+    next.terms.push_back(best_term);
+    next.names = FreeCoefficients(next.scene.config, next.terms);
     law = std::move(next);
   }
   return law;

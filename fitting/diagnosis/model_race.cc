@@ -62,30 +62,17 @@ void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before,
   });
 }
 
-// From the baseline's fit, and where that is far off from the config's own fabric, too, guided, or
-// with what is ordinary as it is in a simulation that has it: a fabric that had to stand for what
-// was missing is no good start.
+// What is ordinary begins plainly, too, as it is in a simulation that has it.
 std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
                                                 const RankedCandidate& candidate,
                                                 const Ranking& ranking) const {
   const ModelStart start = SwitchOn(current, candidate, ranking.faults);
-  std::optional<FittedScene> fitted = FitModel(current, start, kFirstIterations, runner_);
-  if (ranking.residual_rms < kFarOff || Stopped()) return fitted;
-  // No longer far off: it needs no other start.
-  if (fitted && !IsFarOff(fitted->scene, fitted->config, fitted->fit)) return fitted;
-  const ModelStart afresh = FromNothing(baseline_, start, candidate);
-  std::vector<std::optional<FittedScene>> others;
-  others.push_back(FitAfresh(afresh, Start::kGuided, kFirstIterations, runner_));
-  if (IsOrdinary(candidate)) {
-    others.push_back(FitAfresh(afresh, Start::kPlain, kFirstIterations, runner_));
-  } else if (!others.front()) {
-    others.push_back(FitModel(current, afresh, kFirstIterations, runner_));
-  }
-  for (std::optional<FittedScene>& other : others) {
-    const bool is_better = other && (!fitted || other->fit.cost_after < fitted->fit.cost_after);
-    if (is_better) fitted = std::move(other);
-  }
-  return fitted;
+  std::optional<FittedScene> model =
+      FitFirst(current, start, baseline_, candidate, kFirstIterations, runner_);
+  const bool is_far_off = !model || IsFarOff(model->scene, model->config, model->fit);
+  if (!IsOrdinary(candidate) || !is_far_off || Stopped()) return model;
+  return Cheaper(std::move(model), FitAfresh(FromNothing(baseline_, start, candidate),
+                                             Start::kPlain, kFirstIterations, runner_));
 }
 
 // Short-listed candidates first; far off, where a linear score says little, those too that the null

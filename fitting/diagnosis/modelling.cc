@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/named_parameter.h"
 
 namespace clothfit {
@@ -214,6 +215,23 @@ std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart&
   from.theta.tail(fitted.unknown.size()) = fitted.unknown;
   const FitResult result = runner.Run(scene, config, &from);
   return MakeModel(std::move(scene), start.config, config, result);
+}
+
+std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<FittedScene> b) {
+  const bool is_second = b && (!a || b->fit.cost_after < a->fit.cost_after);
+  return is_second ? std::move(b) : std::move(a);
+}
+
+std::optional<FittedScene> FitFirst(const FittedScene& fitted, const ModelStart& start,
+                                    const FitConfig& told, const RankedCandidate& candidate,
+                                    int most_iterations, const FitRunner& runner) {
+  std::optional<FittedScene> model = FitModel(fitted, start, most_iterations, runner);
+  if (runner.IsStopped()) return model;
+  if (model && !IsFarOff(model->scene, model->config, model->fit)) return model;
+  const ModelStart afresh = FromNothing(told, start, candidate);
+  std::optional<FittedScene> other = FitAfresh(afresh, Start::kGuided, most_iterations, runner);
+  if (!other) other = FitModel(fitted, afresh, most_iterations, runner);
+  return Cheaper(std::move(model), std::move(other));
 }
 
 }  // namespace clothfit
