@@ -203,8 +203,9 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;
     const bool may_be_all = ranking.gate_p_value >= kGate;  // of what is left
     const bool is_worth_it = is_coarse || (may_be_mesh && (may_be_all || !IsObvious(ranking)));
-    // Far off, a floor that explains it all says that the mesh is too coarse to tell.
-    const bool is_open = IsSuspicious(ranking) || ranking.residual_rms > kFarOff;
+    // A floor above all that is left says that the mesh is too coarse to tell.
+    const bool is_open = IsSuspicious(ranking) || ranking.residual_rms > kFarOff ||
+                         ranking.floor_rms > ranking.residual_rms;
     if (!is_worth_it || !is_open || !can_be_finer || Stopped()) return ranking;
     ModelStart finer = GoOn(*current);
     for (int& n : grid) n = std::min(kFinestSide, 1 + static_cast<int>(std::lround(1.5 * (n - 1))));
@@ -331,6 +332,7 @@ Diagnosis Diagnoser::Run() {
     if (!AddEffect(&current, &errors)) break;
   }
   MeasureAnswer(current);
+  WithdrawWhatMayBeNothing(&current);
   LearnInstead(&current);
   WidenIntervals(current);
   TakeOutUndetermined(&current, errors);

@@ -57,6 +57,7 @@ class Diagnoser {
   void TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors);
   // What mesh and step do to the answer: to its parameters, and what they leave of it.
   void MeasureAnswer(const FittedScene& model);
+  void WithdrawWhatMayBeNothing(FittedScene* current);
   // Share of what the baseline does not explain that the answer does.
   double ExplainedBy(const FittedScene& model) const;
   void WidenIntervals(const FittedScene& model);

@@ -63,12 +63,40 @@ void Diagnoser::MeasureAnswer(const FittedScene& model) {
   Spend("intervals");
 }
 
+// Where mesh and step may make all that is left, and the amounts of what is named last too: that is
+// not named.
+void Diagnoser::WithdrawWhatMayBeNothing(FittedScene* current) {
+  const bool may_be_mesh = diagnosis_.gate_p_value >= kGate;
+  if (!diagnosis_.answer || !kept_ || !kept_->candidate.faults.empty() || !may_be_mesh) return;
+  std::vector<EffectParameter> amounts = EstimatesOf(*current, kept_->candidate.names);
+  Widen(shifts_, current->config, &amounts);
+  if (!MayBeNothing(shifts_, current->values, amounts)) return;
+  Log(kept_->candidate.summary.name +
+      " is not kept: mesh and step may make all of it, and all that the baseline leaves");
+  diagnosis_.models[kept_->model].is_kept = false;
+  for (const std::string& name : kept_->candidate.Effects()) {
+    std::vector<std::string>& effects = diagnosis_.effects;
+    effects.erase(std::remove(effects.begin(), effects.end(), name), effects.end());
+  }
+  diagnosis_.answer.reset();
+  for (std::size_t i = 0; i < kept_->model; ++i) {  // what was kept before
+    if (diagnosis_.models[i].is_kept) diagnosis_.answer = diagnosis_.models[i];
+  }
+  if (!diagnosis_.answer) {
+    diagnosis_.ambiguity.clear();
+    diagnosis_.separating.reset();
+  }
+  *current = std::move(kept_->before);
+  kept_.reset();
+}
+
 // Around a fit that is far off mesh and step leave more than around the truth, so that much seems
 // to be explained by whatever comes as near as that. What is far off itself is held to what they
 // leave of it.
 double Diagnoser::ExplainedBy(const FittedScene& model) const {
   double null = last_ranking_.null_mean;
-  if (diagnosis_.answer && shifts_.draws > 0 && IsFarOff(model.scene, model.config, model.fit)) {
+  if (diagnosis_.answer && shifts_.by.cols() > 0 &&
+      IsFarOff(model.scene, model.config, model.fit)) {
     Log(fmt::format(
         "noise, mesh and step leave a cost of {:.4g} of the baseline, of the answer {:.4g}",
         0.5 * null, 0.5 * shifts_.left_squared));

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "fitting/diagnosis/named_parameter.h"
 #include "fitting/diagnosis/null_residuals.h"
 #include "fitting/diagnosis/residual_correlation.h"
 
@@ -16,6 +17,24 @@ constexpr double k90 = 1.645, k95 = 1.96;  // sigmas
 constexpr int kDraws = 3;
 // 95 % of Student's t by degrees of freedom, from 1 on.
 constexpr std::array<double, kDraws> kStudent = {6.314, 2.920, 2.353};
+
+double StudentOf(Eigen::Index draws) {
+  const auto most = static_cast<Eigen::Index>(kStudent.size());
+  return kStudent[static_cast<std::size_t>(std::min(draws, most) - 1)];
+}
+
+// The 90 % quantile of chi squared (Wilson and Hilferty 1931).
+double ChiSquared90(double degrees) {
+  const double spread = 2.0 / (9.0 * degrees);
+  return degrees * std::pow(1.0 - spread + 1.2816 * std::sqrt(spread), 3.0);
+}
+
+std::vector<FreeEntry>::const_iterator EntryOf(const NumericalShifts& shifts,
+                                               const std::string& name) {
+  return std::find_if(shifts.entries.begin(), shifts.entries.end(), [&](const FreeEntry& e) {
+    return e.kind == FreeEntry::Kind::kParameter && e.name == name;
+  });
+}
 
 }  // namespace
 
@@ -47,30 +66,60 @@ NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t 
   const std::optional<LinearisedFit> linear = Linearise(fitted);
   if (!linear) return shifts;
   shifts.entries = linear->rows.entries;
-  shifts.rms = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(shifts.entries.size()));
+  const auto num_entries = static_cast<Eigen::Index>(shifts.entries.size());
   const std::vector<NumericalShift> draws = MeasureShifts(fitted, *linear, kDraws, seed);
+  shifts.by.resize(num_entries, static_cast<Eigen::Index>(draws.size()));
   shifts.left_squared = linear->frames.num_rows();
-  for (const NumericalShift& draw : draws) {
-    shifts.rms += draw.by.cwiseAbs2() / static_cast<double>(draws.size());
-    shifts.left_squared += draw.left_squared / static_cast<double>(draws.size());
+  for (std::size_t k = 0; k < draws.size(); ++k) {
+    shifts.by.col(static_cast<Eigen::Index>(k)) = draws[k].by;
+    shifts.left_squared += draws[k].left_squared / static_cast<double>(draws.size());
   }
-  shifts.rms = shifts.rms.cwiseSqrt();
-  shifts.draws = static_cast<int>(draws.size());
+  Eigen::MatrixXd information = linear->rows.jacobian.transpose() * linear->rows.jacobian;
+  for (Eigen::Index i = 0; i < num_entries; ++i) {
+    const double sigma = shifts.entries[static_cast<std::size_t>(i)].prior_sigma;
+    information(i, i) += 1.0 / (sigma * sigma);
+  }
+  const double factor = std::max(1.0, fitted.fit.noise_factor);
+  shifts.noise = factor * factor * ResidualCorrelationTime(fitted) *
+                 information.ldlt().solve(Eigen::MatrixXd::Identity(num_entries, num_entries));
   return shifts;
+}
+
+bool MayBeNothing(const NumericalShifts& shifts, const FitConfig& values,
+                  const std::vector<EffectParameter>& amounts) {
+  if (shifts.by.cols() == 0 || amounts.empty()) return false;
+  std::vector<int> which;
+  std::vector<double> from_off;
+  for (const EffectParameter& p : amounts) {
+    const double off = ParameterNamed(p.name).off;
+    const auto entry = EntryOf(shifts, p.name);
+    const bool may_be_off = p.lower90 <= off && p.upper90 >= off;
+    if (!may_be_off || entry == shifts.entries.end()) return false;
+    which.push_back(static_cast<int>(entry - shifts.entries.begin()));
+    const double value = values.parameters.at(p.name).value;
+    from_off.push_back(entry->is_log ? std::log(value / off) : value - off);
+  }
+  if (amounts.size() == 1) return true;
+  const Eigen::MatrixXd by = shifts.by(which, Eigen::all);
+  const double wider = StudentOf(by.cols()) / k90;
+  const Eigen::MatrixXd covariance =
+      shifts.noise(which, which) +
+      wider * wider / static_cast<double>(by.cols()) * (by * by.transpose());
+  const Eigen::Map<const Eigen::VectorXd> away(from_off.data(),
+                                               static_cast<Eigen::Index>(from_off.size()));
+  return away.dot(covariance.ldlt().solve(away)) <= ChiSquared90(static_cast<double>(which.size()));
 }
 
 void Widen(const NumericalShifts& shifts, const FitConfig& config,
            std::vector<EffectParameter>* parameters) {
-  if (shifts.draws == 0) return;
-  const int most = static_cast<int>(kStudent.size());
-  const double quantile = kStudent[static_cast<std::size_t>(std::min(shifts.draws, most) - 1)];
+  if (shifts.by.cols() == 0) return;
+  const double draws = static_cast<double>(shifts.by.cols());
+  const Eigen::VectorXd rms = shifts.by.rowwise().norm() / std::sqrt(draws);
+  const double quantile = StudentOf(shifts.by.cols());
   for (EffectParameter& p : *parameters) {
-    const auto entry =
-        std::find_if(shifts.entries.begin(), shifts.entries.end(), [&](const FreeEntry& e) {
-          return e.kind == FreeEntry::Kind::kParameter && e.name == p.name;
-        });
+    const auto entry = EntryOf(shifts, p.name);
     if (entry == shifts.entries.end()) continue;
-    const double half = quantile * shifts.rms[entry - shifts.entries.begin()];
+    const double half = quantile * rms[entry - shifts.entries.begin()];
     const ParameterSetting& bounds = config.parameters.at(p.name);
     const bool is_log = entry->is_log && p.lower90 > 0.0;
     const auto moved = [&](double end, double sign) {
