@@ -133,9 +133,18 @@ void ChooseFrames(const Recording& recording, const FitConfig& config, Scene* sc
   }
 }
 
+bool HaveSameMasks(const Recording& a, const Recording& b) {
+  return std::equal(a.files.begin(), a.files.end(), b.files.begin(), b.files.end(),
+                    [](const CameraFiles& of_a, const CameraFiles& of_b) {
+                      return of_a.mask_faults == of_b.mask_faults;
+                    });
+}
+
 void AddSilhouettes(const FitConfig& config, const Scene* same, Scene* scene) {
   if (!config.FitsSilhouettes()) return;
-  scene->silhouettes = same != nullptr ? same->silhouettes : nullptr;
+  scene->silhouettes = same != nullptr && HaveSameMasks(same->recording, scene->recording)
+                           ? same->silhouettes
+                           : nullptr;
   if (!scene->silhouettes) {
     scene->silhouettes = std::make_shared<Silhouettes>(LoadSilhouettes(
         scene->recording, [&](int frame, int camera) { return scene->IsFitted(frame, camera); }));

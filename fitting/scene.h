@@ -92,7 +92,8 @@ struct Scene {
 };
 
 // Throws InputError where the recording or the config cannot be used. `same`, where given, is a
-// scene of the same recording whose silhouettes can be used again.
+// scene of the same recording whose silhouettes are used again, unless what is known to be wrong
+// with masks differs.
 Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene* same = nullptr);
 
 }  // namespace clothfit

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/images.h"
 
+#include <cmath>
 #include <fstream>
 #include <string_view>
 
@@ -12,6 +13,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "autodiff_sim/error.h"
+#include "tracking/mask_correction.h"
 
 namespace clothfit {
 namespace {
@@ -64,17 +66,8 @@ cv::Mat LoadPicture(const fs::path& file, int flags, const Camera& camera) {
   return picture;
 }
 
-}  // namespace
-
-cv::Mat LoadImage(const Recording& recording, int camera, int frame) {
-  return ImageReader(recording, camera).Load(frame);
-}
-
-cv::Mat LoadMask(const Recording& recording, int camera, int frame) {
-  const CameraFiles* const files = FilesOf(recording, camera);
-  if (files == nullptr || files->masks.count(frame) == 0) return {};
-  const fs::path& file = files->masks.at(frame);
-  cv::Mat mask = LoadPicture(file, cv::IMREAD_GRAYSCALE, CameraAt(recording, camera));
+cv::Mat ReadMask(const fs::path& file, const Camera& camera) {
+  cv::Mat mask = LoadPicture(file, cv::IMREAD_GRAYSCALE, camera);
   double brightest = 0.0;
   cv::minMaxLoc(mask, nullptr, &brightest);
   constexpr double kThreshold = 127.0;
@@ -85,6 +78,33 @@ cv::Mat LoadMask(const Recording& recording, int camera, int frame) {
   }
   cv::threshold(mask, mask, kThreshold, 255.0, cv::THRESH_BINARY);
   return mask;
+}
+
+}  // namespace
+
+cv::Mat LoadImage(const Recording& recording, int camera, int frame) {
+  return ImageReader(recording, camera).Load(frame);
+}
+
+cv::Mat LoadMask(const Recording& recording, int camera, int frame) {
+  const CameraFiles* const files = FilesOf(recording, camera);
+  if (files == nullptr || files->masks.count(frame) == 0) return {};
+  const auto load = [&](int at) {
+    return ReadMask(files->masks.at(at), CameraAt(recording, camera));
+  };
+  cv::Mat mask = load(frame);
+  const MaskFaults& faults = files->mask_faults;
+  if (faults == MaskFaults() || cv::countNonZero(mask) == 0) return mask;
+  // A mask that was taken later than said shows a frame's cloth a little before that frame.
+  const double moment = frame - faults.later;
+  const int before = static_cast<int>(std::floor(moment));
+  const bool is_between = files->masks.count(before) > 0 && files->masks.count(before + 1) > 0;
+  if (faults.later != 0.0 && is_between) {
+    const cv::Mat first = load(before), second = load(before + 1);
+    if (cv::countNonZero(first) > 0 && cv::countNonZero(second) > 0)
+      return MaskBetween(first, second, moment - before, faults.fat);
+  }
+  return MaskBetween(mask, mask, 0.0, faults.fat);
 }
 
 cv::Mat LoadBackground(const Recording& recording, int camera) {

@@ -23,7 +23,9 @@ namespace clothfit {
 // frames of a video in a row ImageReader is much faster.
 cv::Mat LoadImage(const Recording& recording, int camera, int frame);
 
-// 8-bit, one channel: 255 where the cloth is, 0 elsewhere (values between are rounded).
+// 8-bit, one channel: 255 where the cloth is, 0 elsewhere (values between are rounded). What is
+// known to be wrong with the camera's masks is put right; the clock only where the masks around
+// that moment are there and show cloth.
 cv::Mat LoadMask(const Recording& recording, int camera, int frame);
 
 // 8-bit BGR picture of the empty scene.

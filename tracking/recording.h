@@ -128,11 +128,22 @@ struct Track {
   Eigen::Vector2d pixel;  // px
 };
 
+// What is known to be wrong with a camera's masks, and is put right where they are loaded. No part
+// of the format: a diagnosis finds it.
+struct MaskFaults {
+  double later = 0.0;  // frames, by which they were taken later than said
+  double fat = 0.0;    // px, by which they are too fat
+  bool operator==(const MaskFaults& other) const {
+    return later == other.later && fat == other.fat;
+  }
+};
+
 // Where the pictures of one camera are. Nothing is opened before tracking/images.h is asked.
 struct CameraFiles {
   std::map<int, std::filesystem::path> images;  // by frame; a frame may lack
   std::map<int, std::filesystem::path> masks;   // by frame; 0 = background, 255 = cloth
-  std::optional<std::filesystem::path> video;   // not looked at where there are images
+  MaskFaults mask_faults;
+  std::optional<std::filesystem::path> video;  // not looked at where there are images
   std::optional<std::filesystem::path> background;
 };
 

@@ -17,13 +17,8 @@ constexpr double kSmooth = 0.8;  // px, sigma
 
 }  // namespace
 
-SignedDistanceField::SignedDistanceField(const cv::Mat& mask) {
-  cv::Mat padded;
-  cv::copyMakeBorder(mask, padded, kMargin, kMargin, kMargin, kMargin, cv::BORDER_REPLICATE);
-  // What reaches the picture's margin goes on beyond it, here as far as the field reaches.
-  const cv::Rect cloth = cv::boundingRect(mask);
-  const cv::Rect around(cloth.x, cloth.y, cloth.width + 2 * kMargin, cloth.height + 2 * kMargin);
-  const cv::Mat region = padded(around) != 0;
+cv::Mat SignedDistances(const cv::Mat& mask) {
+  const cv::Mat region = mask != 0;
   cv::Mat outside, inside;
   cv::distanceTransform(~region, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   cv::distanceTransform(region, inside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
@@ -37,6 +32,16 @@ SignedDistanceField::SignedDistanceField(const cv::Mat& mask) {
       distance.at<float>(y, x) = out > 0.0F ? out - 0.5F : 0.5F - in;
     }
   }
+  return distance;
+}
+
+SignedDistanceField::SignedDistanceField(const cv::Mat& mask) {
+  cv::Mat padded;
+  cv::copyMakeBorder(mask, padded, kMargin, kMargin, kMargin, kMargin, cv::BORDER_REPLICATE);
+  // What reaches the picture's margin goes on beyond it, here as far as the field reaches.
+  const cv::Rect cloth = cv::boundingRect(mask);
+  const cv::Rect around(cloth.x, cloth.y, cloth.width + 2 * kMargin, cloth.height + 2 * kMargin);
+  cv::Mat distance = SignedDistances(padded(around));
   cv::GaussianBlur(distance, distance, cv::Size(), kSmooth, kSmooth, cv::BORDER_REPLICATE);
   field_.create((distance.rows + kStep - 1) / kStep, (distance.cols + kStep - 1) / kStep, CV_32F);
   for (int y = 0; y < field_.rows; ++y) {

@@ -16,7 +16,11 @@ struct SignedDistance {
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
 };
 
-// Between the centres of pixels the outline runs half way. The field is smoothed by less than a
+// px, at every pixel of an 8-bit mask (0 = background): positive outside, to the outline, which
+// runs half way between the centres of pixels. Float; at most 10000 where there is no outline.
+cv::Mat SignedDistances(const cv::Mat& mask);
+
+// The signed distance between pixels. The field is smoothed by less than a
 // pixel, kept at every second pixel around the mask and interpolated by bicubic splines, so that
 // its first derivative is continuous; further away the distance to that region is added. Beyond the
 // picture's margins the mask is continued as it ends there: what leaves the picture is not outside.

@@ -302,6 +302,8 @@ Recording WithoutFaults(const Recording& recording, const std::vector<Fault>& fa
         break;
       case Fault::Kind::kCameraClock:
         ShiftCameraClock(fault.source, -amount * recording.frame_rate, &result);
+        if (!result.files.empty())
+          result.files[fault.source].mask_faults.later += amount * recording.frame_rate;
         break;
       case Fault::Kind::kMarkerClock:
         ShiftMarkerClock(-amount * recording.frame_rate, &result);
@@ -322,6 +324,7 @@ Recording WithoutFaults(const Recording& recording, const std::vector<Fault>& fa
         }
         break;
       case Fault::Kind::kMaskBias:
+        if (!result.files.empty()) result.files[fault.source].mask_faults.fat += amount;
         break;
     }
   }

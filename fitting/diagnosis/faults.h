@@ -66,7 +66,7 @@ RowMajorMatrix FaultColumns(const Scene& scene, const FitConfig& config,
                             const std::vector<Fault>& faults, int frame, const State& state);
 
 // The recording as it would have been without these faults: `amounts` are in the faults' units, one
-// a fault. Masks keep their bias and their clock.
+// a fault. Masks are put right where they are loaded (LoadMask).
 Recording WithoutFaults(const Recording& recording, const std::vector<Fault>& faults,
                         const Eigen::VectorXd& amounts);
 

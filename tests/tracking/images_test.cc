@@ -106,6 +106,45 @@ TEST(LoadMask, MayBeEmptyOfClothButNotDark) {
               HasSubstr("ones.png: expected 0 = background and 255 = cloth, found at most 1"));
 }
 
+// A rectangle from `left` to `right`, px, as a mask of a frame.
+void AddRectangle(const TestFolder& folder, int frame, int left, int right, Recording* recording) {
+  cv::Mat mask = Grey(0);
+  mask(cv::Range(0, mask.rows), cv::Range(left, right)) = 255;
+  recording->files[0].masks[frame] = WritePng(folder, std::to_string(frame) + ".png", mask);
+}
+
+// Columns of a loaded mask in which there is cloth.
+cv::Range ColumnsOf(const cv::Mat& mask) {
+  const cv::Rect box = cv::boundingRect(mask);
+  return {box.x, box.x + box.width};
+}
+
+TEST(LoadMask, IsOfTheSaidMomentWhereItIsKnownThatItWasTakenLater) {
+  const TestFolder folder;
+  Recording recording = EmptyRecording(folder);
+  for (int frame = 0; frame < 3; ++frame)  // four pixels a frame to the right
+    AddRectangle(folder, frame, 2 + 4 * frame, 6 + 4 * frame, &recording);
+  MaskFaults& faults = recording.files[0].mask_faults;
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 1)), cv::Range(6, 10));
+  faults.later = 0.5;
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 1)), cv::Range(4, 8));
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 0)), cv::Range(2, 6));  // none before it
+  faults.later = -0.25;
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 1)), cv::Range(7, 11));
+  faults.later = 1.0;
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 2)), cv::Range(6, 10));
+}
+
+TEST(LoadMask, IsAsFatAsItShouldBe) {
+  const TestFolder folder;
+  Recording recording = EmptyRecording(folder);
+  AddRectangle(folder, 0, 4, 12, &recording);
+  recording.files[0].mask_faults.fat = 2.0;
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 0)), cv::Range(6, 10));
+  recording.files[0].mask_faults.fat = -1.0;
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 0)), cv::Range(3, 13));
+}
+
 TEST(LoadBackground, LoadsItWhereThereIsOne) {
   const TestFolder folder;
   Recording recording = EmptyRecording(folder);

@@ -148,5 +148,21 @@ TEST(Faults, NoMarkersAreSwappedWhereNoneAre) {
   EXPECT_TRUE(FindSwappedMarkers(scene, positions).empty());
 }
 
+TEST(Faults, OfMasksArePutRightWhereTheyAreLoaded) {
+  Recording recording = WithCameras();  // 60 Hz
+  recording.files.resize(2);
+  const std::vector<Fault> faults = {
+      {Fault::Kind::kCameraClock, "camera 1: clock", "camera 1: clock", "s", 1},
+      {Fault::Kind::kMaskBias, "camera 0: fat mask", "camera 0: fat mask", "px", 0}};
+  const Eigen::Vector2d amounts(0.005, -1.5);
+  const Recording once = WithoutFaults(recording, faults, amounts);
+  EXPECT_EQ(once.files[0].mask_faults, (MaskFaults{0.0, -1.5}));
+  EXPECT_DOUBLE_EQ(once.files[1].mask_faults.later, 0.3);
+  // What is found later adds to it.
+  const Recording twice = WithoutFaults(once, faults, amounts);
+  EXPECT_DOUBLE_EQ(twice.files[1].mask_faults.later, 0.6);
+  EXPECT_DOUBLE_EQ(twice.files[0].mask_faults.fat, -3.0);
+}
+
 }  // namespace
 }  // namespace clothfit
