@@ -10,6 +10,7 @@
 
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/seen_cloth.h"
 #include "fitting/hard_silhouette.h"
 #include "fitting/window_simulator.h"
 
@@ -140,14 +141,15 @@ std::optional<HeldOutErrors> MeasureAgainstOthers(const FittedScene& fitted, int
   const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);
   WindowSimulator simulator(others, config, free, config.attract, nullptr);
   HeldOutErrors errors;
-  const auto outcome = simulator.Run(
-      simulator.FirstStart(theta), theta, scene.recording.frame_count - 1, false,
-      [&](int frame, const State& state, const Sensitivity*) {
-        if (!scene.IsHeldOut(frame)) return;
-        const FrameMean mean = source == kMarkers ? MarkersOf(scene, frame, state.x)
-                                                  : TracksOf(scene, frame, state.x, source);
-        if (mean.count > 0) errors.squared.push_back(mean.sum / mean.count);
-      });
+  const auto outcome =
+      simulator.Run(simulator.FirstStart(theta), theta, scene.recording.frame_count - 1, false,
+                    [&](int frame, const State& state, const Sensitivity*) {
+                      if (!scene.IsHeldOut(frame)) return;
+                      const Eigen::VectorXd x = MovedToWhatWasSeen(others, frame, state.x);
+                      const FrameMean mean = source == kMarkers ? MarkersOf(scene, frame, x)
+                                                                : TracksOf(scene, frame, x, source);
+                      if (mean.count > 0) errors.squared.push_back(mean.sum / mean.count);
+                    });
   if (errors.squared.empty()) return {};
   errors.is_complete = outcome == WindowSimulator::Outcome::kComplete;
   return errors;
