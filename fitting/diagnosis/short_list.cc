@@ -16,7 +16,8 @@
 namespace clothfit {
 namespace {
 
-constexpr double kStandsOut = 2.0;  // detection limits
+constexpr double kStandsOut = 2.0;         // detection limits
+constexpr double kShareOfOutlines = 0.01;  // of the sum of squares that they leave
 
 bool IsFault(const RankedCandidate& candidate) {
   return candidate.summary.kind == CandidateKind::kObservation;
@@ -49,9 +50,10 @@ std::vector<EffectParameter> ParametersOf(const RankedCandidate& candidate,
 }
 
 // Empty where it is worth a fit.
-std::string WhyNot(const RankedCandidate& candidate, bool may_be_mesh,
+std::string WhyNot(const RankedCandidate& candidate, bool has_points, bool may_be_mesh,
                    const DiagnosisOptions& options, const Ranking& ranking) {
   const Candidate& summary = candidate.summary;
+  const double left = ranking.residual_rms * ranking.residual_rms * ranking.num_rows;
   if (summary.q_value > options.false_discovery)
     return fmt::format("the null does as much with p = {:.2g}", summary.p_value);
   // A fit in a wrong valley errs by more, and otherwise, than the null tells.
@@ -60,6 +62,9 @@ std::string WhyNot(const RankedCandidate& candidate, bool may_be_mesh,
   if (may_be_mesh && !IsFault(candidate)) return "mesh and step may make all that is left";
   if (IsFault(candidate) && !IsBeyondWellMade(candidate, ranking))
     return "no larger than in well-made recordings";
+  if (IsFault(candidate) && !has_points && summary.score < kShareOfOutlines * left)
+    return fmt::format("explains {:.2g} % of what outlines alone leave",
+                       100.0 * summary.score / left);
   if (summary.share < options.least_share)
     return fmt::format("explains {:.0f} % of it", 100.0 * summary.share);
   return "";
@@ -79,7 +84,7 @@ void ShortList(bool has_points, const DiagnosisOptions& options, Ranking* rankin
     Candidate& summary = candidate.summary;
     summary.q_value = rates[i];
     summary.parameters = ParametersOf(candidate, *ranking);
-    summary.why_not = WhyNot(candidate, may_be_mesh, options, *ranking);
+    summary.why_not = WhyNot(candidate, has_points, may_be_mesh, options, *ranking);
     summary.is_short_listed = summary.why_not.empty();
     if (summary.is_short_listed && IsFault(candidate)) of_fault = std::min(of_fault, summary.score);
   }

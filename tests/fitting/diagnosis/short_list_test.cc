@@ -82,6 +82,16 @@ TEST(ShortList, OfOutlinesAloneNoPhysicsThatMeshAndStepMayMake) {
   EXPECT_EQ(WhyNot(Ranked({Physics("wind", 100.0, 0.5, 1e-9)}), false), "");
 }
 
+TEST(ShortList, OfOutlinesAloneAFaultHasToExplainAHundredth) {
+  Ranking ranking = Ranked({Shift(0.004, 0.001, 0.5)});
+  ranking.num_rows = 10000;
+  ranking.candidates.front().summary.score = 200.0;  // of 22500
+  EXPECT_EQ(WhyNot(ranking, false), "explains 0.89 % of what outlines alone leave");
+  EXPECT_EQ(WhyNot(ranking, true), "");
+  ranking.candidates.front().summary.score = 300.0;
+  EXPECT_EQ(WhyNot(ranking, false), "");
+}
+
 TEST(ShortList, AFaultHasToBeLargerThanWellMadeRecordingsHaveIt) {
   EXPECT_EQ(WhyNot(Ranked({Shift(0.0008, 1e-5, 0.5)})), "no larger than in well-made recordings");
   EXPECT_EQ(WhyNot(Ranked({Shift(-0.0010, 1e-5, 0.5)})), "");
