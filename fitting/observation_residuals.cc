@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <ceres/jet.h>
-
 #include "autodiff_sim/parallel.h"
+#include "fitting/track_residual.h"
 
 namespace clothfit {
 namespace {
@@ -145,19 +144,10 @@ bool ObservationResiduals::EvaluateAtPoints(int frame, const State& state,
   for (std::size_t i = first_track_[frame]; i < first_track_[frame + 1]; ++i) {
     const TrackObservation& t = scene_.tracks[i];
     if (!scene_.IsFitted(t)) continue;
-    using Jet = ceres::Jet<double, 3>;
     const Eigen::Vector3d p = t.on_cloth.At(state.x);
-    const Camera& camera = scene_.recording.cameras[t.camera];
-    if (!IsInFront(camera, p)) return false;
-    const Eigen::Matrix<Jet, 3, 1> point(Jet(p.x(), 0), Jet(p.y(), 1), Jet(p.z(), 2));
-    const Eigen::Matrix<Jet, 2, 1> pixel = ProjectPoint<Jet>(camera, point);
-    Eigen::Vector2d r;
-    Eigen::Matrix<double, 2, 3> by_point;
-    for (int k = 0; k < 2; ++k) {
-      r[k] = (pixel[k].a - t.pixel[k]) / scene_.track_sigma;
-      by_point.row(k) = pixel[k].v.transpose() / scene_.track_sigma;
-    }
-    Store<2>(r, by_point, t.on_cloth, other_weight_, next);
+    if (!IsInFront(scene_.recording.cameras[t.camera], p)) return false;
+    const TrackResidual residual = ResidualOfTrack(scene_, t, p);
+    Store<2>(residual.value, residual.by_place, t.on_cloth, other_weight_, next);
     next += 2;
   }
   return EvaluateSilhouettes(frame, state, next);

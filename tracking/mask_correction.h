@@ -10,7 +10,8 @@ namespace clothfit {
 
 // The mask at `share` (0 to 1) of the way from one mask to the next, its outline moved inwards by
 // `thinner` px (outwards where negative): the zero set of what the signed distances to both
-// outlines come to in between, which is right where an outline is straight over as far as it moves.
+// outlines come to in between, which is right where an outline is straight over as far as it moves,
+// and wrong where a part moves by more than its own width.
 // Both masks: 8-bit, of one size, 0 = background, some of either cloth. Returns 255 where cloth is.
 cv::Mat MaskBetween(const cv::Mat& mask, const cv::Mat& next, double share, double thinner);
 

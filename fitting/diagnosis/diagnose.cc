@@ -203,9 +203,10 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;
     const bool may_be_all = ranking.gate_p_value >= kGate;  // of what is left
     const bool is_worth_it = is_coarse || (may_be_mesh && (may_be_all || !IsObvious(ranking)));
-    // A floor above all that is left says that the mesh is too coarse to tell.
-    const bool is_open = IsSuspicious(ranking) || ranking.residual_rms > kFarOff ||
-                         ranking.floor_rms > ranking.residual_rms;
+    // A floor above all that is left says that the mesh is too coarse to tell. (Who tells fewer
+    // particles than any answer needs wants it quick.)
+    const bool tells_nothing = !is_coarse && ranking.floor_rms > ranking.residual_rms;
+    const bool is_open = IsSuspicious(ranking) || ranking.residual_rms > kFarOff || tells_nothing;
     if (!is_worth_it || !is_open || !can_be_finer || Stopped()) return ranking;
     ModelStart finer = GoOn(*current);
     for (int& n : grid) n = std::min(kFinestSide, 1 + static_cast<int>(std::lround(1.5 * (n - 1))));

@@ -6,7 +6,8 @@
 #include <array>
 
 #include <Eigen/Cholesky>
-#include <ceres/jet.h>
+
+#include "fitting/track_residual.h"
 
 namespace clothfit {
 namespace {
@@ -89,20 +90,11 @@ Eigen::VectorXd MovedToWhatWasSeen(const Scene& scene, int frame, const Eigen::V
     equations.Add<3>(m.on_cloth, (m.on_cloth.At(x) - m.position) / scene.marker_sigma,
                      Eigen::Matrix3d::Identity() / scene.marker_sigma);
   }
-  using Jet = ceres::Jet<double, 3>;
   for (const TrackObservation& t : scene.tracks) {
     const Eigen::Vector3d place = t.on_cloth.At(x);
-    const Camera& camera = scene.recording.cameras[t.camera];
-    if (t.frame != frame || !IsInFront(camera, place)) continue;
-    const Eigen::Matrix<Jet, 3, 1> point(Jet(place.x(), 0), Jet(place.y(), 1), Jet(place.z(), 2));
-    const Eigen::Matrix<Jet, 2, 1> pixel = ProjectPoint<Jet>(camera, point);
-    Eigen::Vector2d residual;
-    Eigen::Matrix<double, 2, 3> by_place;
-    for (int k = 0; k < 2; ++k) {
-      residual[k] = (pixel[k].a - t.pixel[k]) / scene.track_sigma;
-      by_place.row(k) = pixel[k].v.transpose() / scene.track_sigma;
-    }
-    equations.Add<2>(t.on_cloth, residual, by_place);
+    if (t.frame != frame || !IsInFront(scene.recording.cameras[t.camera], place)) continue;
+    const TrackResidual residual = ResidualOfTrack(scene, t, place);
+    equations.Add<2>(t.on_cloth, residual.value, residual.by_place);
   }
   return equations.Moved(x);
 }

@@ -124,16 +124,16 @@ TEST(LoadMask, IsOfTheSaidMomentWhereItIsKnownThatItWasTakenLater) {
   const TestFolder folder;
   Recording recording = EmptyRecording(folder);
   for (int frame = 0; frame < 3; ++frame)  // four pixels a frame to the right
-    AddRectangle(folder, frame, 2 + 4 * frame, 6 + 4 * frame, &recording);
+    AddRectangle(folder, frame, 2 + 4 * frame, 14 + 4 * frame, &recording);
   MaskFaults& faults = recording.files[0].mask_faults;
-  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 1)), cv::Range(6, 10));
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 1)), cv::Range(6, 18));
   faults.later = 0.5;
-  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 1)), cv::Range(4, 8));
-  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 0)), cv::Range(2, 6));  // none before it
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 1)), cv::Range(4, 16));
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 0)), cv::Range(2, 14));  // none before it
   faults.later = -0.25;
-  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 1)), cv::Range(7, 11));
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 1)), cv::Range(7, 19));
   faults.later = 1.0;
-  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 2)), cv::Range(6, 10));
+  EXPECT_EQ(ColumnsOf(LoadMask(recording, 0, 2)), cv::Range(6, 18));
 }
 
 TEST(LoadMask, IsAsFatAsItShouldBe) {
