@@ -92,7 +92,7 @@ cv::Mat LoadMask(const Recording& recording, int camera, int frame) {
   const auto load = [&](int at) {
     return ReadMask(files->masks.at(at), CameraAt(recording, camera));
   };
-  cv::Mat mask = load(frame);
+  const cv::Mat mask = load(frame);
   const MaskFaults& faults = files->mask_faults;
   if (faults == MaskFaults() || cv::countNonZero(mask) == 0) return mask;
   // A mask that was taken later than said shows a frame's cloth a little before that frame.
@@ -100,7 +100,8 @@ cv::Mat LoadMask(const Recording& recording, int camera, int frame) {
   const int before = static_cast<int>(std::floor(moment));
   const bool is_between = files->masks.count(before) > 0 && files->masks.count(before + 1) > 0;
   if (faults.later != 0.0 && is_between) {
-    const cv::Mat first = load(before), second = load(before + 1);
+    const cv::Mat first = before == frame ? mask : load(before);
+    const cv::Mat second = before + 1 == frame ? mask : load(before + 1);
     if (cv::countNonZero(first) > 0 && cv::countNonZero(second) > 0)
       return MaskBetween(first, second, moment - before, faults.fat);
   }

@@ -68,7 +68,11 @@ void Diagnoser::MeasureAnswer(const FittedScene& model) {
 void Diagnoser::WithdrawWhatMayBeNothing(FittedScene* current) {
   const bool may_be_mesh = diagnosis_.gate_p_value >= kGate;
   if (!diagnosis_.answer || !kept_ || !kept_->candidate.faults.empty() || !may_be_mesh) return;
-  std::vector<EffectParameter> amounts = EstimatesOf(*current, kept_->candidate.names);
+  const std::vector<std::string>& names = kept_->candidate.names;
+  std::vector<EffectParameter> amounts;
+  for (const EffectParameter& p : diagnosis_.answer->parameters) {
+    if (std::find(names.begin(), names.end(), p.name) != names.end()) amounts.push_back(p);
+  }
   Widen(shifts_, current->config, &amounts);
   if (!MayBeNothing(shifts_, current->values, amounts)) return;
   Log(kept_->candidate.summary.name +

@@ -9,6 +9,7 @@
 
 #include "fitting/diagnosis/mismatch_ties.h"
 #include "fitting/diagnosis/mismatch_words.h"
+#include "fitting/diagnosis/score_test.h"
 
 namespace clothfit {
 namespace {
@@ -71,19 +72,12 @@ Eigen::MatrixXd FreeWrenches(const std::vector<Eigen::Vector3d>& held, double le
   return svd.matrixU().rightCols(6 - svd.rank()).transpose();
 }
 
-// Normal deviate that is as unlikely as this chi-squared (Wilson and Hilferty 1931).
-double Sigmas(double chi_squared, double freedom) {
-  if (freedom <= 0.0) return 0.0;
-  const double spread = 2.0 / (9.0 * freedom);
-  return (std::cbrt(chi_squared / freedom) - (1.0 - spread)) / std::sqrt(spread);
-}
-
 double SigmasOfRows(const MissingForce& missing, const Eigen::MatrixXd& rows) {
   if (rows.rows() == 0) return 0.0;
   Eigen::MatrixXd covariance = missing.posterior.Covariance(rows);
   covariance.diagonal().array() += 1e-9 * covariance.diagonal().maxCoeff();
   const Eigen::VectorXd sums = rows * missing.force;
-  return Sigmas(sums.dot(covariance.llt().solve(sums)), static_cast<double>(rows.rows()));
+  return NormalDeviate(sums.dot(covariance.llt().solve(sums)), static_cast<double>(rows.rows()));
 }
 
 Eigen::VectorXd Deviations(const MissingForce& missing, const Eigen::MatrixXd& rows) {

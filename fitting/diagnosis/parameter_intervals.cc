@@ -9,11 +9,13 @@
 #include "fitting/diagnosis/named_parameter.h"
 #include "fitting/diagnosis/null_residuals.h"
 #include "fitting/diagnosis/residual_correlation.h"
+#include "fitting/diagnosis/score_test.h"
 
 namespace clothfit {
 namespace {
 
 constexpr double k90 = 1.645, k95 = 1.96;  // sigmas
+constexpr double kOneSided90 = 1.2816;
 constexpr int kDraws = 3;
 // 95 % of Student's t by degrees of freedom, from 1 on.
 constexpr std::array<double, kDraws> kStudent = {6.314, 2.920, 2.353};
@@ -21,12 +23,6 @@ constexpr std::array<double, kDraws> kStudent = {6.314, 2.920, 2.353};
 double StudentOf(Eigen::Index draws) {
   const auto most = static_cast<Eigen::Index>(kStudent.size());
   return kStudent[static_cast<std::size_t>(std::min(draws, most) - 1)];
-}
-
-// The 90 % quantile of chi squared (Wilson and Hilferty 1931).
-double ChiSquared90(double degrees) {
-  const double spread = 2.0 / (9.0 * degrees);
-  return degrees * std::pow(1.0 - spread + 1.2816 * std::sqrt(spread), 3.0);
 }
 
 std::vector<FreeEntry>::const_iterator EntryOf(const NumericalShifts& shifts,
@@ -75,10 +71,7 @@ NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t 
     shifts.left_squared += draws[k].left_squared / static_cast<double>(draws.size());
   }
   Eigen::MatrixXd information = linear->rows.jacobian.transpose() * linear->rows.jacobian;
-  for (Eigen::Index i = 0; i < num_entries; ++i) {
-    const double sigma = shifts.entries[static_cast<std::size_t>(i)].prior_sigma;
-    information(i, i) += 1.0 / (sigma * sigma);
-  }
+  AddPriors(shifts.entries, &information);
   const double factor = std::max(1.0, fitted.fit.noise_factor);
   shifts.noise = factor * factor * ResidualCorrelationTime(fitted) *
                  information.ldlt().solve(Eigen::MatrixXd::Identity(num_entries, num_entries));
@@ -107,7 +100,8 @@ bool MayBeNothing(const NumericalShifts& shifts, const FitConfig& values,
       wider * wider / static_cast<double>(by.cols()) * (by * by.transpose());
   const Eigen::Map<const Eigen::VectorXd> away(from_off.data(),
                                                static_cast<Eigen::Index>(from_off.size()));
-  return away.dot(covariance.ldlt().solve(away)) <= ChiSquared90(static_cast<double>(which.size()));
+  return NormalDeviate(away.dot(covariance.ldlt().solve(away)),
+                       static_cast<double>(which.size())) <= kOneSided90;
 }
 
 void Widen(const NumericalShifts& shifts, const FitConfig& config,

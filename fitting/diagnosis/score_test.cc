@@ -147,6 +147,12 @@ double TailProbability(const std::vector<double>& draws, double value) {
   return std::min(0.5 * std::erfc(z / std::sqrt(2.0)), (above + 1.0) / (n + 1.0));
 }
 
+double NormalDeviate(double chi_squared, double freedom) {
+  if (freedom <= 0.0) return 0.0;
+  const double spread = 2.0 / (9.0 * freedom);
+  return (std::cbrt(chi_squared / freedom) - (1.0 - spread)) / std::sqrt(spread);
+}
+
 std::vector<double> FalseDiscoveryRates(const std::vector<double>& p_values) {
   const std::size_t n = p_values.size();
   std::vector<std::size_t> order(n);

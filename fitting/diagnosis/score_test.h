@@ -78,6 +78,10 @@ double LargestCosine(const Projection& projection, const std::vector<int>& a,
 // Hilferty 1931).
 double TailProbability(const std::vector<double>& draws, double value);
 
+// The normal deviate that is as unlikely as this chi-squared of so many degrees of freedom (Wilson
+// and Hilferty 1931); 0 of none.
+double NormalDeviate(double chi_squared, double freedom);
+
 // Benjamini and Hochberg 1995: the smallest false-discovery rate at which each is discovered.
 std::vector<double> FalseDiscoveryRates(const std::vector<double>& p_values);
 
