@@ -84,6 +84,12 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
       ->type_name("N")
       ->check(CLI::Range(1, 40))
       ->capture_default_str();
+  command
+      ->add_option("--finest", options->diagnosis.finest_side,
+                   "particles a side of the mesh, at most; more tell more and take longer")
+      ->type_name("N")
+      ->check(CLI::Range(3, 100))
+      ->capture_default_str();
   command->add_option("--seed", options->diagnosis.seed, "of the null and of the bootstrap")
       ->type_name("N")
       ->capture_default_str();

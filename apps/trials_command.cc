@@ -34,6 +34,7 @@ struct TrialsOptions {
   std::string plan;
   TrialPlanOptions size;
   JobOptions jobs;
+  int finest_side = DiagnosisOptions().finest_side;
   bool no_projection = false, table_null = false, no_proof = false, no_true_model = false;
   bool keep_recordings = false, keep_diagnoses = false;
   bool list = false, effects = false;
@@ -47,11 +48,12 @@ std::string Conditions(const TrialsOptions& options, const std::string& commitme
   return fmt::format(
       "clothfit: {}\nplan: {}\nmatch: '{}'\nsample: {}\nfirst_seed: {}\nseeds: {}\nonly: "
       "[{}]\nframes: {}\n"
-      "resolution: {}\nsame_generator: {}\nfinite_elements: {}\nproject: {}\nsimulate_null: {}\n"
+      "resolution: {}\nfinest: {}\nsame_generator: {}\nfinite_elements: {}\nproject: "
+      "{}\nsimulate_null: {}\n"
       "prove: {}\ntrue_model: {}\ncommitments: {}\n",
       Version(), options.plan, options.size.match, options.size.sample, options.size.first_seed,
       options.size.num_seeds, only, options.size.frame_count, options.size.resolution,
-      flag(options.size.same_generator), flag(options.size.finite_elements),
+      options.finest_side, flag(options.size.same_generator), flag(options.size.finite_elements),
       flag(!options.no_projection), flag(!options.table_null), flag(!options.no_proof),
       flag(!options.no_true_model), Sha256(commitments));
 }
@@ -73,6 +75,7 @@ void Prepare(const TrialsOptions& options, const std::vector<Trial>& trials,
 TrialRunOptions HowToRun(const TrialsOptions& options) {
   const fs::path folder = options.jobs.output;
   TrialRunOptions run;
+  run.diagnosis.finest_side = options.finest_side;
   run.diagnosis.project = !options.no_projection;
   run.diagnosis.simulate_null = !options.table_null;
   run.diagnosis.prove = !options.no_proof;
@@ -176,6 +179,11 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
       ->add_option("--resolution", options->size.resolution,
                    "particles a side that a recording tells a fit to use")
       ->type_name("N")
+      ->capture_default_str();
+  command
+      ->add_option("--finest", options->finest_side, "particles a side that a fit may use, at most")
+      ->type_name("N")
+      ->check(CLI::Range(3, 100))
       ->capture_default_str();
   CLI::Option* const same =
       command->add_flag("--same-generator", options->size.same_generator,

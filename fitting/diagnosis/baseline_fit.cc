@@ -16,16 +16,16 @@
 namespace clothfit {
 namespace {
 
-constexpr int kLongestSide = 13;            // particles; physics does not need a finer mesh
 constexpr double kWorthAnotherStart = 1.2;  // sigmas beyond which it may be in a wrong valley
 constexpr double kNearly = 1.5;             // times the cost before: worth going on from
 
-// The recording's mesh, made coarser where it is finer than physics needs.
-std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig& config) {
+// The recording's mesh, made coarser where it is finer than a diagnosis may use.
+std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig& config,
+                                     int finest_side) {
   std::array<int, 2> grid = config.resolution;
   if (grid[0] == 0) grid = {recording.cloth.resolution.x(), recording.cloth.resolution.y()};
-  if (std::max(grid[0], grid[1]) <= kLongestSide) return config.resolution;
-  return CoarserGrid(grid, kLongestSide);
+  if (std::max(grid[0], grid[1]) <= finest_side) return config.resolution;
+  return CoarserGrid(grid, finest_side);
 }
 
 // Does a fit leave more than so many sigmas, or nothing of use?
@@ -109,7 +109,7 @@ FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
   FitConfig config = baseline;
   // Nobody lays out a cloth exactly.
   config.initial_order = std::max(config.initial_order, 1);
-  config.resolution = WorkingResolution(recording, config);
+  config.resolution = WorkingResolution(recording, config, options.finest_side);
   Scene scene = MakeScene(recording, config);
   FitConfig quick = config;
   quick.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);

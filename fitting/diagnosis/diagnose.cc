@@ -20,7 +20,6 @@
 namespace clothfit {
 namespace {
 
-constexpr int kFinestSide = 13;      // particles, where the mesh turns out to matter
 constexpr int kCoarsestSide = 9;     // on coarser meshes amounts come out a tenth wrong
 constexpr double kFineEnough = 0.7;  // share of the unexplained that the mesh may make
 constexpr double kCatchesUp = 0.3;   // of what a model gains, the same without its effect
@@ -48,6 +47,17 @@ bool IsObvious(const Ranking& ranking) {
 bool MeshMatters(const Ranking& ranking) {
   const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
   return ranking.floor_rms > kFineEnough * left;
+}
+
+constexpr double kNextMesh = 1.5;  // times finer
+
+int FinerSide(int side) { return 1 + static_cast<int>(std::lround(kNextMesh * (side - 1))); }
+
+// 0 where the mesh may be made finer already, or makes less than noise.
+int SideThatShowsMore(const ClothMesh& mesh, const Ranking& ranking, int finest_side) {
+  const int side = std::max(mesh.grid[0], mesh.grid[1]);
+  const bool is_finest = mesh.is_grid() && side >= finest_side;
+  return is_finest && ranking.floor_rms > 1.0 ? FinerSide(side) : 0;
 }
 
 }  // namespace
@@ -161,15 +171,12 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
 
 // Where the best of a round is worth it and none is proven, the held-out frames may not be able to
 // tell.
-void Diagnoser::ProveBestOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
-                                   const ProofStart& start) {
-  const std::optional<Choice> choice =
-      ChooseModel(diagnosis_.models, first_model, RulesOf(start.before));
-  if (!choice || choice->is_kept || Stopped()) return;
-  const std::optional<HeldOutProof> proof =
-      ProveOtherwise(models[choice->model - first_model], start);
+void Diagnoser::ProveOtherwiseToo(const FittedModel& model, std::size_t index,
+                                  const ProofStart& start) {
+  if (Stopped()) return;
+  const std::optional<HeldOutProof> proof = ProveOtherwise(model, start);
   Spend("proof by other means");
-  if (proof) diagnosis_.models[choice->model].proof = *proof;
+  if (proof) diagnosis_.models[index].proof = *proof;
 }
 
 // What else it could be, and what to record to know.
@@ -184,7 +191,7 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
   for (;;) {
     std::array<int, 2> grid = current->scene.mesh.grid;
     const bool can_be_finer =
-        current->scene.mesh.is_grid() && std::max(grid[0], grid[1]) < kFinestSide;
+        current->scene.mesh.is_grid() && std::max(grid[0], grid[1]) < options_.finest_side;
     RankingStart start;
     // Far off, it will be ranked again on a finer mesh, or a candidate is obvious.
     if (can_be_finer && IsFarOff(current->scene, current->config, current->fit)) start.draws = 1;
@@ -209,7 +216,7 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     const bool is_open = IsSuspicious(ranking) || ranking.residual_rms > kFarOff || tells_nothing;
     if (!is_worth_it || !is_open || !can_be_finer || Stopped()) return ranking;
     ModelStart finer = GoOn(*current);
-    for (int& n : grid) n = std::min(kFinestSide, 1 + static_cast<int>(std::lround(1.5 * (n - 1))));
+    for (int& n : grid) n = std::min(options_.finest_side, FinerSide(n));
     finer.config.resolution = grid;
     Log(fmt::format("the mesh matters: {} x {} particles", grid[0], grid[1]));
     Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
@@ -276,6 +283,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     diagnosis_.residual_rms = ranking.residual_rms;
     diagnosis_.floor_rms = ranking.floor_rms;
     diagnosis_.promised = ranking.promised;
+    diagnosis_.finer_side = SideThatShowsMore(current->scene.mesh, ranking, options_.finest_side);
     first_unexplained_ = ranking.unexplained;
     is_above_floor_ = !MeshMatters(ranking);
     first_scene_ = *current;
@@ -295,16 +303,19 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   const std::size_t first_model = diagnosis_.models.size();
   for (const FittedModel& model : models)
     diagnosis_.models.push_back(Describe(model, *current, *errors));
-  ProveBestOtherwise(models, first_model, {*current, *errors, ranking, options_});
-  const std::optional<Choice> choice =
-      ChooseModel(diagnosis_.models, first_model, RulesOf(*current));
+  const ChoiceRules rules = RulesOf(*current);
+  const std::optional<Choice> choice = ChooseModel(diagnosis_.models, first_model, rules);
   if (!choice) return false;
   FittedModel& model = models[choice->model - first_model];
+  // Before a proof by other means, which takes many fits.
   if (CatchesUp(model, current, errors)) {
     BeginAgain(first_model, *current, *errors);
     return AddEffect(current, errors);
   }
-  if (!choice->is_kept) return false;
+  if (!choice->is_kept) {
+    ProveOtherwiseToo(model, choice->model, {*current, *errors, ranking, options_});
+    if (!ChooseModel(diagnosis_.models, first_model, rules)->is_kept) return false;
+  }
   Model& described = diagnosis_.models[choice->model];
   described.is_kept = true;
   if (!diagnosis_.answer)

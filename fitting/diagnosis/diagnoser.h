@@ -48,8 +48,8 @@ class Diagnoser {
   void BeginAgain(std::size_t first_model, const FittedScene& better, const HeldOutErrors& errors);
   void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
   Model Describe(const FittedModel& model, const FittedScene& before, const HeldOutErrors& errors);
-  void ProveBestOtherwise(const std::vector<FittedModel>& models, std::size_t first_model,
-                          const ProofStart& start);
+  // Of the model at `index` of diagnosis_.models, whose proof it replaces.
+  void ProveOtherwiseToo(const FittedModel& model, std::size_t index, const ProofStart& start);
   void TellApart(const Ambiguity& ambiguity);
   // A law instead of names, where those explain too little and it explains more.
   void LearnInstead(FittedScene* current);

@@ -30,8 +30,11 @@ namespace clothfit {
 struct DiagnosisOptions {
   // Terms that are not looked for, whatever the recording has.
   std::vector<std::string> excluded;
-  int max_effects = 3;            // that are added one after the other
-  int max_models = 4;             // candidates that are fitted in earnest, each time
+  int max_effects = 3;  // that are added one after the other
+  int max_models = 4;   // candidates that are fitted in earnest, each time
+  // Particles a side, at most; finer ones take longer and tell more, as a coarse mesh errs like a
+  // draught. A recording's own mesh is made coarser where it is finer.
+  int finest_side = 13;
   int num_nulls = 400;            // residuals drawn of the re-simulated null
   double false_discovery = 0.05;  // expected share of false ones among those short-listed
   double least_share = 0.1;  // of the unexplained residual; below it a candidate is no explanation
@@ -172,6 +175,9 @@ struct Diagnosis {
   double left_rms = 0.0;
   std::vector<double> null_left_rms;
   double promised = 0.0;  // share of the cost that a full step of the baseline's fit would take
+  // Particles a side of a mesh that would show more, where the finest that was allowed
+  // (`DiagnosisOptions::finest_side`) leaves more than noise does; 0: none.
+  int finer_side = 0;
   std::optional<Mismatch> mismatch;
   std::optional<MismatchClass> mismatch_class;
   std::optional<MismatchPictures> mismatch_pictures;

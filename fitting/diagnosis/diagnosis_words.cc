@@ -191,6 +191,14 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
         "parameters that are known, would help.",
         diagnosis.residual_rms, why));
   }
+  const bool is_open =
+      diagnosis.verdict == Verdict::kNothingMissing || diagnosis.verdict == Verdict::kUndecided;
+  if (is_open && diagnosis.finer_side > 0) {
+    sentences.push_back(
+        fmt::format("Mesh and time step err by more than noise; a finer mesh (--finest {}) would "
+                    "show more, and takes some three times as long.",
+                    diagnosis.finer_side));
+  }
   // What is named says itself where it acts; the map of what the baseline cannot take for anything
   // else is for what has no name.
   const bool has_map = diagnosis.mismatch && diagnosis.mismatch->is_significant;
@@ -267,6 +275,7 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
                   {"left_rms_sigmas", OrNull(diagnosis.left_rms)},
                   {"null_left_rms_sigmas", diagnosis.null_left_rms},
                   {"promised_decrease", OrNull(diagnosis.promised)}};
+  json["finer_mesh"] = diagnosis.finer_side > 0 ? Json(diagnosis.finer_side) : Json(nullptr);
   const std::optional<Splits::FrameRange>& held_out = diagnosis.motions.held_out;
   json["held_out_frames"] = held_out ? Json({held_out->first, held_out->last}) : Json(nullptr);
   json["resolution"] = diagnosis.motions.resolution;

@@ -84,6 +84,28 @@ TEST(Diagnose, FindsNothingMissingWhereNothingIs) {
   EXPECT_TRUE(diagnosis.effects.empty());
 }
 
+TEST(Diagnose, UsesNoFinerMeshThanItMay) {
+  const Recording recording = MakeSyntheticRecording(Small()).recording;
+  DiagnosisOptions options = Quick();
+  options.finest_side = 4;
+  const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), options);
+  ASSERT_GT(recording.cloth.resolution.x(), 4);
+  EXPECT_EQ(diagnosis.motions.resolution, (std::array<int, 2>{4, 4}));
+}
+
+TEST(Diagnose, SaysThatAFinerMeshWouldShowMore) {
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::kUndecided;
+  diagnosis.floor_rms = 2.0;
+  EXPECT_THAT(DescribeDiagnosis(diagnosis), Not(HasSubstr("--finest")));
+  EXPECT_THAT(DiagnosisAsJson(diagnosis), HasSubstr("\"finer_mesh\": null"));
+  diagnosis.finer_side = 19;
+  EXPECT_THAT(DescribeDiagnosis(diagnosis), HasSubstr("(--finest 19)"));
+  EXPECT_THAT(DiagnosisAsJson(diagnosis), HasSubstr("\"finer_mesh\": 19"));
+  diagnosis.verdict = Verdict::kNamed;
+  EXPECT_THAT(DescribeDiagnosis(diagnosis), Not(HasSubstr("--finest")));
+}
+
 TEST(Diagnose, BlamesTheCameraThatStandsElsewhere) {
   SyntheticOptions options = Small();
   options.markers = {0, 0};
