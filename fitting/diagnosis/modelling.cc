@@ -8,6 +8,7 @@
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/named_parameter.h"
+#include "fitting/diagnosis/rows.h"
 
 namespace clothfit {
 namespace {
@@ -16,6 +17,8 @@ constexpr double kGuidingRate = 40.0;  // 1/s
 // Weaker and weaker: what pulls also hides a part of what is wrong.
 constexpr double kGuidingShares[] = {1.0, 0.3, 0.1, 0.03};
 constexpr int kGuidedIterations = 4;  // of each
+// Particles a side: where something pulls, the motion is as good on a coarse mesh.
+constexpr int kGuidedSide = 13;
 
 // Keeps an estimate inside, off the bounds themselves so that a logarithm can move it.
 double Inside(double value, const ParameterSetting& setting) {
@@ -55,6 +58,12 @@ FitConfig QuickConfig(FitConfig config, int most_iterations) {
   config.window = 0.0;
   config.max_iterations = std::min(config.max_iterations, most_iterations);
   config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
+  return config;
+}
+
+FitConfig OnGuidedMesh(FitConfig config, const ClothMesh& mesh) {
+  if (mesh.is_grid() && std::max(mesh.grid[0], mesh.grid[1]) > kGuidedSide)
+    config.resolution = CoarserGrid(mesh.grid, kGuidedSide);
   return config;
 }
 
@@ -175,6 +184,7 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
                                      const FitRunner& runner) {
   const FitConfig quick = QuickConfig(start.config, most_iterations);
   FitConfig last = quick;
+  Scene last_scene = MakeScene(start.recording, quick);
   std::optional<FitResult> before;
   const auto fit = [&](const FitConfig& config, const Scene& scene) {
     const FreeParameters free(config, scene, MakeParameterTable());
@@ -183,13 +193,15 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
     before = runner.Run(scene, config, from ? &*from : nullptr);
   };
   if (how == Start::kGuided) {
-    FitConfig attracted = quick;
+    FitConfig attracted = OnGuidedMesh(quick, last_scene.mesh);
     attracted.attract = true;
     const Scene scene = MakeScene(start.recording, attracted);
     const double pull = GuidingPull(quick, scene);
     if (!(pull > 0.0)) return std::nullopt;
     for (const double share : kGuidingShares) {
-      fit(PulledBy(last, share * pull), scene);
+      FitConfig pulled = PulledBy(last, share * pull);
+      pulled.resolution = attracted.resolution;
+      fit(pulled, scene);
       if (before->status == FitStatus::kFailed) return std::nullopt;
       const std::vector<NamedParameter> table = MakeParameterTable();
       for (std::size_t i = 0; i < table.size(); ++i) {
@@ -199,9 +211,8 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
       }
     }
   }
-  Scene scene = MakeScene(start.recording, quick);
-  fit(last, scene);
-  return MakeModel(std::move(scene), start.config, quick, *before);
+  fit(last, last_scene);
+  return MakeModel(std::move(last_scene), start.config, quick, *before);
 }
 
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,

@@ -12,7 +12,7 @@ namespace clothfit {
 namespace {
 
 // Shaken, with next to no damping, in air that moves along.
-Recording LivelyCloth() {
+Recording LivelyCloth(int num_frames = 36) {
   SyntheticOptions options;
   options.scenario = SyntheticScenario::kTwoCornerShake;
   options.size = {0.5, 0.5};
@@ -21,7 +21,7 @@ Recording LivelyCloth() {
   options.markers = {7, 7};
   options.marker_sigma = 0.0015;
   options.frame_rate = 24.0;
-  options.frame_count = 36;
+  options.frame_count = num_frames;
   options.steps_per_frame = 5;
   options.parameters = {{"stretch.stiffness", 370.0}, {"stretch.damping", 0.8},
                         {"shear.stiffness", 6.2},     {"shear.damping", 0.18},
@@ -56,6 +56,16 @@ TEST(GuidedFit, LeavesNothingThatPulls) {
     EXPECT_EQ(guided->values.parameters.at(name).value, 0.0) << name;
   EXPECT_EQ(guided->config.parameters.at("stretch.stiffness").value,
             start.config.parameters.at("stretch.stiffness").value);
+}
+
+TEST(GuidedFit, EndsOnTheMeshThatItIsToldHoweverFine) {
+  ModelStart start = WithAddedMass(LivelyCloth(8));
+  start.config.resolution = {17, 17};
+  const auto plain = FitAfresh(start, Start::kPlain, 1, FitRunner());
+  const auto guided = FitAfresh(start, Start::kGuided, 1, FitRunner());
+  ASSERT_TRUE(plain && guided);
+  EXPECT_EQ(guided->scene.mesh.grid, (std::array<int, 2>{17, 17}));
+  EXPECT_LT(guided->fit.cost_after, plain->fit.cost_after);
 }
 
 TEST(FittedScene, KeepsValuesAtTheirBoundsInside) {
