@@ -58,8 +58,9 @@ std::string SayProof(const Model& answer) {
         "on those from there to {} falls",
         proof.earlier->first, proof.earlier->last);
   }
-  words += fmt::format(" from {} to {}; {} would be noise.", Length(proof.before, is_px),
-                       Length(proof.after, is_px), Length(proof.floor, is_px));
+  words += fmt::format(" from {} to {}; noise, mesh and step alone may make {}.",
+                       Length(proof.before, is_px), Length(proof.after, is_px),
+                       Length(proof.floor, is_px));
   if (proof.gain_of_null) {
     words += fmt::format(
         " On recordings of the baseline itself, made on a finer mesh, it explains at most {:.0f} % "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
@@ -14,6 +15,8 @@ namespace clothfit {
 namespace {
 
 constexpr double kGuidingRate = 40.0;  // 1/s
+// Where a fit may begin: what is linear at nothing need not be so at the estimate.
+constexpr double kSharesOfEstimate[] = {1.0, 0.3, 0.1};
 // Weaker and weaker: what pulls also hides a part of what is wrong.
 constexpr double kGuidingShares[] = {1.0, 0.3, 0.1, 0.03};
 constexpr int kGuidedIterations = 4;  // of each
@@ -233,10 +236,31 @@ std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<F
   return is_second ? std::move(b) : std::move(a);
 }
 
+ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,
+                       const RankedCandidate& candidate, const FitRunner& runner) {
+  if (candidate.summary.kind == CandidateKind::kObservation) return start;
+  ModelStart best = start;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double share : kSharesOfEstimate) {
+    RankedCandidate smaller = candidate;
+    smaller.amounts *= share;
+    ModelStart tried = start;
+    const FitConfig scaled = SwitchOn(fitted, smaller, {}).config;
+    for (const std::string& name : candidate.names)
+      tried.config.parameters.at(name).value = scaled.parameters.at(name).value;
+    const std::optional<FittedScene> there = FitModel(fitted, tried, 0, runner);
+    if (!there || there->fit.cost_after >= least) continue;
+    least = there->fit.cost_after;
+    best = std::move(tried);
+  }
+  return best;
+}
+
 std::optional<FittedScene> FitFirst(const FittedScene& fitted, const ModelStart& start,
                                     const FitConfig& told, const RankedCandidate& candidate,
                                     int most_iterations, const FitRunner& runner) {
-  std::optional<FittedScene> model = FitModel(fitted, start, most_iterations, runner);
+  std::optional<FittedScene> model =
+      FitModel(fitted, AtBestShare(fitted, start, candidate, runner), most_iterations, runner);
   if (runner.IsStopped()) return model;
   if (model && !IsFarOff(model->scene, model->config, model->fit)) return model;
   const ModelStart afresh = FromNothing(told, start, candidate);

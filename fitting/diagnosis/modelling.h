@@ -62,9 +62,14 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
                                     int most_iterations, const FitRunner& runner);
 
-// The same of a candidate that was just switched on. Where that is left far off, a fabric that had
-// to stand for what was missing is no good start: then from nothing, too, guided where there is
-// something to guide it. The better one of both.
+// The start of an effect that was just switched on, at the share of its linear estimate that comes
+// nearest to the recording: all of it, or less.
+ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,
+                       const RankedCandidate& candidate, const FitRunner& runner);
+
+// The same of a candidate that was just switched on, from its best share. Where that is left far
+// off, a fabric that had to stand for what was missing is no good start: then from nothing, too,
+// guided where there is something to guide it. The better one of both.
 std::optional<FittedScene> FitFirst(const FittedScene& fitted, const ModelStart& start,
                                     const FitConfig& told, const RankedCandidate& candidate,
                                     int most_iterations, const FitRunner& runner);

@@ -126,8 +126,9 @@ std::string Describe(const SeparatingMotion& separating) {
         "would set them much further apart than the {:.2g} mm of this one.",
         here);
   }
-  return fmt::format("The same motion {} would: they would be {:.2g} mm apart, here it is {:.2g}.",
-                     separating.motion, there, here);
+  const auto mm = [](double value) { return fmt::format("{:.{}f}", value, value < 10.0 ? 1 : 0); };
+  return fmt::format("The same motion {} would: they would be {} mm apart, here it is {}.",
+                     separating.motion, mm(there), mm(here));
 }
 
 }  // namespace clothfit

@@ -68,6 +68,28 @@ TEST(GuidedFit, EndsOnTheMeshThatItIsToldHoweverFine) {
   EXPECT_LT(guided->fit.cost_after, plain->fit.cost_after);
 }
 
+// A linear estimate may be any times too large.
+TEST(AtBestShare, BeginsWhereTheRecordingIsNearest) {
+  SyntheticOptions calm;
+  calm.resolution = {5, 5};
+  calm.frame_count = 12;
+  calm.frame_rate = 24.0;
+  calm.parameters = {{"added_mass.normal", 0.1}};
+  const Recording recording = MakeSyntheticRecording(calm).recording;
+  ModelStart without{recording, DefaultConfig(recording)};
+  const auto fitted = FitAfresh(without, Start::kPlain, 0, FitRunner());
+  ASSERT_TRUE(fitted);
+  RankedCandidate mass;
+  mass.summary.name = mass.term.term = "added_mass";
+  mass.names = {"added_mass.normal"};
+  for (const double times : {1.0, 3.0, 10.0}) {
+    mass.amounts = Eigen::VectorXd::Constant(1, 0.1 * times);
+    const ModelStart start = AtBestShare(*fitted, SwitchOn(*fitted, mass, {}), mass, FitRunner());
+    EXPECT_NEAR(start.config.parameters.at("added_mass.normal").value, 0.1, 0.011) << times;
+    EXPECT_TRUE(start.config.parameters.at("added_mass.normal").free);
+  }
+}
+
 TEST(FittedScene, KeepsValuesAtTheirBoundsInside) {
   const Recording recording = LivelyCloth();
   FitConfig config = DefaultConfig(recording);
