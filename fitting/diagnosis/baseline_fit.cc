@@ -25,7 +25,7 @@ std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig
   std::array<int, 2> grid = config.resolution;
   if (grid[0] == 0) grid = {recording.cloth.resolution.x(), recording.cloth.resolution.y()};
   if (std::max(grid[0], grid[1]) <= finest_side) return config.resolution;
-  return CoarserGrid(grid, finest_side);
+  return GridWithSide(grid, finest_side);
 }
 
 // Does a fit leave more than so many sigmas, or nothing of use?

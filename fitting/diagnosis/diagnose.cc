@@ -49,10 +49,6 @@ bool MeshMatters(const Ranking& ranking) {
   return ranking.floor_rms > kFineEnough * left;
 }
 
-constexpr double kNextMesh = 1.5;  // times finer
-
-int FinerSide(int side) { return 1 + static_cast<int>(std::lround(kNextMesh * (side - 1))); }
-
 // 0 where the mesh may be made finer already, or makes less than noise.
 int SideThatShowsMore(const ClothMesh& mesh, const Ranking& ranking, int finest_side) {
   const int side = std::max(mesh.grid[0], mesh.grid[1]);
@@ -136,7 +132,7 @@ void Diagnoser::BeginAgain(std::size_t first_model, const FittedScene& better,
   diagnosis_.mismatch.reset();
   diagnosis_.mismatch_class.reset();
   diagnosis_.mismatch_pictures.reset();
-  diagnosis_.motions.missing_force.clear();
+  missing_.reset();
 }
 
 Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
@@ -246,7 +242,7 @@ void Diagnoser::LocateMismatch(const FittedScene& fitted) {
   if (!found->location.mismatch.is_significant) return;
   // What is one source's has no class.
   if (found->Blamed() == nullptr) diagnosis_.mismatch_class = found->report.mismatch_class;
-  diagnosis_.motions.missing_force = ForceOnParticles(fitted.scene.mesh, found->missing);
+  missing_.emplace(found->missing);
   const Scene& scene = found->fitted.scene;
   diagnosis_.mismatch_pictures = {DrawForceMap(scene, found->missing, found->location),
                                   DrawForceArrows(scene, found->missing, found->location)};
@@ -291,7 +287,6 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     first_errors_ = *errors;
     for (const RankedCandidate& candidate : ranking.candidates)
       diagnosis_.ranking.push_back(candidate.summary);
-    diagnosis_.motions.baseline = SimulateFitted(*current);
   }
   last_ranking_ = ranking;
   if (is_first && IsSuspicious(ranking)) LocateMismatch(*current);
@@ -346,9 +341,13 @@ Diagnosis Diagnoser::Run() {
   MeasureAnswer(current);
   WithdrawWhatMayBeNothing(&current);
   LearnInstead(&current);
+  RefineAnswer(&current, &errors);
   WidenIntervals(current);
   TakeOutUndetermined(&current, errors);
-  diagnosis_.motions.resolution = current.scene.mesh.grid;
+  const ClothMesh& mesh = current.scene.mesh;
+  diagnosis_.motions.resolution = mesh.grid;
+  if (first_scene_) diagnosis_.motions.baseline = SimulateFitted(*first_scene_);
+  if (missing_) diagnosis_.motions.missing_force = ForceOnParticles(mesh, *missing_);
   diagnosis_.motions.held_out = recording_.splits.held_out_frames;
   if (diagnosis_.answer || !diagnosis_.effects.empty())
     diagnosis_.motions.answer = SimulateFitted(current);

@@ -18,6 +18,7 @@
 #include "fitting/diagnosis/model_race.h"
 #include "fitting/diagnosis/parameter_intervals.h"
 #include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/residual_force.h"
 #include "fitting/diagnosis/verdict.h"
 
 namespace clothfit {
@@ -58,6 +59,15 @@ class Diagnoser {
   // What mesh and step do to the answer: to its parameters, and what they leave of it.
   void MeasureAnswer(const FittedScene& model);
   void WithdrawWhatMayBeNothing(FittedScene* current);
+  // What was kept last is not any more.
+  void TakeBack(FittedScene* current);
+  // The answer and what it is held against on a finer mesh, where a fit may use one; taken back
+  // where it does not stand there.
+  void RefineAnswer(FittedScene* current, HeldOutErrors* errors);
+  // Its amounts, costs and proof, and what mesh and step do to it, on the mesh that it is on now.
+  void DescribeAnswerAgain(const FittedScene& current, const HeldOutErrors& errors);
+  // The answer among the models; null where it was fitted on another mesh than they.
+  Model* AnswerAmongModels();
   // Share of what the baseline does not explain that the answer does.
   double ExplainedBy(const FittedScene& model) const;
   void WidenIntervals(const FittedScene& model);
@@ -101,6 +111,9 @@ class Diagnoser {
   int rematches_ = 0;
   double first_unexplained_ = 0.0;  // sum of squares
   NumericalShifts shifts_;          // of the answer
+  // What the answer explained on the mesh on which it was found, where it was refined.
+  std::optional<double> explained_;
+  std::optional<MissingForce> missing_;
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
 

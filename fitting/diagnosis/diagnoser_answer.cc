@@ -7,11 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/parallel.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/learn_law.h"
 #include "fitting/diagnosis/mismatch_words.h"
+#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/null_residuals.h"
 #include "fitting/diagnosis/undetermined.h"
 #include "tracking/text.h"
 
@@ -77,6 +80,10 @@ void Diagnoser::WithdrawWhatMayBeNothing(FittedScene* current) {
   if (!MayBeNothing(shifts_, current->values, amounts)) return;
   Log(kept_->candidate.summary.name +
       " is not kept: mesh and step may make all of it, and all that the baseline leaves");
+  TakeBack(current);
+}
+
+void Diagnoser::TakeBack(FittedScene* current) {
   diagnosis_.models[kept_->model].is_kept = false;
   for (const std::string& name : kept_->candidate.Effects()) {
     std::vector<std::string>& effects = diagnosis_.effects;
@@ -111,14 +118,77 @@ double Diagnoser::ExplainedBy(const FittedScene& model) const {
                         0.5 * std::max(explainable, kept_score_));
 }
 
+Model* Diagnoser::AnswerAmongModels() {
+  return kept_ && !explained_ ? &diagnosis_.models[kept_->model] : nullptr;
+}
+
+void Diagnoser::RefineAnswer(FittedScene* current, HeldOutErrors* errors) {
+  const ClothMesh& mesh = current->scene.mesh;
+  const bool can_be_finer = mesh.is_grid() &&
+                            std::max(mesh.grid[0], mesh.grid[1]) < options_.finest_side &&
+                            diagnosis_.residual_rms < kHopeless;  // that no mesh makes up for
+  if (!diagnosis_.answer || !kept_ || diagnosis_.law || !kept_->candidate.faults.empty() ||
+      !can_be_finer || Stopped())
+    return;
+  const int side = FinerSide(std::max(mesh.grid[0], mesh.grid[1]));
+  const std::array<int, 2> grid = GridWithSide(mesh.grid, std::min(options_.finest_side, side));
+  Say(fmt::format("the answer, {} x {} particles", grid[0], grid[1]), 0.9);
+  std::vector<const FittedScene*> coarse = {&kept_->before, current};
+  const bool is_only_one = diagnosis_.effects == kept_->candidate.Effects();
+  if (!is_only_one) coarse.push_back(&*first_scene_);
+  std::vector<std::optional<FittedScene>> finer(coarse.size());
+  ParallelFor(static_cast<int>(coarse.size()), NumThreads(0), [&](int i, int) {
+    const auto k = static_cast<std::size_t>(i);
+    ModelStart start = GoOn(*coarse[k]);
+    start.config.resolution = grid;
+    finer[k] = FitModel(*coarse[k], start, 2 * kModelIterations, runner_);
+  });
+  Spend("the answer on a finer mesh");
+  const bool have_failed = std::any_of(finer.begin(), finer.end(),
+                                       [](const auto& fitted) { return !fitted.has_value(); });
+  if (have_failed || Stopped()) return;
+  const double without = finer[0]->fit.cost_after, with = finer[1]->fit.cost_after;
+  Log(fmt::format("on {} x {} particles: cost {:.6g}, with {} {:.6g}", grid[0], grid[1], without,
+                  kept_->candidate.summary.name, with));
+  if (!StandsOnFinerMesh(kept_->before.fit.cost_after - current->fit.cost_after, without - with)) {
+    Log(kept_->candidate.summary.name + " is not kept: it does not stand on the finer mesh");
+    TakeBack(current);
+    MeasureAnswer(*current);
+    return;
+  }
+  explained_ = ExplainedBy(*current);
+  first_scene_ = is_only_one ? *finer[0] : std::move(*finer[2]);
+  kept_->before = std::move(*finer[0]);
+  kept_->before_errors = MeasureHeldOut(kept_->before);
+  *current = std::move(*finer[1]);
+  *errors = MeasureHeldOut(*current);
+  DescribeAnswerAgain(*current, *errors);
+}
+
+void Diagnoser::DescribeAnswerAgain(const FittedScene& current, const HeldOutErrors& errors) {
+  if (const std::optional<LinearisedFit> linear = Linearise(kept_->before)) {
+    constexpr int kDraws = 1;
+    last_ranking_.errors = std::make_shared<const NumericalErrors>(
+        MeasureNumericalErrors(kept_->before, linear->frames, linear->rows, kDraws, options_.seed));
+  }
+  const Model described =
+      Describe({kept_->candidate, current, errors}, kept_->before, kept_->before_errors);
+  Model& answer = *diagnosis_.answer;
+  answer.config = described.config;
+  answer.parameters = described.parameters;
+  answer.cost = described.cost;
+  if (described.proof.is_proven) answer.proof = described.proof;
+  MeasureAnswer(current);
+}
+
 void Diagnoser::WidenIntervals(const FittedScene& model) {
   if (!diagnosis_.answer || Stopped()) return;
   Widen(shifts_, model.config, &diagnosis_.answer->parameters);
   const std::vector<EffectParameter>& widened = diagnosis_.answer->parameters;
   if (diagnosis_.law) {  // the last of the models
     diagnosis_.law->model.parameters = diagnosis_.models.back().parameters = widened;
-  } else if (kept_) {
-    diagnosis_.models[kept_->model].parameters = widened;
+  } else if (Model* const row = AnswerAmongModels()) {
+    row->parameters = widened;
   }
 }
 
@@ -137,9 +207,9 @@ void Diagnoser::TakeOutUndetermined(FittedScene* current, const HeldOutErrors& e
   TakeValues(simpler->scene.values, &answer.parameters);
   answer.config = described.config;
   answer.cost = described.cost;
-  answer.explained = described.explained;
+  if (!explained_) answer.explained = described.explained;
   if (described.proof.is_proven) answer.proof = described.proof;
-  diagnosis_.models[kept_->model] = answer;
+  if (Model* const model = AnswerAmongModels()) *model = answer;
   *current = std::move(simpler->scene);
 }
 
@@ -150,7 +220,7 @@ void Diagnoser::MeasureWhatActs(const FittedScene& model) {
 }
 
 void Diagnoser::Conclude(const FittedScene& current) {
-  const double explained = ExplainedBy(current);
+  const double explained = explained_ ? *explained_ : ExplainedBy(current);
   if (diagnosis_.answer && kept_ && !diagnosis_.law) {  // of what is far off no more than that
     diagnosis_.answer->explained = std::min(diagnosis_.answer->explained, explained);
     diagnosis_.models[kept_->model].explained = diagnosis_.answer->explained;

@@ -24,7 +24,7 @@ constexpr int kDraws = 2;             // of parameters, at which the numerical e
 FittedScene Coarse(const FittedScene& fitted) {
   const std::array<int, 2>& grid = fitted.scene.mesh.grid;
   if (!fitted.scene.mesh.is_grid() || std::max(grid[0], grid[1]) <= kLongestSide) return fitted;
-  return WithOtherSteps(fitted, CoarserGrid(grid, kLongestSide), fitted.config.max_step);
+  return WithOtherSteps(fitted, GridWithSide(grid, kLongestSide), fitted.config.max_step);
 }
 
 // Markers (-1) and cameras with rows.

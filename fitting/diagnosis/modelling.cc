@@ -66,7 +66,7 @@ FitConfig QuickConfig(FitConfig config, int most_iterations) {
 
 FitConfig OnGuidedMesh(FitConfig config, const ClothMesh& mesh) {
   if (mesh.is_grid() && std::max(mesh.grid[0], mesh.grid[1]) > kGuidedSide)
-    config.resolution = CoarserGrid(mesh.grid, kGuidedSide);
+    config.resolution = GridWithSide(mesh.grid, kGuidedSide);
   return config;
 }
 

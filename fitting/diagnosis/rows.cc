@@ -60,14 +60,19 @@ FittedScene WithOtherSteps(const FittedScene& fitted, const std::array<int, 2>& 
   return other;
 }
 
-std::array<int, 2> CoarserGrid(const std::array<int, 2>& grid, int longest_side) {
+int FinerSide(int side) {
+  constexpr double kTimes = 1.5;
+  return 1 + static_cast<int>(std::lround(kTimes * (side - 1)));
+}
+
+std::array<int, 2> GridWithSide(const std::array<int, 2>& grid, int longest_side) {
   const int longer = std::max(grid[0], grid[1]);
-  std::array<int, 2> coarser = grid;
-  for (int& n : coarser) {
+  std::array<int, 2> other = grid;
+  for (int& n : other) {
     const double share = static_cast<double>(longest_side - 1) / (longer - 1);
     n = 1 + std::max(1, static_cast<int>(std::lround(share * (n - 1))));
   }
-  return coarser;
+  return other;
 }
 
 Pass BaselinePass(const FittedScene& fitted) {

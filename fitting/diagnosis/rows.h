@@ -35,7 +35,9 @@ FittedScene WithOtherSteps(const FittedScene& fitted, const std::array<int, 2>& 
                            double max_step);
 
 // A grid of the same shape with this many particles along its longer side.
-std::array<int, 2> CoarserGrid(const std::array<int, 2>& grid, int longest_side);
+std::array<int, 2> GridWithSide(const std::array<int, 2>& grid, int longest_side);
+// Particles along a side of the next finer mesh.
+int FinerSide(int side);
 
 // Frames whose rows are looked at, and where their rows begin.
 class RowFrames {

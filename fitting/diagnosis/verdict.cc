@@ -12,7 +12,7 @@ namespace {
 
 // Of what is missing, that an effect explains which is there; what only stands for it explains
 // less. Where even a fit with it comes nowhere near the null, half has to do.
-constexpr double kMostOfIt = 0.9, kMostFromAfar = 0.5;
+constexpr double kMostFromAfar = 0.5;
 constexpr double kWorthKeeping = 0.5;  // of what the best of a round gains
 
 bool IsPhysics(const std::string& effect, const Diagnosis& diagnosis) {
@@ -43,6 +43,11 @@ double MostOfIt(const Diagnosis& diagnosis) {
   if (diagnosis.answer && diagnosis.baseline_fit.cost_after > 0.0)
     left *= std::sqrt(diagnosis.answer->cost / diagnosis.baseline_fit.cost_after);
   return left > kHopeless ? kMostFromAfar : kMostOfIt;
+}
+
+bool StandsOnFinerMesh(double gain, double gain_on_finer) {
+  constexpr double kStands = 0.3;
+  return gain_on_finer >= kStands * gain;
 }
 
 std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t first,

@@ -17,8 +17,13 @@ namespace clothfit {
 // its pattern does so below its sum, too. Nothing where nothing can.
 double ShareExplained(double before, double after, double null, double explainable);
 
+inline constexpr double kMostOfIt = 0.9;  // of what is missing
+
 // The share of what is missing that has to be explained by what is named.
 double MostOfIt(const Diagnosis& diagnosis);
+
+// Does what gains so much cost on the mesh on which it was found gain enough on a finer one?
+bool StandsOnFinerMesh(double gain, double gain_on_finer);
 
 struct ChoiceRules {
   double cost_before;  // of the fit without any of the models

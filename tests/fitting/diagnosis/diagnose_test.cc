@@ -55,7 +55,10 @@ TEST(Diagnose, NamesTheWind) {
   SyntheticOptions options = Small();
   options.parameters["wind.x"] = 2.5;  // so much that the coarse mesh matters little
   const Recording recording = MakeSyntheticRecording(options).recording;
-  const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), Quick());
+  DiagnosisOptions quick = Quick();
+  std::string log;
+  quick.log = [&](const std::string& line) { log += line + "\n"; };
+  const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), quick);
   EXPECT_EQ(diagnosis.verdict, Verdict::kNamed) << diagnosis.words;
   ASSERT_TRUE(diagnosis.answer.has_value());
   EXPECT_EQ(diagnosis.answer->effects, std::vector<std::string>{"wind"});
@@ -63,12 +66,20 @@ TEST(Diagnose, NamesTheWind) {
       std::find_if(diagnosis.answer->parameters.begin(), diagnosis.answer->parameters.end(),
                    [](const EffectParameter& p) { return p.name == "wind.x"; });
   ASSERT_NE(x, diagnosis.answer->parameters.end());
-  EXPECT_NEAR(x->value, 2.5, 0.25);
+  EXPECT_NEAR(x->value, 2.5, 0.15);
   EXPECT_LT(x->lower90, x->upper90);
   EXPECT_TRUE(diagnosis.answer->proof.is_proven);
   EXPECT_LT(diagnosis.answer->proof.after, diagnosis.answer->proof.before);
   EXPECT_THAT(diagnosis.words, HasSubstr("wind"));
   EXPECT_THAT(DiagnosisAsJson(diagnosis), HasSubstr("\"verdict\": \"named\""));
+  // On a finer mesh in the end, all of it.
+  EXPECT_THAT(log, HasSubstr("particles: cost"));
+  const DiagnosisMotions& motions = diagnosis.motions;
+  const Eigen::Index size = 3 * motions.resolution[0] * motions.resolution[1];
+  EXPECT_GT(motions.resolution[0], 6);
+  ASSERT_FALSE(motions.missing_force.empty());
+  for (const auto* frames : {&motions.baseline, &motions.answer, &motions.missing_force})
+    EXPECT_EQ(frames->front().size(), size);
   EXPECT_LT(diagnosis.gate_p_value, 0.01);
   const std::vector<double>& draws = diagnosis.null_left_rms;
   ASSERT_EQ(draws.size(), static_cast<std::size_t>(Quick().num_nulls));

@@ -45,6 +45,13 @@ TEST(Verdict, NamesWhatExplainsHalfWhereNoFitComesNearTheNull) {
   EXPECT_EQ(VerdictOf(diagnosis, 0.6, true), Verdict::kNoneOfTheAbove);
 }
 
+TEST(Verdict, WhatWasAnErrorOfTheMeshDoesNotStandOnAFinerOne) {
+  EXPECT_TRUE(StandsOnFinerMesh(1000.0, 900.0));
+  EXPECT_TRUE(StandsOnFinerMesh(1000.0, 2000.0));  // it may be seen better there
+  EXPECT_FALSE(StandsOnFinerMesh(1000.0, 200.0));
+  EXPECT_FALSE(StandsOnFinerMesh(1000.0, -50.0));
+}
+
 TEST(Verdict, BlamesTheObservationWhereNothingElseWasFound) {
   Diagnosis diagnosis = Unexplained();
   diagnosis.effects = {"camera cam0: pose"};
