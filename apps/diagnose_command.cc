@@ -80,7 +80,7 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
       ->capture_default_str();
   command
       ->add_option("--max-models", options->diagnosis.max_models,
-                   "candidates to fit, for each effect")
+                   "candidates to fit for each effect; as many more where these leave much")
       ->type_name("N")
       ->check(CLI::Range(1, 40))
       ->capture_default_str();

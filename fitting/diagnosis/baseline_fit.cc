@@ -88,6 +88,10 @@ bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit)
   return IsFurtherOff(kFarOff, scene, config, fit);
 }
 
+bool IsOff(const Scene& scene, const FitConfig& config, const FitResult& fit) {
+  return IsFurtherOff(kWorthAnotherStart, scene, config, fit);
+}
+
 std::vector<FitConfig> OtherStarts(const FitConfig& config) {
   constexpr double kLively = 0.1, kStiff = 20.0, kStretchy = 0.1;
   const auto scale = [](const char* name, double factor, FitConfig* of) {
@@ -119,7 +123,7 @@ FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
     if (options.progress) options.progress("baseline: " + p.stage, 0.2 * p.fraction);
   };
   FitResult fit = FitRunner(options).Run(scene, quick, nullptr, callbacks);
-  const bool is_off = IsFurtherOff(kWorthAnotherStart, scene, quick, fit);
+  const bool is_off = IsOff(scene, quick, fit);
   FittedScene fitted = MakeFittedScene(std::move(scene), config, fit);
   if (is_off) fitted = FitFromOthers(std::move(fitted), options);
   if (fitted.fit.status == FitStatus::kFailed)

@@ -26,6 +26,8 @@ FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
 
 // Does a fit leave more than kFarOff?
 bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit);
+// Does it leave so much (1.2 sigmas) that it may be in a wrong valley?
+bool IsOff(const Scene& scene, const FitConfig& config, const FitResult& fit);
 
 // Other fabrics to begin with: one with a tenth of the damping, and that one with twenty times the
 // stiffness in bending, or with a tenth of that in stretch. What is not free stays as it is.

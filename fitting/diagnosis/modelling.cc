@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kGuidingRate = 40.0;  // 1/s
 // Where a fit may begin: what is linear at nothing need not be so at the estimate.
-constexpr double kSharesOfEstimate[] = {1.0, 0.3, 0.1};
+constexpr double kSharesOfEstimate[] = {1.0, 0.3, 0.1, 3.0};
 // Weaker and weaker: what pulls also hides a part of what is wrong.
 constexpr double kGuidingShares[] = {1.0, 0.3, 0.1, 0.03};
 constexpr int kGuidedIterations = 4;  // of each

@@ -54,6 +54,7 @@ class Ranker {
   std::vector<Nuisance> Nuisances(const std::string& fault_group) const;
   ScoredGroup GroupOf(const Trial& trial) const;
   RankedCandidate Physics(int candidate, const Projection& projection, const Projection& raw) const;
+  void AddOtherSign(const Projection& projection, RankedCandidate* ranked) const;
   RankedCandidate Observation(const std::string& group, const Projection& raw) const;
   void Judge(const Projection& projection, const std::vector<double>& null_scores,
              RankedCandidate* candidate) const;
@@ -269,7 +270,21 @@ RankedCandidate Ranker::Physics(int candidate, const Projection& projection,
     ranked.columns = trial.columns;
     ranked.probe = trial.probe;
   }
+  if (ranked.names.size() == 1 && !ranked.probe.empty()) AddOtherSign(projection, &ranked);
   return ranked;
+}
+
+void Ranker::AddOtherSign(const Projection& projection, RankedCandidate* ranked) const {
+  constexpr double kAsLikely = 0.5;  // of the best score
+  double best = kAsLikely * ranked->summary.score * scale_[residual_] * scale_[residual_];
+  for (const Trial& trial : trials_) {
+    if (candidates_[trial.candidate].name != ranked->summary.name) continue;
+    const Score score = ScoreOf(projection, GroupOf(trial), projection.gram().col(residual_));
+    if (score.decrease < best || score.amounts[0] * ranked->amounts[0] >= 0.0) continue;
+    best = score.decrease;
+    ranked->other_probe = trial.probe;
+    ranked->other_amounts = score.amounts.cwiseProduct(scale_(trial.columns)) / scale_[residual_];
+  }
 }
 
 RankedCandidate Ranker::Observation(const std::string& group, const Projection& raw) const {

@@ -26,6 +26,11 @@ struct RankedCandidate {
   std::vector<int> columns;        // at the best probe
   std::vector<int> faults;         // indices into Ranking::faults, observation only
   std::vector<std::string> parts;  // effects that it stands for together; none: itself
+  // Of one amount of either sign that acts at a place: the best probe with the other sign, where it
+  // scores half as much. What draws to one side may be what pushes from the other. Empty where
+  // none.
+  Probe other_probe;
+  Eigen::VectorXd other_amounts;
 
   // Is there so many times more of it than the null passes for?
   bool Exceeds(double detection_limits) const {

@@ -37,6 +37,31 @@ class Race : public testing::Test {
     ranking_.residual_rms = 1.5;
   }
 
+  static RankedCandidate Tilt() {
+    RankedCandidate tilt;
+    tilt.summary.name = "gravity_tilt";
+    tilt.summary.is_short_listed = true;
+    tilt.term.name = tilt.term.term = "gravity_tilt";
+    tilt.names = {"gravity_tilt.angle_1"};
+    tilt.amounts = Eigen::VectorXd::Constant(1, 0.001);
+    return tilt;
+  }
+
+  // One candidate at a time: the names of those that were fitted, the best first.
+  static std::vector<std::string> FittedOneByOne(const std::vector<RankedCandidate>& candidates,
+                                                 double null_mean) {
+    Ranking ranking = ranking_;
+    ranking.candidates = candidates;
+    ranking.null_mean = null_mean;
+    DiagnosisOptions options;
+    options.max_models = 1;
+    std::vector<std::string> names;
+    for (const FittedModel& model :
+         ModelRace(told_, options).Run(*current_, MeasureHeldOut(*current_), ranking, 0.0))
+      names.push_back(model.candidate.summary.name);
+    return names;
+  }
+
   // The stages that a race went through are added to `stages`.
   static std::vector<FittedModel> RunRace(double null_mean, std::vector<std::string>* stages) {
     Ranking ranking = ranking_;
@@ -68,6 +93,25 @@ TEST_F(Race, BeginsNothingAnewThatLeavesNoMoreThanTheNull) {
   EXPECT_EQ(std::count(stages.begin(), stages.end(), kAnew), 0);
   std::vector<std::string> others;
   EXPECT_LE(RunRace(0.0, &others)[0].scene.fit.cost_after, models[0].scene.fit.cost_after);
+}
+
+TEST_F(Race, TheNextAreFittedWhereTheFirstExplainLittle) {
+  const std::vector<std::string> both = {"added_mass", "gravity_tilt"};
+  EXPECT_EQ(FittedOneByOne({Tilt(), ranking_.candidates[0]}, 0.0), both);
+}
+
+TEST_F(Race, TheNextAreNotFittedWhereTheFirstExplainMost) {
+  std::vector<std::string> stages;
+  const double left = 2.0 * RunRace(0.0, &stages)[0].scene.fit.cost_after;
+  const std::vector<std::string> one = {"added_mass"};
+  EXPECT_EQ(FittedOneByOne({ranking_.candidates[0], Tilt()}, left), one);
+}
+
+TEST_F(Race, TheNextHaveToBeShortListed) {
+  RankedCandidate mass = ranking_.candidates[0];
+  mass.summary.is_short_listed = false;
+  const std::vector<std::string> one = {"gravity_tilt"};
+  EXPECT_EQ(FittedOneByOne({Tilt(), mass}, 0.0), one);
 }
 
 // A model of so many unknowns, as it comes out of a race.
