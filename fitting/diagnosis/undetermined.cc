@@ -55,9 +55,16 @@ void TakeValues(const FitConfig& values, std::vector<EffectParameter>* parameter
   for (EffectParameter& p : *parameters) {
     const auto found = values.parameters.find(p.name);
     if (found == values.parameters.end()) continue;
-    p.value = found->second.value;
-    p.lower90 = std::min(p.lower90, p.value);
-    p.upper90 = std::max(p.upper90, p.value);
+    const double before = p.value, value = found->second.value;
+    p.value = value;
+    if (value == 0.0) {  // taken out: it may be what it may have been
+      p.lower90 = std::min(p.lower90, 0.0);
+      p.upper90 = std::max(p.upper90, 0.0);
+      continue;
+    }
+    const bool is_positive = p.lower90 > 0.0 && before > 0.0 && value > 0.0;
+    for (double* end : {&p.lower90, &p.upper90})
+      *end = is_positive ? *end * (value / before) : *end + (value - before);
   }
 }
 

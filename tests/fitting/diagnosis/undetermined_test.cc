@@ -38,7 +38,11 @@ TEST(Undetermined, ValuesAreTheModelsAndInIntervals) {
   EXPECT_EQ(wind[0].value, 0.0);
   EXPECT_EQ(wind[0].lower90, -1.5);
   EXPECT_EQ(wind[1].value, 0.31);
-  EXPECT_EQ(wind[1].upper90, 0.31);
+  EXPECT_NEAR(wind[1].lower90, 0.2 * 0.31 / 0.26, 1e-12);  // as wide as they were, around it
+  EXPECT_NEAR(wind[1].upper90, 0.3 * 0.31 / 0.26, 1e-12);
+  values.parameters["wind.y"].value = -0.02;
+  TakeValues(values, &wind);
+  EXPECT_NEAR(wind[1].upper90 - wind[1].lower90, 0.1 * 0.31 / 0.26, 1e-12);
 }
 
 // A cloth in wind, which is fitted with a component too many and with one too few.
