@@ -115,11 +115,15 @@ std::optional<NullGain> GainOfNull(const FittedModel& model, const ProofStart& s
     ModelStart without = GoOn(drawn[k]);
     without.recording = std::move(*twin);
     without.config.use_silhouettes = false;
-    const std::optional<FittedScene> before = FitModel(drawn[k], without, kTwinIterations, runner);
+    std::optional<FittedScene> before = FitModel(drawn[k], without, kTwinIterations, runner);
     if (!before) return;
     const std::optional<FittedScene> after =
         FitModel(*before, HardlyOn(model, *before), kTwinIterations, runner);
     if (!after) return;
+    // As of the recording itself: what comes as far without it from there had found a valley.
+    std::optional<FittedScene> again =
+        FitModel(*after, WithoutEffect(*before, *after), kTwinIterations, runner);
+    before = Cheaper(std::move(before), std::move(again));
     // A finer mesh has an error of its own.
     const double more = OfDifference() * OfDifference();
     const double off = MeasureHeldOut(*before).Rms(), on = MeasureHeldOut(*after).Rms();
@@ -148,18 +152,20 @@ HeldOutProof ProveOnHeldOut(const FittedModel& model, const ProofStart& start) {
                  start);
 }
 
-std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofStart& start) {
+std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofStart& start,
+                                         std::optional<double> by_chance) {
   const Scene& scene = model.scene.scene;
   const auto& held_out = scene.recording.splits.held_out_frames;
   const bool is_at_end = held_out && held_out->last == scene.recording.frame_count - 1;
   const int last = scene.last_fitted_frame, first = (last + 1) / 2;
   if (!is_at_end || first < kFewestFrames) return {};
   const bool is_in_pixels = scene.markers.empty();
-  const HeldOutFloor floor = FloorOf(model, is_in_pixels, start);
+  HeldOutFloor floor = FloorOf(model, is_in_pixels, start);
   const HeldOutProof worse = ProveBy(model.errors, start.errors, is_in_pixels, floor, start);
   const bool speak_against =
       worse.improvement_lower95 > 0.0 || model.errors.Rms() > kAsGood * start.errors.Rms();
   if (speak_against) return {};
+  if (by_chance) floor.numerical = *by_chance;
   const std::optional<FittedScene> before = FitUntil(first, start.before, start.options);
   const std::optional<FittedScene> after = FitUntil(first, model.scene, start.options);
   if (!before || !after) return {};
@@ -203,15 +209,19 @@ std::optional<HeldOutProof> ProveOtherwise(const FittedModel& model, const Proof
     if (start.options.log) start.options.log(line + (proof.is_proven ? "proven" : "not proven"));
   };
   say("fitting recordings of the baseline with " + name);
+  std::optional<double> by_chance;
   if (const std::optional<HeldOutProof> proof = ProveAgainstNull(model, start)) {
     log(fmt::format("{} gains {:.0f} % as much on recordings of the baseline alone; held out "
                     "{:.4g} -> {:.4g}, where they may tell {:.4g}: ",
                     name, 100.0 * *proof->gain_of_null, proof->before, proof->after, proof->floor),
         *proof);
     if (proof->is_proven) return proof;
+    const double noise = NoiseOf(model.scene.scene, proof->is_in_pixels);
+    const double squared = std::max(0.0, proof->floor * proof->floor - noise * noise);
+    if (*proof->gain_of_null < 1.0) by_chance = std::sqrt(squared);
   }
   say("predicting earlier frames with " + name);
-  const std::optional<HeldOutProof> proof = ProveEarlier(model, start);
+  const std::optional<HeldOutProof> proof = ProveEarlier(model, start, by_chance);
   if (!proof) return {};
   log(fmt::format("fitted to frames before {} alone, {} predicts those to {} with an error of "
                   "{:.4g}, not {:.4g}: ",

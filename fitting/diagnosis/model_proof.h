@@ -31,7 +31,10 @@ std::optional<HeldOutProof> ProveOtherwise(const FittedModel& model, const Proof
 // motion has come to rest by then, or a gust is over. Empty where they do show that the model is
 // worse, or where its error is higher there by a twentieth, where they are not the last ones, and
 // where a fit fails.
-std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofStart& start);
+// `by_chance` (m or px): what predictions of recordings of the fit without the model gain by it,
+// where that is known; else the prediction has to improve by all that mesh and step do to it.
+std::optional<HeldOutProof> ProveEarlier(const FittedModel& model, const ProofStart& start,
+                                         std::optional<double> by_chance = {});
 
 // Against recordings of the fit without the model, simulated finer (TwinRecording): both are fitted
 // to them, too, and what the model gains there is what mesh and step let it gain. For physics whose

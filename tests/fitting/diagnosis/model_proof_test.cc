@@ -77,6 +77,20 @@ TEST_F(EarlierProof, ProvesNothingOfWhatDoesNothing) {
   EXPECT_EQ(proof->before, proof->after);
 }
 
+TEST_F(EarlierProof, IsHeldToWhatIsGainedByChanceWhereThatIsKnown) {
+  Ranking rough;
+  auto errors = std::make_shared<NumericalErrors>();
+  errors->held_out_rms = 1.0;  // m
+  rough.errors = errors;
+  const ProofStart start{*before_, errors_, rough, options_};
+  const std::optional<HeldOutProof> by_all = ProveEarlier(model_, start);
+  EXPECT_TRUE(by_all && !by_all->is_proven);
+  const std::optional<HeldOutProof> little = ProveEarlier(model_, start, 0.001);
+  EXPECT_TRUE(little && little->is_proven);
+  const std::optional<HeldOutProof> much = ProveEarlier(model_, start, 0.5);
+  EXPECT_TRUE(much && !much->is_proven);
+}
+
 TEST_F(EarlierProof, IsNotAskedForWhereTheHeldOutFramesSpeakAgainstIt) {
   const FittedModel without{{}, *before_, errors_};
   EXPECT_FALSE(ProveEarlier(without, {model_.scene, model_.errors, ranking_, options_}));
