@@ -57,7 +57,8 @@ class ModelRace {
                                     const std::vector<RankedCandidate>& entrants) const;
   std::optional<FittedScene> FirstHeat(const FittedScene& current, const RankedCandidate& candidate,
                                        const Ranking& ranking) const;
-  void FinishModels(const FittedScene& current, std::vector<FittedModel>* models) const;
+  void FinishModels(const FittedScene& current, double still_in_race,
+                    std::vector<FittedModel>* models) const;
   void BeginAnew(const FittedScene& current, const Ranking& ranking,
                  std::vector<FittedModel>* models) const;
   void GoOnWith(FittedModel* model) const;
