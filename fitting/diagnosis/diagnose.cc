@@ -175,6 +175,16 @@ void Diagnoser::ProveOtherwiseToo(const FittedModel& model, std::size_t index,
   if (proof) diagnosis_.models[index].proof = *proof;
 }
 
+void Diagnoser::KeepRivals(const std::vector<FittedModel>& models, std::size_t winner) {
+  rivals_.clear();
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const RankedCandidate& candidate = models[i].candidate;
+    const std::vector<std::string>& set = diagnosis_.ambiguity;
+    const bool is_in = std::find(set.begin(), set.end(), candidate.summary.name) != set.end();
+    if (i != winner && is_in && candidate.faults.empty()) rivals_.push_back(models[i]);
+  }
+}
+
 // What else it could be, and what to record to know.
 void Diagnoser::TellApart(const Ambiguity& ambiguity) {
   diagnosis_.ambiguity = ambiguity.names;
@@ -313,8 +323,11 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   }
   Model& described = diagnosis_.models[choice->model];
   described.is_kept = true;
-  if (!diagnosis_.answer)
-    TellApart(FindAmbiguity(ranking, models, choice->model - first_model, current->fit.cost_after));
+  if (!diagnosis_.answer) {
+    const std::size_t winner = choice->model - first_model;
+    TellApart(FindAmbiguity(ranking, models, winner, current->fit.cost_after));
+    KeepRivals(models, winner);
+  }
   diagnosis_.answer = described;
   diagnosis_.effects = described.effects;
   for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);

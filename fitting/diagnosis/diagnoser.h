@@ -52,6 +52,7 @@ class Diagnoser {
   // Of the model at `index` of diagnosis_.models, whose proof it replaces.
   void ProveOtherwiseToo(const FittedModel& model, std::size_t index, const ProofStart& start);
   void TellApart(const Ambiguity& ambiguity);
+  void KeepRivals(const std::vector<FittedModel>& models, std::size_t winner);
   // A law instead of names, where those explain too little and it explains more.
   void LearnInstead(FittedScene* current);
   // The answer without those of its amounts that may be anything about nothing.
@@ -64,7 +65,13 @@ class Diagnoser {
   // The answer and what it is held against on a finer mesh, where a fit may use one; taken back
   // where it does not stand there.
   void RefineAnswer(FittedScene* current, HeldOutErrors* errors);
-  // Its amounts, costs and proof, and what mesh and step do to it, on the mesh that it is on now.
+  bool MayRefine(const ClothMesh& mesh) const;
+  // Each gone on with on that mesh; empty where it fails.
+  std::vector<std::optional<FittedScene>> FitOn(
+      const std::array<int, 2>& grid, const std::vector<const FittedScene*>& coarse) const;
+  // Of the answer and its rivals, all on the finer mesh, the one that comes first there.
+  void ChooseAgain(std::vector<FittedModel> rivals, FittedScene* current, HeldOutErrors* errors);
+  // Its amounts, cost and proof, and what mesh and step do to it, on the mesh that it is on now.
   void DescribeAnswerAgain(const FittedScene& current, const HeldOutErrors& errors);
   // The answer among the models; null where it was fitted on another mesh than they.
   Model* AnswerAmongModels();
@@ -102,7 +109,8 @@ class Diagnoser {
     HeldOutErrors before_errors;
   };
   std::optional<Kept> kept_;
-  double kept_score_ = 0.0;  // the highest of what was kept
+  std::vector<FittedModel> rivals_;  // physics that was fitted and cannot be told from the first
+  double kept_score_ = 0.0;          // the highest of what was kept
   double baseline_cost_ = 0.0;
   bool is_above_floor_ = false;
   std::optional<FittedScene> first_scene_;  // the baseline that was ranked first

@@ -7,14 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/parallel.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/learn_law.h"
 #include "fitting/diagnosis/mismatch_words.h"
-#include "fitting/diagnosis/modelling.h"
-#include "fitting/diagnosis/null_residuals.h"
 #include "fitting/diagnosis/undetermined.h"
 #include "tracking/text.h"
 
@@ -120,65 +117,6 @@ double Diagnoser::ExplainedBy(const FittedScene& model) const {
 
 Model* Diagnoser::AnswerAmongModels() {
   return kept_ && !explained_ ? &diagnosis_.models[kept_->model] : nullptr;
-}
-
-void Diagnoser::RefineAnswer(FittedScene* current, HeldOutErrors* errors) {
-  const ClothMesh& mesh = current->scene.mesh;
-  const bool can_be_finer = mesh.is_grid() &&
-                            std::max(mesh.grid[0], mesh.grid[1]) < options_.finest_side &&
-                            diagnosis_.residual_rms < kHopeless;  // that no mesh makes up for
-  if (!diagnosis_.answer || !kept_ || diagnosis_.law || !kept_->candidate.faults.empty() ||
-      !can_be_finer || Stopped())
-    return;
-  const int side = FinerSide(std::max(mesh.grid[0], mesh.grid[1]));
-  const std::array<int, 2> grid = GridWithSide(mesh.grid, std::min(options_.finest_side, side));
-  Say(fmt::format("the answer, {} x {} particles", grid[0], grid[1]), 0.9);
-  std::vector<const FittedScene*> coarse = {&kept_->before, current};
-  const bool is_only_one = diagnosis_.effects == kept_->candidate.Effects();
-  if (!is_only_one) coarse.push_back(&*first_scene_);
-  std::vector<std::optional<FittedScene>> finer(coarse.size());
-  ParallelFor(static_cast<int>(coarse.size()), NumThreads(0), [&](int i, int) {
-    const auto k = static_cast<std::size_t>(i);
-    ModelStart start = GoOn(*coarse[k]);
-    start.config.resolution = grid;
-    finer[k] = FitModel(*coarse[k], start, 2 * kModelIterations, runner_);
-  });
-  Spend("the answer on a finer mesh");
-  const bool have_failed = std::any_of(finer.begin(), finer.end(),
-                                       [](const auto& fitted) { return !fitted.has_value(); });
-  if (have_failed || Stopped()) return;
-  const double without = finer[0]->fit.cost_after, with = finer[1]->fit.cost_after;
-  Log(fmt::format("on {} x {} particles: cost {:.6g}, with {} {:.6g}", grid[0], grid[1], without,
-                  kept_->candidate.summary.name, with));
-  if (!StandsOnFinerMesh(kept_->before.fit.cost_after - current->fit.cost_after, without - with)) {
-    Log(kept_->candidate.summary.name + " is not kept: it does not stand on the finer mesh");
-    TakeBack(current);
-    MeasureAnswer(*current);
-    return;
-  }
-  explained_ = ExplainedBy(*current);
-  first_scene_ = is_only_one ? *finer[0] : std::move(*finer[2]);
-  kept_->before = std::move(*finer[0]);
-  kept_->before_errors = MeasureHeldOut(kept_->before);
-  *current = std::move(*finer[1]);
-  *errors = MeasureHeldOut(*current);
-  DescribeAnswerAgain(*current, *errors);
-}
-
-void Diagnoser::DescribeAnswerAgain(const FittedScene& current, const HeldOutErrors& errors) {
-  if (const std::optional<LinearisedFit> linear = Linearise(kept_->before)) {
-    constexpr int kDraws = 1;
-    last_ranking_.errors = std::make_shared<const NumericalErrors>(
-        MeasureNumericalErrors(kept_->before, linear->frames, linear->rows, kDraws, options_.seed));
-  }
-  const Model described =
-      Describe({kept_->candidate, current, errors}, kept_->before, kept_->before_errors);
-  Model& answer = *diagnosis_.answer;
-  answer.config = described.config;
-  answer.parameters = described.parameters;
-  answer.cost = described.cost;
-  if (described.proof.is_proven) answer.proof = described.proof;
-  MeasureAnswer(current);
 }
 
 void Diagnoser::WidenIntervals(const FittedScene& model) {

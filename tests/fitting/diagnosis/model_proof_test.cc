@@ -56,6 +56,15 @@ class WindProof : public testing::Test {
   const ProofStart start_{*before_, errors_, ranking_, options_};
 };
 
+// Where mesh and step do this (m) to a prediction.
+Ranking Rough(double held_out_rms) {
+  Ranking rough;
+  auto errors = std::make_shared<NumericalErrors>();
+  errors->held_out_rms = held_out_rms;
+  rough.errors = errors;
+  return rough;
+}
+
 class EarlierProof : public WindProof {};
 class ProofAgainstNull : public WindProof {};
 
@@ -78,10 +87,7 @@ TEST_F(EarlierProof, ProvesNothingOfWhatDoesNothing) {
 }
 
 TEST_F(EarlierProof, IsHeldToWhatIsGainedByChanceWhereThatIsKnown) {
-  Ranking rough;
-  auto errors = std::make_shared<NumericalErrors>();
-  errors->held_out_rms = 1.0;  // m
-  rough.errors = errors;
+  const Ranking rough = Rough(1.0);
   const ProofStart start{*before_, errors_, rough, options_};
   const std::optional<HeldOutProof> by_all = ProveEarlier(model_, start);
   EXPECT_TRUE(by_all && !by_all->is_proven);
@@ -123,10 +129,7 @@ TEST_F(ProofAgainstNull, HoldsForWhatGainsLittleOnRecordingsWithoutIt) {
 }
 
 TEST_F(ProofAgainstNull, DoesNotDependOnWhatMeshAndStepDoToThePrediction) {
-  Ranking rough;
-  auto errors = std::make_shared<NumericalErrors>();
-  errors->held_out_rms = 1.0;  // m
-  rough.errors = errors;
+  const Ranking rough = Rough(1.0);
   const ProofStart start{*before_, errors_, rough, options_};
   EXPECT_FALSE(ProveOnHeldOut(model_, start).is_proven);
   const std::optional<HeldOutProof> proof = ProveAgainstNull(model_, start);

@@ -47,28 +47,30 @@ class Race : public testing::Test {
     return tilt;
   }
 
-  // One candidate at a time: the names of those that were fitted, the best first.
-  static std::vector<std::string> FittedOneByOne(const std::vector<RankedCandidate>& candidates,
-                                                 double null_mean) {
+  static std::vector<FittedModel> Run(const std::vector<RankedCandidate>& candidates,
+                                      double null_mean, const DiagnosisOptions& options) {
     Ranking ranking = ranking_;
     ranking.candidates = candidates;
     ranking.null_mean = null_mean;
+    return ModelRace(told_, options).Run(*current_, MeasureHeldOut(*current_), ranking, 0.0);
+  }
+
+  // One candidate at a time: the names of those that were fitted, the best first.
+  static std::vector<std::string> FittedOneByOne(const std::vector<RankedCandidate>& candidates,
+                                                 double null_mean) {
     DiagnosisOptions options;
     options.max_models = 1;
     std::vector<std::string> names;
-    for (const FittedModel& model :
-         ModelRace(told_, options).Run(*current_, MeasureHeldOut(*current_), ranking, 0.0))
+    for (const FittedModel& model : Run(candidates, null_mean, options))
       names.push_back(model.candidate.summary.name);
     return names;
   }
 
   // The stages that a race went through are added to `stages`.
   static std::vector<FittedModel> RunRace(double null_mean, std::vector<std::string>* stages) {
-    Ranking ranking = ranking_;
-    ranking.null_mean = null_mean;
     DiagnosisOptions options;
     options.progress = [&](const std::string& stage, double) { stages->push_back(stage); };
-    return ModelRace(told_, options).Run(*current_, MeasureHeldOut(*current_), ranking, 0.0);
+    return Run(ranking_.candidates, null_mean, options);
   }
 
   static inline FitConfig told_;
