@@ -69,6 +69,9 @@ class Diagnoser {
   // Each gone on with on that mesh; empty where it fails.
   std::vector<std::optional<FittedScene>> FitOn(
       const std::array<int, 2>& grid, const std::vector<const FittedScene*>& coarse) const;
+  FittedScene GoneOnWith(FittedScene fitted) const;
+  // Each from the fabric of the answer, too, on whose mesh they are.
+  void FitFromFabricOf(const FittedScene& answer, std::vector<FittedModel>* rivals) const;
   // Of the answer and its rivals, all on the finer mesh, the one that comes first there.
   void ChooseAgain(std::vector<FittedModel> rivals, FittedScene* current, HeldOutErrors* errors);
   // Its amounts, cost and proof, and what mesh and step do to it, on the mesh that it is on now.
