@@ -15,6 +15,15 @@ namespace {
 constexpr double kAddedMass = 0.15;  // kg/m^2, as much as the cloth itself
 constexpr const char* kAnew = "fitting those from another fabric";
 
+RankedCandidate ShortListed(const char* term, const char* parameter, double amount) {
+  RankedCandidate candidate;
+  candidate.summary.name = candidate.term.name = candidate.term.term = term;
+  candidate.summary.is_short_listed = true;
+  candidate.names = {parameter};
+  candidate.amounts = Eigen::VectorXd::Constant(1, amount);
+  return candidate;
+}
+
 // A cloth that takes air along, and what a fit without that makes of it.
 class Race : public testing::Test {
  protected:
@@ -27,24 +36,12 @@ class Race : public testing::Test {
       told_.parameters.at(name).free = true;
     current_ = FitAfresh({recording, told_}, Start::kPlain, 10, FitRunner());
     ASSERT_TRUE(current_);
-    RankedCandidate mass;
-    mass.summary.name = "added_mass";
-    mass.summary.is_short_listed = true;
-    mass.term.name = mass.term.term = "added_mass";
-    mass.names = {"added_mass.normal"};
-    mass.amounts = Eigen::VectorXd::Constant(1, 0.02);
-    ranking_.candidates = {mass};
+    ranking_.candidates = {ShortListed("added_mass", "added_mass.normal", 0.02)};
     ranking_.residual_rms = 1.5;
   }
 
   static RankedCandidate Tilt() {
-    RankedCandidate tilt;
-    tilt.summary.name = "gravity_tilt";
-    tilt.summary.is_short_listed = true;
-    tilt.term.name = tilt.term.term = "gravity_tilt";
-    tilt.names = {"gravity_tilt.angle_1"};
-    tilt.amounts = Eigen::VectorXd::Constant(1, 0.001);
-    return tilt;
+    return ShortListed("gravity_tilt", "gravity_tilt.angle_1", 0.001);
   }
 
   static std::vector<FittedModel> Run(const std::vector<RankedCandidate>& candidates,
