@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,17 +20,25 @@ struct HandleTarget {
   Eigen::Vector3d position;  // m, world
 };
 
-// A point of the cloth that is attracted to a tracked point.
+// A point of the cloth that is attracted to a tracked point. Its motion is not damped where it is
+// not known how the target moves.
 struct PointTarget {
   SurfacePoint on_cloth;
-  Eigen::Vector3d position;  // m, world
+  Eigen::Vector3d position;                 // m, world
+  std::optional<Eigen::Vector3d> velocity;  // m/s, world
 };
 
-// A point of the cloth that is attracted to a tracked ray, in Pluecker coordinates.
+// A point of the cloth that is attracted to a tracked ray, in Pluecker coordinates; damped
+// likewise.
 struct RayTarget {
   SurfacePoint on_cloth;
   Eigen::Vector3d direction;  // unit, world
   Eigen::Vector3d moment;     // m, point x direction
+  struct Rates {
+    Eigen::Vector3d direction;  // 1/s, at right angles to the direction
+    Eigen::Vector3d moment;     // m/s
+  };
+  std::optional<Rates> rates;
 };
 
 // A force per area on the cloth, from outside: given at the nodes of a grid over (u, v), bilinear

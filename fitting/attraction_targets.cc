@@ -3,20 +3,115 @@
 #include "fitting/attraction_targets.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
 
 namespace clothfit {
+namespace {
+
+// The frame during whose step before it a time is.
+int ComingFrame(double time, double frame_rate) {
+  return static_cast<int>(std::ceil(time * frame_rate - 1e-6));
+}
+
+bool IsSame(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.nodes == b.nodes && a.weights == b.weights;
+}
+
+// What was seen of one marker, or of one track in one camera, by frame.
+template <class Values>
+using Sightings = std::map<int, std::pair<SurfacePoint, Values>>;
+
+// The courses of one target, each added to those that end at its frame.
+template <class Values, class Course>
+void AddCourses(const Sightings<Values>& seen, std::vector<std::vector<Course>>* courses) {
+  // Null where it was not seen in that frame, or elsewhere on the cloth.
+  const auto at = [&](int frame, const SurfacePoint& on_cloth) -> const Values* {
+    const auto found = seen.find(frame);
+    const bool is_there = found != seen.end() && IsSame(found->second.first, on_cloth);
+    return is_there ? &found->second.second : nullptr;
+  };
+  for (const auto& [frame, sighting] : seen) {
+    const auto& [on_cloth, end] = sighting;
+    const Values zero = Values::Zero();
+    const Values* begin = at(frame - 1, on_cloth);
+    if (begin == nullptr) {
+      (*courses)[frame].push_back({on_cloth, {end, zero, zero, zero}, false});
+      continue;
+    }
+    const Values *earlier = at(frame - 2, on_cloth), *later = at(frame + 1, on_cloth);
+    const Values across = end - *begin;
+    const Values first = earlier != nullptr ? Values(0.5 * (end - *earlier)) : across;
+    const Values last = later != nullptr ? Values(0.5 * (*later - *begin)) : across;
+    (*courses)[frame].push_back(
+        {on_cloth,
+         {*begin, first, 3.0 * across - 2.0 * first - last, first + last - 2.0 * across},
+         true});
+  }
+}
+
+}  // namespace
 
 void AddAttractionTargets(const Scene& scene, int frame, StepInputs* inputs) {
   const auto before = [](const auto& observation, int f) { return observation.frame < f; };
   auto marker = std::lower_bound(scene.markers.begin(), scene.markers.end(), frame, before);
   for (; marker != scene.markers.end() && marker->frame == frame && scene.is_fitted[frame];
        ++marker) {
-    inputs->points.push_back({marker->on_cloth, marker->position});
+    inputs->points.push_back({marker->on_cloth, marker->position, {}});
   }
   auto track = std::lower_bound(scene.tracks.begin(), scene.tracks.end(), frame, before);
   for (; track != scene.tracks.end() && track->frame == frame; ++track) {
     if (scene.IsFitted(*track) && track->ray)
-      inputs->rays.push_back({track->on_cloth, track->ray->direction, track->ray->moment});
+      inputs->rays.push_back({track->on_cloth, track->ray->direction, track->ray->moment, {}});
+  }
+}
+
+AttractionCourses::AttractionCourses(const Scene& scene)
+    : frame_rate_(scene.recording.frame_rate),
+      points_(scene.is_fitted.size()),
+      rays_(scene.is_fitted.size()) {
+  std::map<int, Sightings<Eigen::Vector3d>> markers;
+  for (const MarkerObservation& marker : scene.markers) {
+    if (scene.is_fitted[static_cast<std::size_t>(marker.frame)])
+      markers[marker.id].insert({marker.frame, {marker.on_cloth, marker.position}});
+  }
+  for (const auto& [id, seen] : markers) AddCourses(seen, &points_);
+  std::map<std::pair<int, int>, Sightings<Eigen::Matrix<double, 6, 1>>> tracks;
+  for (const TrackObservation& track : scene.tracks) {
+    if (!scene.IsFitted(track) || !track.ray) continue;
+    Eigen::Matrix<double, 6, 1> ray;
+    ray << track.ray->direction, track.ray->moment;
+    tracks[{track.camera, track.id}].insert({track.frame, {track.on_cloth, ray}});
+  }
+  for (const auto& [camera_and_id, seen] : tracks) AddCourses(seen, &rays_);
+}
+
+void AttractionCourses::AddTargets(double time, StepInputs* inputs) const {
+  const int frame = ComingFrame(time, frame_rate_);
+  if (frame < 0 || frame >= static_cast<int>(points_.size())) return;
+  const double s = std::clamp(time * frame_rate_ - (frame - 1), 0.0, 1.0);
+  const auto value = [s](const auto& c) {
+    return (c[0] + s * (c[1] + s * (c[2] + s * c[3]))).eval();
+  };
+  const auto rate = [s, this](const auto& c) {
+    return (frame_rate_ * (c[1] + s * (2.0 * c[2] + 3.0 * s * c[3]))).eval();
+  };
+  for (const PointCourse& course : points_[static_cast<std::size_t>(frame)]) {
+    inputs->points.push_back({course.on_cloth, value(course.coefficients), {}});
+    if (course.is_known) inputs->points.back().velocity = rate(course.coefficients);
+  }
+  for (const RayCourse& course : rays_[static_cast<std::size_t>(frame)]) {
+    // A camera's rays all go through its centre, and so does what lies linearly between them.
+    const Eigen::Matrix<double, 6, 1> ray = value(course.coefficients);
+    const double length = ray.head<3>().norm();
+    const Eigen::Vector3d direction = ray.head<3>() / length, moment = ray.tail<3>() / length;
+    inputs->rays.push_back({course.on_cloth, direction, moment, {}});
+    if (!course.is_known) continue;
+    const Eigen::Matrix<double, 6, 1> moving = rate(course.coefficients) / length;
+    const double lengthening = direction.dot(moving.head<3>());
+    inputs->rays.back().rates = RayTarget::Rates{moving.head<3>() - lengthening * direction,
+                                                 moving.tail<3>() - lengthening * moment};
   }
 }
 

@@ -5,9 +5,6 @@
 #include "fitting/window_simulator.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "fitting/attraction_targets.h"
 
 namespace clothfit {
 
@@ -26,10 +23,11 @@ WindowSimulator::WindowSimulator(const Scene& scene, const FitConfig& config,
                                  const std::atomic<bool>* stop)
     : scene_(scene),
       free_(free),
-      attract_(attract),
       stop_(stop),
       simulation_(scene.mesh, scene.world, scene.HandlePoints(), StepOptions(config)),
-      handles_(scene.handles) {}
+      handles_(scene.handles) {
+  if (attract) attracting_.emplace(scene);
+}
 
 WindowStart WindowSimulator::FirstStart(const Eigen::VectorXd& theta) const {
   WindowStart start;
@@ -54,10 +52,7 @@ StepInputs WindowSimulator::Inputs(double time, bool with_directions) const {
     inputs.handles.push_back({handles_[h].on_cloth, handles_[h].path.At(time)});
     held.push_back(static_cast<int>(h));
   }
-  if (attract_) {
-    AddAttractionTargets(
-        scene_, static_cast<int>(std::ceil(time * scene_.recording.frame_rate - 1e-6)), &inputs);
-  }
+  if (attracting_) attracting_->AddTargets(time, &inputs);
   if (with_directions) {
     bool any = false;
     for (const int h : held) any = any || !handles_[h].path.is_known();

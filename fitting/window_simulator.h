@@ -6,8 +6,10 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 
 #include "autodiff_sim/simulation.h"
+#include "fitting/attraction_targets.h"
 #include "fitting/free_parameters.h"
 #include "fitting/scene.h"
 
@@ -31,7 +33,8 @@ class WindowSimulator {
   using Observer =
       std::function<void(int frame, const State& state, const Sensitivity* sensitivity)>;
 
-  // attract: fitted markers pull on the cloth with attraction_point.* while it is simulated.
+  // attract: fitted markers and tracks' rays pull on the cloth, on their courses, with
+  // attraction_point.* and attraction_ray.* while it is simulated.
   WindowSimulator(const Scene& scene, const FitConfig& config, const FreeParameters& free,
                   bool attract, const std::atomic<bool>* stop);
 
@@ -59,7 +62,7 @@ class WindowSimulator {
 
   const Scene& scene_;
   const FreeParameters& free_;
-  bool attract_;
+  std::optional<AttractionCourses> attracting_;
   const std::atomic<bool>* stop_;
   Simulation simulation_;
   std::vector<SceneHandle> handles_;

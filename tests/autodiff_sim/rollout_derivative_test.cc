@@ -90,8 +90,9 @@ const std::vector<std::string> kOfTheGround = {"ground.stiffness", "ground.frict
                                                "ground.damping", "ground.distance",
                                                "ground.slip_speed"};
 const std::vector<std::string> kOfTheTargets = {
-    "attraction_point.linear", "attraction_point.reciprocal", "attraction_point.radius",
-    "attraction_ray.linear",   "attraction_ray.reciprocal",   "attraction_ray.radius"};
+    "attraction_point.linear",  "attraction_point.reciprocal", "attraction_point.radius",
+    "attraction_ray.linear",    "attraction_ray.reciprocal",   "attraction_ray.radius",
+    "attraction_point.damping", "attraction_ray.damping"};
 
 // In contact_derivative_test.cc.
 const std::vector<std::string> kOfTheContact = {"contact.stiffness", "contact.thickness",
@@ -195,10 +196,14 @@ Rollout Attracted() {
     if (time < 0.5) inputs.handles.push_back({scene.handles[0], inside + move});
     for (int i = 0; i < 2; ++i) {
       const Eigen::Vector3d target = targets[i].At(scene.x) + Eigen::Vector3d(0.03, 0.02, -0.1);
-      inputs.points.push_back({targets[i], target + move});
+      inputs.points.push_back(
+          {targets[i], target + move, Eigen::Vector3d(0.2 * time, 0.0, 0.1 * time)});
       const Eigen::Vector3d direction = Eigen::Vector3d(0.2 * i, 1.0, 0.1 + time).normalized();
       const Eigen::Vector3d on_ray = targets[2 + i].At(scene.x) - Eigen::Vector3d(0.02, 0.0, 0.05);
-      inputs.rays.push_back({targets[2 + i], direction, on_ray.cross(direction)});
+      const Eigen::Vector3d turning = (Eigen::Vector3d::UnitZ() - direction.z() * direction) /
+                                      Eigen::Vector3d(0.2 * i, 1.0, 0.1 + time).norm();
+      inputs.rays.push_back({targets[2 + i], direction, on_ray.cross(direction),
+                             RayTarget::Rates{turning, on_ray.cross(turning)}});
     }
     return inputs;
   };
@@ -206,6 +211,7 @@ Rollout Attracted() {
     Set(std::string(term) + ".linear", 2.0, &rollout);
     Set(std::string(term) + ".reciprocal", 1e-4, &rollout);
     Set(std::string(term) + ".radius", 0.03, &rollout);
+    Set(std::string(term) + ".damping", 0.1, &rollout);
   }
   return rollout;
 }

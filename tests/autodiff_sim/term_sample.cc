@@ -36,15 +36,18 @@ void Fold(double angle, const ClothMesh& mesh, Eigen::VectorXd* x) {
 // Targets at a distance (m) from points of the surface as they lie in space.
 StepInputs Targets(const TermScene& scene, double distance, std::mt19937* random) {
   StepInputs inputs;
+  std::mt19937 random_rate(20263);
   const std::vector<Eigen::Vector2d> uv = {{0.013, 0.017}, {0.041, 0.033}, {0.02, 0.04}};
   for (const SurfacePoint& on_cloth : LocateOnCloth(scene.mesh, uv)) {
     const Eigen::Vector3d place = on_cloth.At(scene.x);
     const Eigen::Vector3d away = RandomVector(1.0, random).normalized();
-    inputs.points.push_back({on_cloth, place + distance * away});
+    inputs.points.push_back({on_cloth, place + distance * away, RandomVector(1.0, &random_rate)});
     inputs.handles.push_back({on_cloth, place + 0.5 * distance * away});
     const Eigen::Vector3d direction = RandomVector(1.0, random).cross(away).normalized();
     const Eigen::Vector3d on_ray = place + distance * away + 0.7 * direction;
-    inputs.rays.push_back({on_cloth, direction, on_ray.cross(direction)});
+    const RayTarget::Rates rates{RandomVector(1.0, &random_rate).cross(direction),
+                                 RandomVector(1.0, &random_rate)};
+    inputs.rays.push_back({on_cloth, direction, on_ray.cross(direction), rates});
   }
   inputs.residual_force = {{0.0, 0.0}, {4.0 * kEdge, 3.0 * kEdge}, {3, 2}, {}};
   std::mt19937 random_force(20262);
@@ -163,11 +166,16 @@ TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
   }
   for (HandleTarget& handle : moved.inputs.handles)
     handle.position = rotation * handle.position + shift;
-  for (PointTarget& target : moved.inputs.points)
+  for (PointTarget& target : moved.inputs.points) {
     target.position = rotation * target.position + shift;
+    if (target.velocity) target.velocity = rotation * *target.velocity;
+  }
   for (RayTarget& ray : moved.inputs.rays) {
     ray.direction = rotation * ray.direction;
     ray.moment = rotation * ray.moment + shift.cross(ray.direction);
+    if (!ray.rates) continue;
+    ray.rates->direction = rotation * ray.rates->direction;
+    ray.rates->moment = rotation * ray.rates->moment + shift.cross(ray.rates->direction);
   }
   return moved;
 }
