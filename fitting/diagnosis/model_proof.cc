@@ -96,11 +96,13 @@ ModelStart HardlyOn(const FittedModel& model, const FittedScene& without) {
 
 // What a model gains in recordings in which it is not, at most.
 struct NullGain {
-  double cost = -HUGE_VAL;      // of fitted frames
-  double held_out = -HUGE_VAL;  // mean of squares
+  double cost = -HUGE_VAL;  // of fitted frames
+  double held_out =
+      -HUGE_VAL;  // mean of squares, of those in which it gains enough to be looked at
 };
 
-std::optional<NullGain> GainOfNull(const FittedModel& model, const ProofStart& start) {
+// gain: of cost, in the recording itself.
+std::optional<NullGain> GainOfNull(const FittedModel& model, const ProofStart& start, double gain) {
   constexpr int kTwins = 3, kTwinIterations = 2 * kModelIterations;
   const FitRunner runner(start.options);
   const std::optional<LinearisedFit> linear = Linearise(start.before);
@@ -131,11 +133,12 @@ std::optional<NullGain> GainOfNull(const FittedModel& model, const ProofStart& s
                         more * (off * off - on * on)};
   });
   std::optional<NullGain> most;
-  for (const std::optional<NullGain>& gain : gains) {
-    if (!gain) continue;
+  for (const std::optional<NullGain>& of_twin : gains) {
+    if (!of_twin) continue;
     if (!most) most.emplace();
-    most->cost = std::max(most->cost, gain->cost);
-    most->held_out = std::max(most->held_out, gain->held_out);
+    most->cost = std::max(most->cost, of_twin->cost);
+    // Where a model gains next to nothing it would never be held to a prediction.
+    if (of_twin->cost > kIdle * gain) most->held_out = std::max(most->held_out, of_twin->held_out);
   }
   return most;
 }
@@ -184,7 +187,7 @@ std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const Pro
   if (!ProveBy(start.errors, model.errors, is_in_pixels, {}, start).is_proven) return {};
   const double gain = start.before.fit.cost_after - model.scene.fit.cost_after;
   if (!(gain > 0.0)) return {};
-  const std::optional<NullGain> null = GainOfNull(model, start);
+  const std::optional<NullGain> null = GainOfNull(model, start, gain);
   if (!null) return {};
   // The recordings have their noise, too.
   const double by_chance = std::sqrt(std::max(0.0, null->held_out));
