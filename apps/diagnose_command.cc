@@ -23,7 +23,7 @@ struct DiagnoseOptions {
   ConfigOptions config;
   DiagnosisOptions diagnosis;
   std::string output;
-  bool no_projection = false, table_null = false, no_proof = false;
+  bool no_projection = false, table_null = false, no_proof = false, no_guide = false;
   bool force = false, resume = false, quiet = false;
 };
 
@@ -40,6 +40,7 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   options.diagnosis.project = !options.no_projection;
   options.diagnosis.simulate_null = !options.table_null;
   options.diagnosis.prove = !options.no_proof;
+  options.diagnosis.guide = !options.no_guide;
   options.diagnosis.stop = StopOnInterrupt();
   options.diagnosis.kept_fits = folder.KeptFits();
   options.diagnosis.log = [&folder](const std::string& line) { folder.AppendLog(line); };
@@ -99,6 +100,8 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
                     "ablation: noise alone instead of the null that is simulated again");
   command->add_flag("--no-proof", options->no_proof,
                     "ablation: keep what fits, held-out frames or not");
+  command->add_flag("--no-guide", options->no_guide,
+                    "ablation: score along the free motion only, not along a guided one, too");
   CLI::Option* const force =
       command->add_flag("--force", options->force, "replace an earlier diagnosis there");
   command

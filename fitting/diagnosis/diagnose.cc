@@ -11,6 +11,7 @@
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnoser.h"
+#include "fitting/diagnosis/guided_ranking.h"
 #include "fitting/diagnosis/localise.h"
 #include "fitting/diagnosis/mismatch_pictures.h"
 #include "fitting/diagnosis/mismatch_words.h"
@@ -41,6 +42,13 @@ bool IsObvious(const Ranking& ranking) {
       ranking.candidates.begin(), ranking.candidates.end(), [&](const RankedCandidate& c) {
         return c.summary.is_short_listed && c.summary.share >= 0.5 && c.Exceeds(kFarOut);
       });
+}
+
+// May the fit be somewhere else than the recorded cloth? (Beyond any mesh, what is ordinary comes
+// first.)
+bool IsWorthGuiding(const FittedScene& fitted, const Ranking& ranking) {
+  return HasPoints(fitted.scene) && ranking.residual_rms < kHopeless &&
+         IsOff(fitted.scene, fitted.config, fitted.fit);
 }
 
 // Do mesh and step make much of what is left?
@@ -193,6 +201,18 @@ void Diagnoser::TellApart(const Ambiguity& ambiguity) {
   Spend("separating motion");
 }
 
+std::optional<FittedScene> Diagnoser::FitGuidedOnFineMesh(const FittedScene& fitted) {
+  Say("baseline, guided on a finer mesh", 0.27);
+  const ModelStart start = FromFabricOf(baseline_, GoOn(fitted));
+  std::optional<FittedScene> guided =
+      FitAfresh(start, Start::kGuided, baseline_.max_iterations, runner_);
+  if (!guided) return {};
+  Log(fmt::format("guided on that mesh: cost {:.6g} where {:.6g} was come to",
+                  guided->fit.cost_after, fitted.fit.cost_after));
+  guided->config = fitted.config;  // it begins where it is told to, not where this one did
+  return guided;
+}
+
 Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
   for (;;) {
     std::array<int, 2> grid = current->scene.mesh.grid;
@@ -228,6 +248,10 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
     std::optional<FittedScene> refined =
         FitModel(*current, finer, baseline_.max_iterations, runner_);
+    if (refined && IsOff(refined->scene, refined->config, refined->fit) && !Stopped()) {
+      std::optional<FittedScene> guided = FitGuidedOnFineMesh(*refined);
+      refined = Cheaper(std::move(refined), std::move(guided));
+    }
     if (!refined) return ranking;
     *current = std::move(*refined);
     Spend("baseline on a finer mesh");
@@ -295,6 +319,13 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     first_scene_ = *current;
     first_ranking_ = ranking;
     first_errors_ = *errors;
+  }
+  if (options_.guide && IsWorthGuiding(*current, ranking) && !Stopped()) {
+    Say("ranking along a guided motion", 0.35);
+    RankGuided(*current, baseline_, options_, runner_, &ranking);
+    Spend("ranking along a guided motion");
+  }
+  if (is_first) {
     for (const RankedCandidate& candidate : ranking.candidates)
       diagnosis_.ranking.push_back(candidate.summary);
   }

@@ -37,6 +37,8 @@ class Diagnoser {
   FittedScene UndoSwaps(FittedScene fitted);
   // Ranks; where mesh and step make much of what is left, on a finer mesh.
   Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
+  // A baseline's fit begun anew on its mesh: what a coarser one has come to may be a wrong valley.
+  std::optional<FittedScene> FitGuidedOnFineMesh(const FittedScene& fitted);
   // Where, when and of what class a force is missing.
   void LocateMismatch(const FittedScene& fitted);
   // One more effect. False where there is none to be had.

@@ -45,6 +45,7 @@ struct DiagnosisOptions {
   bool project = true;  // candidates compete after the baseline and the faults took their part
   bool simulate_null = true;  // false: chi-squared tables
   bool prove = true;          // false: keep what fits better, held-out frames or not
+  bool guide = true;          // false: no scores along a guided motion
   std::function<void(const std::string& stage, double fraction)> progress;
   std::function<void(const std::string&)> log;
   const std::atomic<bool>* stop = nullptr;
@@ -71,6 +72,8 @@ struct Candidate {
   double share = 0.0;      // score over the sum of squares that the baseline leaves
   double p_value = 1.0;    // against the re-simulated null
   double q_value = 1.0;    // after false-discovery control
+  // Along a guided motion (guided_ranking.h), of those that stand out there.
+  std::optional<double> guided_p_value;
   // Amount of the first parameter's vector that the null passes for in 1 of 20 recordings, in its
   // unit: less of it cannot be told from nothing here.
   double detection_limit = 0.0;

@@ -134,9 +134,9 @@ std::optional<HeldOutErrors> MeasureAgainstOthers(const FittedScene& fitted, int
   config.attract = true;
   config.use_silhouettes = false;
   const Scene others = WithoutSource(fitted, config, source);
-  const double pull = GuidingPull(config, others);
-  if (!(pull > 0.0)) return {};
-  config = PulledBy(std::move(config), pull);
+  const std::optional<FitConfig> guided = Guided(config, others, 1.0);
+  if (!guided) return {};
+  config = *guided;
   const FreeParameters free(config, others, MakeParameterTable());
   const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);
   WindowSimulator simulator(others, config, free, config.attract, nullptr);

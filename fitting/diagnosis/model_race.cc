@@ -81,20 +81,26 @@ void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before,
   });
 }
 
-// From either sign of its amount, where both are likely. What is ordinary begins plainly, too, as
-// it is in a simulation that has it.
+// From either sign of its amount, where both are likely, and from what a guided motion tells of it.
+// What is ordinary begins plainly, too, as it is in a simulation that has it.
 std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
                                                 const RankedCandidate& candidate,
                                                 const Ranking& ranking) const {
   const ModelStart start = SwitchOn(current, candidate, ranking.faults);
-  std::optional<FittedScene> model =
-      FitFirst(current, start, baseline_, candidate, kFirstIterations, runner_);
-  if (candidate.other_amounts.size() > 0 && !Stopped()) {
+  std::optional<FittedScene> model;
+  if (candidate.summary.is_short_listed || !candidate.guided_rank)
+    model = FitFirst(current, start, baseline_, candidate, kFirstIterations, runner_);
+  for (const RankedCandidate::Start& other_start : candidate.other_starts) {
+    if (Stopped()) break;
     RankedCandidate other = candidate;
-    other.probe = candidate.other_probe;
-    other.amounts = candidate.other_amounts;
-    model = Cheaper(std::move(model), FitFirst(current, SwitchOn(current, other, ranking.faults),
-                                               baseline_, other, kFirstIterations, runner_));
+    other.probe = other_start.probe;
+    other.amounts = other_start.amounts;
+    const ModelStart from = SwitchOn(current, other, ranking.faults);
+    std::optional<FittedScene> fitted =
+        other_start.is_guided
+            ? FitAfresh(FromFabricOf(baseline_, from), Start::kGuided, kFirstIterations, runner_)
+            : FitFirst(current, from, baseline_, other, kFirstIterations, runner_);
+    model = Cheaper(std::move(model), std::move(fitted));
   }
   const bool is_far_off = !model || IsFarOff(model->scene, model->config, model->fit);
   if (!IsOrdinary(candidate) || !is_far_off || Stopped()) return model;
@@ -102,9 +108,9 @@ std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
                                              Start::kPlain, kFirstIterations, runner_));
 }
 
-// Short-listed candidates first; far off, where a linear score says little, those too that the null
-// does not do as much as, until there are enough, and besides them whatever is ordinary, each by
-// itself and all of it together.
+// Short-listed candidates first, and those that stand out along a guided motion; far off, where a
+// linear score says little, those too that the null does not do as much as, until there are enough,
+// and besides them whatever is ordinary, each by itself and all of it together.
 std::vector<RankedCandidate> ModelRace::Entrants(const Ranking& ranking, double least_score) const {
   std::vector<RankedCandidate> entrants;
   const auto enter = [&](const auto& is_asked) {
@@ -114,6 +120,10 @@ std::vector<RankedCandidate> ModelRace::Entrants(const Ranking& ranking, double 
     }
   };
   enter([&](const Candidate& c) { return c.is_short_listed && c.score >= least_score; });
+  for (const RankedCandidate& candidate : ranking.candidates) {
+    if (candidate.guided_rank && !IsAmong(entrants, candidate.summary.name))
+      entrants.push_back(candidate);
+  }
   if (ranking.residual_rms < kFarOff) return entrants;
   if (ranking.gate_p_value < kGate) {
     enter([&](const Candidate& c) {

@@ -47,11 +47,15 @@ ModelStart FromNothing(const FitConfig& told, ModelStart start, const RankedCand
 // more than what a wrong valley does.
 enum class Start { kPlain, kGuided };
 
-// N/m: how strongly every fitted marker and every fitted track's ray of a scene has to pull for the
-// cloth to follow within some 25 ms; 0 where there are none.
-double GuidingPull(const FitConfig& config, const Scene& scene);
-// The config of a few iterations in which they pull so strongly.
-FitConfig PulledBy(FitConfig config, double pull);
+// The config of a few iterations in which every fitted marker and every fitted track's ray of a
+// scene pulls at the cloth. share: 1 for so strongly that it follows within some 25 ms, less for
+// less; damped by 0.3 of critical. Empty where there is nothing to pull.
+std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double share);
+
+// What is fitted while something pulls weaker and weaker, as it is at the last: IsHeld. On a mesh
+// of 13 particles a side at most, where the motion is as good. Empty where the fit fails, or where
+// there is nothing to guide it.
+std::optional<FittedScene> FitGuided(const ModelStart& start, const FitRunner& runner);
 
 // Fits it from its config's own fabric and no offsets of the start, all over again. Empty where the
 // fit fails, or where there is nothing to guide it.

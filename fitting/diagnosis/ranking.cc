@@ -15,7 +15,6 @@
 namespace clothfit {
 namespace {
 
-constexpr int kMostProbes = 8;          // of a candidate, in the first round
 constexpr int kRefined = 5;             // candidates whose places and shapes are looked at again
 constexpr double kByItsPattern = 1e-3;  // p-value
 
@@ -35,6 +34,7 @@ class Ranker {
         errors_(start.errors),
         set_(start.set),
         draws_(start.draws),
+        most_probes_(start.probes),
         observations_(fitted.scene, fitted.config),
         frames_(fitted.scene, observations_, kMostRows),
         faults_(ListFaults(fitted.scene, fitted.config)) {}
@@ -54,6 +54,8 @@ class Ranker {
   std::vector<Nuisance> Nuisances(const std::string& fault_group) const;
   ScoredGroup GroupOf(const Trial& trial) const;
   RankedCandidate Physics(int candidate, const Projection& projection, const Projection& raw) const;
+  // Of one amount of either sign that acts at a place: the best probe with the other sign, where it
+  // scores half as much. What draws to one side may be what pushes from the other.
   void AddOtherSign(const Projection& projection, RankedCandidate* ranked) const;
   RankedCandidate Observation(const std::string& group, const Projection& raw) const;
   void Judge(const Projection& projection, const std::vector<double>& null_scores,
@@ -67,7 +69,7 @@ class Ranker {
   const DiagnosisOptions& options_;
   std::shared_ptr<const NumericalErrors> errors_;
   CandidateSet set_;
-  int draws_;
+  int draws_, most_probes_;
   ObservationResiduals observations_;
   RowFrames frames_;
   std::vector<Fault> faults_;
@@ -134,8 +136,8 @@ void Ranker::AddTrials(const std::vector<std::pair<int, Probe>>& probes) {
 
 void Ranker::AddFirstTrials() {
   candidates_ =
-      ListCandidates(fitted_.values, fitted_.scene, extent_, options_.excluded, kMostProbes, set_);
-  for (std::size_t round = 0; round < kMostProbes; ++round) {
+      ListCandidates(fitted_.values, fitted_.scene, extent_, options_.excluded, most_probes_, set_);
+  for (std::size_t round = 0; round < static_cast<std::size_t>(most_probes_); ++round) {
     std::vector<std::pair<int, Probe>> probes;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       if (round < candidates_[c].probes.size())
@@ -277,14 +279,16 @@ RankedCandidate Ranker::Physics(int candidate, const Projection& projection,
 void Ranker::AddOtherSign(const Projection& projection, RankedCandidate* ranked) const {
   constexpr double kAsLikely = 0.5;  // of the best score
   double best = kAsLikely * ranked->summary.score * scale_[residual_] * scale_[residual_];
+  std::optional<RankedCandidate::Start> other;
   for (const Trial& trial : trials_) {
     if (candidates_[trial.candidate].name != ranked->summary.name) continue;
     const Score score = ScoreOf(projection, GroupOf(trial), projection.gram().col(residual_));
     if (score.decrease < best || score.amounts[0] * ranked->amounts[0] >= 0.0) continue;
     best = score.decrease;
-    ranked->other_probe = trial.probe;
-    ranked->other_amounts = score.amounts.cwiseProduct(scale_(trial.columns)) / scale_[residual_];
+    const Eigen::VectorXd amounts = score.amounts.cwiseProduct(scale_(trial.columns));
+    other = RankedCandidate::Start{trial.probe, amounts / scale_[residual_], false};
   }
+  if (other) ranked->other_starts.push_back(*other);
 }
 
 RankedCandidate Ranker::Observation(const std::string& group, const Projection& raw) const {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fitting/diagnosis/candidates.h"
@@ -26,11 +27,14 @@ struct RankedCandidate {
   std::vector<int> columns;        // at the best probe
   std::vector<int> faults;         // indices into Ranking::faults, observation only
   std::vector<std::string> parts;  // effects that it stands for together; none: itself
-  // Of one amount of either sign that acts at a place: the best probe with the other sign, where it
-  // scores half as much. What draws to one side may be what pushes from the other. Empty where
-  // none.
-  Probe other_probe;
-  Eigen::VectorXd other_amounts;
+  // Where a fit may begin besides.
+  struct Start {
+    Probe probe;
+    Eigen::VectorXd amounts;
+    bool is_guided;  // estimated along a guided motion, see guided_ranking.h
+  };
+  std::vector<Start> other_starts;
+  std::optional<int> guided_rank;  // among those that stand out along it, from 0
 
   // Is there so many times more of it than the null passes for?
   bool Exceeds(double detection_limits) const {
@@ -69,7 +73,8 @@ struct Ranking {
 struct RankingStart {
   std::shared_ptr<const NumericalErrors> errors;  // null: measured
   CandidateSet set = CandidateSet::kCatalogue;
-  int draws = 3;  // of the errors of mesh and step, where they are measured
+  int draws = 3;   // of the errors of mesh and step, where they are measured
+  int probes = 8;  // places, times and shapes of a candidate that are looked at first
 };
 
 // Throws std::runtime_error where the fitted scene cannot be simulated.

@@ -22,6 +22,8 @@ Eigen::VectorXd ThetaOfPass(const FreeParameters& free, const Eigen::VectorXd& u
   return theta;
 }
 
+bool IsHeld(const FitConfig& config) { return config.attract && !config.polish; }
+
 bool HasPoints(const Scene& scene) { return !scene.markers.empty() || !scene.tracks.empty(); }
 
 FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResult& fit) {
@@ -118,7 +120,7 @@ std::optional<Rows> EvaluateRows(
   const int fabric = NumFabric(free);
   const int kept = pass.of_unknown ? free.size() : fabric;
   const ObservationResiduals observations(scene, pass.config);
-  WindowSimulator simulator(scene, pass.config, free, false, nullptr);
+  WindowSimulator simulator(scene, pass.config, free, IsHeld(pass.config), nullptr);
   const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);
   WindowStart start = simulator.FirstStart(theta);
   if (!pass.of_unknown) {
@@ -179,9 +181,11 @@ std::optional<Eigen::VectorXd> ResidualsOfOtherSteps(const FittedScene& fine,
   bool usable = true;
   const Pass pass{fine.values, false, false};
   const FreeParameters free(pass.config, fine.scene, MakeParameterTable());
-  const int reached = SimulateFrames(
-      fine.scene, pass.config, free, ThetaOfPass(free, fine.unknown),
-      coarse.scene.last_fitted_frame, [&](int frame, const State& state) {
+  WindowSimulator simulator(fine.scene, pass.config, free, IsHeld(pass.config), nullptr);
+  const Eigen::VectorXd theta = ThetaOfPass(free, fine.unknown);
+  const auto outcome = simulator.Run(
+      simulator.FirstStart(theta), theta, coarse.scene.last_fitted_frame, false,
+      [&](int frame, const State& state, const Sensitivity*) {
         const int row = frames.FirstRow(frame);
         if (row < 0 || !usable) return;
         // Silhouettes count particles, so they are those of the coarse mesh laid onto the fine one;
@@ -202,7 +206,7 @@ std::optional<Eigen::VectorXd> ResidualsOfOtherSteps(const FittedScene& fine,
         }
         residuals.segment(row, own.size()) = own;
       });
-  usable = usable && reached > coarse.scene.last_fitted_frame && residuals.allFinite();
+  usable = usable && outcome == WindowSimulator::Outcome::kComplete && residuals.allFinite();
   return usable ? std::optional<Eigen::VectorXd>(residuals) : std::nullopt;
 }
 

@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Fits that what was observed guides past the valleys of a lively cloth's cost.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/guided_ranking.h"
 #include "fitting/diagnosis/modelling.h"
+#include "fitting/window_simulator.h"
 #include "tracking/synthetic_recording.h"
 
 namespace clothfit {
 namespace {
 
 // Shaken, with next to no damping, in air that moves along.
-Recording LivelyCloth(int num_frames = 36) {
+SyntheticOptions Lively(int num_frames = 36) {
   SyntheticOptions options;
   options.scenario = SyntheticScenario::kTwoCornerShake;
   options.size = {0.5, 0.5};
@@ -27,7 +31,11 @@ Recording LivelyCloth(int num_frames = 36) {
                         {"shear.stiffness", 6.2},     {"shear.damping", 0.18},
                         {"bending.stiffness", 4e-5},  {"bending.damping", 2.4e-5},
                         {"added_mass.normal", 0.26}};
-  return MakeSyntheticRecording(options).recording;
+  return options;
+}
+
+Recording LivelyCloth(int num_frames = 36) {
+  return MakeSyntheticRecording(Lively(num_frames)).recording;
 }
 
 ModelStart WithAddedMass(const Recording& recording) {
@@ -35,6 +43,52 @@ ModelStart WithAddedMass(const Recording& recording) {
   start.config.initial_order = 1;
   start.config.parameters.at("added_mass.normal").free = true;
   return start;
+}
+
+// m, root mean square over all markers and frames, of a cloth whose air was forgotten.
+double Distance(const Scene& scene, const FitConfig& config) {
+  const FreeParameters free(config, scene, MakeParameterTable());
+  WindowSimulator simulator(scene, config, free, config.attract, nullptr);
+  double sum = 0.0;
+  int count = 0;
+  const auto observe = [&](int frame, const State& state, const Sensitivity*) {
+    for (const MarkerObservation& marker : scene.markers) {
+      if (marker.frame != frame) continue;
+      sum += (marker.on_cloth.At(state.x) - marker.position).squaredNorm();
+      ++count;
+    }
+  };
+  const Eigen::VectorXd theta = free.start();
+  EXPECT_EQ(
+      simulator.Run(simulator.FirstStart(theta), theta, scene.last_fitted_frame, false, observe),
+      WindowSimulator::Outcome::kComplete);
+  return std::sqrt(sum / count);
+}
+
+TEST(Guided, FollowsWhatWasSeenWithoutRinging) {
+  SyntheticOptions options = Lively();
+  options.refinement = 1;
+  options.marker_sigma = 1e-5;
+  const Recording recording = MakeSyntheticRecording(options).recording;
+  FitConfig config = DefaultConfig(recording);
+  for (const auto& [name, value] : options.parameters) config.parameters.at(name).value = value;
+  config.parameters.at("added_mass.normal").value = 0.0;
+  const Scene scene = MakeScene(recording, config);
+  const auto guided = [&](double share) { return *Guided(config, scene, share); };
+  const double free = Distance(scene, config), held = Distance(scene, guided(1.0));
+  FitConfig ringing = guided(1.0);
+  for (const char* name : {"attraction_point.damping", "attraction_ray.damping"})
+    ringing.parameters.at(name).value = 0.0;
+  EXPECT_LT(held, 0.1 * free);
+  EXPECT_LT(held, 0.9 * Distance(scene, ringing));
+  // Weaker and weaker, it comes nearer to what the model does by itself.
+  double nearer = held;
+  for (const double share : {0.3, 0.1, 0.03}) {
+    const double weaker = Distance(scene, guided(share));
+    EXPECT_GT(weaker, nearer) << share;
+    nearer = weaker;
+  }
+  EXPECT_LT(nearer, free);
 }
 
 TEST(GuidedFit, FindsWhatAPlainOneDoesNot) {
@@ -105,6 +159,49 @@ TEST(FittedScene, KeepsValuesAtTheirBoundsInside) {
   const FittedScene fitted = MakeFittedScene(std::move(scene), config, fit);
   EXPECT_EQ(fitted.values.parameters.at("bending.stiffness").value, lower);
   EXPECT_NO_THROW(fitted.values.Check("values"));
+}
+
+// Pulled at by what was seen, a cloth is where the recorded one is, and what is missing shows.
+TEST(GuidedRanking, TellsWhereToBegin) {
+  const Recording recording = LivelyCloth();
+  ModelStart start{recording, DefaultConfig(recording)};
+  start.config.initial_order = 1;
+  const auto fitted = FitAfresh(start, Start::kPlain, 3, FitRunner());
+  ASSERT_TRUE(fitted);
+  ASSERT_FALSE(IsHeld(fitted->values));
+  DiagnosisOptions options;
+  for (const TermInfo& term : AllTerms()) {
+    const std::string name = term.name;
+    if (name != "added_mass" && name != "crease" && name != "wind")
+      options.excluded.push_back(name);
+  }
+  RankingStart quick;
+  quick.draws = 1;
+  Ranking ranking = RankCandidates(*fitted, options, quick);
+  RankGuided(*fitted, start.config, options, FitRunner(), &ranking);
+  const RankedCandidate* mass = nullptr;
+  for (const RankedCandidate& candidate : ranking.candidates) {
+    if (candidate.summary.name == "added_mass") mass = &candidate;
+  }
+  ASSERT_NE(mass, nullptr);
+  ASSERT_TRUE(mass->guided_rank);
+  EXPECT_EQ(*mass->guided_rank, 0);
+  EXPECT_LT(mass->summary.guided_p_value.value_or(1.0), 1e-3);
+  ASSERT_FALSE(mass->other_starts.empty());
+  EXPECT_TRUE(mass->other_starts.back().is_guided);
+  EXPECT_NEAR(mass->other_starts.back().amounts[0], 0.26, 0.13);
+}
+
+TEST(GuidedRanking, DoesNothingWithoutPoints) {
+  ModelStart start = WithAddedMass(LivelyCloth(8));
+  const auto fitted = FitAfresh(start, Start::kPlain, 0, FitRunner());
+  ASSERT_TRUE(fitted);
+  FittedScene blind = *fitted;
+  blind.scene.recording.markers.clear();
+  Ranking ranking;
+  ranking.candidates.resize(1);
+  RankGuided(blind, start.config, {}, FitRunner(), &ranking);
+  EXPECT_FALSE(ranking.candidates.front().guided_rank);
 }
 
 TEST(GuidedFit, NeedsSomethingToPullAt) {

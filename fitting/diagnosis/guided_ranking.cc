@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/guided_ranking.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "fitting/diagnosis/modelling.h"
+
+namespace clothfit {
+namespace {
+
+constexpr int kMostGuided = 4;
+constexpr int kDraws = 2;    // of the errors of mesh and step
+constexpr int kProbes = 24;  // linear as it is, the motion tells places well
+
+}  // namespace
+
+void RankGuided(const FittedScene& fitted, const FitConfig& told, const DiagnosisOptions& options,
+                const FitRunner& runner, Ranking* ranking) {
+  const std::optional<FittedScene> held = FitGuided(FromFabricOf(told, GoOn(fitted)), runner);
+  if (!held || runner.IsStopped()) return;
+  RankingStart start;
+  start.draws = kDraws;
+  start.probes = kProbes;
+  const Ranking guided = RankCandidates(*held, options, start);
+  if (options.log)
+    options.log(fmt::format("guided: residuals of {:.3g} sigmas, mesh and step leave {:.3g}",
+                            guided.residual_rms, guided.floor_rms));
+  int rank = 0;
+  for (const RankedCandidate& candidate : guided.candidates) {
+    const Candidate& summary = candidate.summary;
+    if (rank == kMostGuided) return;
+    if (summary.kind != CandidateKind::kPhysics || !summary.is_short_listed) continue;
+    const auto own = std::find_if(
+        ranking->candidates.begin(), ranking->candidates.end(),
+        [&](const RankedCandidate& other) { return other.summary.name == summary.name; });
+    if (own == ranking->candidates.end()) continue;
+    own->guided_rank = rank++;
+    own->summary.guided_p_value = summary.p_value;
+    own->other_starts.push_back({candidate.probe, candidate.amounts, true});
+    for (const RankedCandidate::Start& other : candidate.other_starts)
+      own->other_starts.push_back({other.probe, other.amounts, true});
+    if (options.log)
+      options.log(fmt::format("guided: {} promises {:.4g}, p = {:.2g}", summary.name, summary.score,
+                              summary.p_value));
+  }
+}
+
+}  // namespace clothfit
