@@ -19,7 +19,8 @@ constexpr int kProbes = 24;  // linear as it is, the motion tells places well
 
 void RankGuided(const FittedScene& fitted, const FitConfig& told, const DiagnosisOptions& options,
                 const FitRunner& runner, Ranking* ranking) {
-  const std::optional<FittedScene> held = FitGuided(FromFabricOf(told, GoOn(fitted)), runner);
+  const std::optional<FittedScene> held =
+      FitGuided(FromFabricOf(told, GoOn(fitted)), kScoringDamping, runner);
   if (!held || runner.IsStopped()) return;
   RankingStart start;
   start.draws = kDraws;

@@ -17,9 +17,6 @@ namespace clothfit {
 namespace {
 
 constexpr double kGuidingRate = 40.0;  // 1/s
-// Of critical: enough to end the ringing. More of it hides how the cloth moves by itself: fits that
-// were critically damped ended at costs up to 1.7 times those.
-constexpr double kGuidingDamping = 0.3;
 // Where a fit may begin: what is linear at nothing need not be so at the estimate.
 constexpr double kSharesOfEstimate[] = {1.0, 0.3, 0.1, 3.0};
 // Weaker and weaker: what pulls also hides a part of what is wrong.
@@ -104,7 +101,8 @@ std::optional<FittedScene> MakeModel(Scene scene, const FitConfig& own, FitConfi
 
 }  // namespace
 
-std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double share) {
+std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double share,
+                                double damping) {
   const auto markers =
       std::count_if(scene.markers.begin(), scene.markers.end(), [&](const MarkerObservation& m) {
         return scene.is_fitted[static_cast<std::size_t>(m.frame)];
@@ -119,13 +117,12 @@ std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double sha
   // Each point as a mass on a spring that moves.
   const double rate = std::sqrt(share) * kGuidingRate;
   const double linear = mass * rate * rate / per_frame,
-               damping = kGuidingDamping * 2.0 * mass * rate / per_frame;
+               drag = damping * 2.0 * mass * rate / per_frame;
   config.attract = true;
   config.polish = false;
   config.max_iterations = kGuidedIterations;
   for (const std::string term : {"attraction_point", "attraction_ray"}) {
-    for (const auto& [name, value] :
-         {std::pair{".linear", linear}, std::pair{".damping", damping}}) {
+    for (const auto& [name, value] : {std::pair{".linear", linear}, std::pair{".damping", drag}}) {
       ParameterSetting& setting = config.parameters.at(term + name);
       setting.value = std::clamp(value, setting.lower, setting.upper);
       setting.free = false;
@@ -209,14 +206,15 @@ ModelStart FromNothing(const FitConfig& told, ModelStart start, const RankedCand
   return start;
 }
 
-std::optional<FittedScene> FitGuided(const ModelStart& start, const FitRunner& runner) {
+std::optional<FittedScene> FitGuided(const ModelStart& start, double damping,
+                                     const FitRunner& runner) {
   FitConfig next = QuickConfig(start.config, kGuidedIterations);
   next.attract = true;
   next = OnGuidedMesh(next, MakeScene(start.recording, next).mesh);
   const Scene scene = MakeScene(start.recording, next);
   std::optional<FitResult> before;
   for (const double share : kGuidingShares) {
-    const std::optional<FitConfig> pulled = Guided(next, scene, share);
+    const std::optional<FitConfig> pulled = Guided(next, scene, share, damping);
     if (!pulled) return {};
     before = RunAfter(before, scene, *pulled, runner);
     if (before->status == FitStatus::kFailed) return {};
@@ -232,7 +230,7 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
   FitConfig last = quick;
   std::optional<FitResult> before;
   if (how == Start::kGuided) {
-    const std::optional<FittedScene> guided = FitGuided(start, runner);
+    const std::optional<FittedScene> guided = FitGuided(start, kFittingDamping, runner);
     if (!guided) return {};
     before = guided->fit;
     BeginFrom(*before, &last);

@@ -47,15 +47,22 @@ ModelStart FromNothing(const FitConfig& told, ModelStart start, const RankedCand
 // more than what a wrong valley does.
 enum class Start { kPlain, kGuided };
 
+// Of critical, of what pulls. In fits enough to end the ringing: more of it hides how the cloth
+// moves by itself, and fits that were critically damped ended at costs up to 1.7 times those. What
+// is scored is to be as near to the recorded cloth as can be.
+inline constexpr double kFittingDamping = 0.3, kScoringDamping = 1.0;
+
 // The config of a few iterations in which every fitted marker and every fitted track's ray of a
 // scene pulls at the cloth. share: 1 for so strongly that it follows within some 25 ms, less for
-// less; damped by 0.3 of critical. Empty where there is nothing to pull.
-std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double share);
+// less. damping: of critical. Empty where there is nothing to pull.
+std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double share,
+                                double damping = kFittingDamping);
 
 // What is fitted while something pulls weaker and weaker, as it is at the last: IsHeld. On a mesh
 // of 13 particles a side at most, where the motion is as good. Empty where the fit fails, or where
 // there is nothing to guide it.
-std::optional<FittedScene> FitGuided(const ModelStart& start, const FitRunner& runner);
+std::optional<FittedScene> FitGuided(const ModelStart& start, double damping,
+                                     const FitRunner& runner);
 
 // Fits it from its config's own fabric and no offsets of the start, all over again. Empty where the
 // fit fails, or where there is nothing to guide it.
