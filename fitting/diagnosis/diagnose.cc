@@ -320,21 +320,25 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     first_ranking_ = ranking;
     first_errors_ = *errors;
   }
-  if (options_.guide && IsWorthGuiding(*current, ranking) && !Stopped()) {
-    Say("ranking along a guided motion", 0.35);
-    RankGuided(*current, baseline_, options_, runner_, &ranking);
-    Spend("ranking along a guided motion");
+  last_ranking_ = ranking;
+  if (is_first && IsSuspicious(ranking)) LocateMismatch(*current);
+  ModelRace::Guide guide;
+  if (options_.guide && IsWorthGuiding(*current, ranking)) {
+    guide = [&](Ranking* open) {
+      Spend("fitting models");
+      Say("ranking along a guided motion", 0.6);
+      RankGuided(*current, baseline_, options_, runner_, open);
+      Spend("ranking along a guided motion");
+    };
   }
+  const ModelRace race(baseline_, options_);
+  std::vector<FittedModel> models =
+      race.Run(*current, *errors, options_.least_share * first_unexplained_, guide, &ranking);
+  Spend("fitting models");
   if (is_first) {
     for (const RankedCandidate& candidate : ranking.candidates)
       diagnosis_.ranking.push_back(candidate.summary);
   }
-  last_ranking_ = ranking;
-  if (is_first && IsSuspicious(ranking)) LocateMismatch(*current);
-  const ModelRace race(baseline_, options_);
-  std::vector<FittedModel> models =
-      race.Run(*current, *errors, ranking, options_.least_share * first_unexplained_);
-  Spend("fitting models");
   if (models.empty()) return false;
   const std::size_t first_model = diagnosis_.models.size();
   for (const FittedModel& model : models)

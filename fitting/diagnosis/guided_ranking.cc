@@ -29,20 +29,19 @@ void RankGuided(const FittedScene& fitted, const FitConfig& told, const Diagnosi
   if (options.log)
     options.log(fmt::format("guided: residuals of {:.3g} sigmas, mesh and step leave {:.3g}",
                             guided.residual_rms, guided.floor_rms));
-  int rank = 0;
+  int num_guided = 0;
   for (const RankedCandidate& candidate : guided.candidates) {
     const Candidate& summary = candidate.summary;
-    if (rank == kMostGuided) return;
+    if (num_guided == kMostGuided) return;
     if (summary.kind != CandidateKind::kPhysics || !summary.is_short_listed) continue;
     const auto own = std::find_if(
         ranking->candidates.begin(), ranking->candidates.end(),
         [&](const RankedCandidate& other) { return other.summary.name == summary.name; });
     if (own == ranking->candidates.end()) continue;
-    own->guided_rank = rank++;
+    ++num_guided;
     own->summary.guided_p_value = summary.p_value;
-    own->other_starts.push_back({candidate.probe, candidate.amounts, true});
-    for (const RankedCandidate::Start& other : candidate.other_starts)
-      own->other_starts.push_back({other.probe, other.amounts, true});
+    own->guided_starts = candidate.other_starts;
+    own->guided_starts.insert(own->guided_starts.begin(), {candidate.probe, candidate.amounts});
     if (options.log)
       options.log(fmt::format("guided: {} promises {:.4g}, p = {:.2g}", summary.name, summary.score,
                               summary.p_value));

@@ -15,7 +15,7 @@ namespace clothfit {
 
 // Fits the model of `fitted` guided, from the fabric of the config that a diagnosis was told, ranks
 // around that, and adds to the ranking where the first four that stand out there would begin
-// (RankedCandidate::other_starts), their ranks and p-values. Does nothing where nothing can guide
+// (RankedCandidate::guided_starts) and their p-values. Does nothing where nothing can guide
 // or the guided fit fails.
 void RankGuided(const FittedScene& fitted, const FitConfig& told, const DiagnosisOptions& options,
                 const FitRunner& runner, Ranking* ranking);

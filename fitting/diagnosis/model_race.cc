@@ -81,25 +81,28 @@ void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before,
   });
 }
 
-// From either sign of its amount, where both are likely, and from what a guided motion tells of it.
-// What is ordinary begins plainly, too, as it is in a simulation that has it.
+ModelStart StartAt(const FittedScene& current, RankedCandidate candidate,
+                   const RankedCandidate::Start& start, const Ranking& ranking) {
+  candidate.probe = start.probe;
+  candidate.amounts = start.amounts;
+  return SwitchOn(current, candidate, ranking.faults);
+}
+
+// From either sign of its amount, where both are likely. What is ordinary begins plainly, too, as
+// it is in a simulation that has it.
 std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
                                                 const RankedCandidate& candidate,
                                                 const Ranking& ranking) const {
   const ModelStart start = SwitchOn(current, candidate, ranking.faults);
-  std::optional<FittedScene> model;
-  if (candidate.summary.is_short_listed || !candidate.guided_rank)
-    model = FitFirst(current, start, baseline_, candidate, kFirstIterations, runner_);
+  std::optional<FittedScene> model =
+      FitFirst(current, start, baseline_, candidate, kFirstIterations, runner_);
   for (const RankedCandidate::Start& other_start : candidate.other_starts) {
     if (Stopped()) break;
     RankedCandidate other = candidate;
-    other.probe = other_start.probe;
     other.amounts = other_start.amounts;
-    const ModelStart from = SwitchOn(current, other, ranking.faults);
     std::optional<FittedScene> fitted =
-        other_start.is_guided
-            ? FitAfresh(FromFabricOf(baseline_, from), Start::kGuided, kFirstIterations, runner_)
-            : FitFirst(current, from, baseline_, other, kFirstIterations, runner_);
+        FitFirst(current, StartAt(current, candidate, other_start, ranking), baseline_, other,
+                 kFirstIterations, runner_);
     model = Cheaper(std::move(model), std::move(fitted));
   }
   const bool is_far_off = !model || IsFarOff(model->scene, model->config, model->fit);
@@ -108,9 +111,22 @@ std::optional<FittedScene> ModelRace::FirstHeat(const FittedScene& current,
                                              Start::kPlain, kFirstIterations, runner_));
 }
 
-// Short-listed candidates first, and those that stand out along a guided motion; far off, where a
-// linear score says little, those too that the null does not do as much as, until there are enough,
-// and besides them whatever is ordinary, each by itself and all of it together.
+std::optional<FittedScene> ModelRace::GuidedHeat(const FittedScene& current,
+                                                 const RankedCandidate& candidate,
+                                                 const Ranking& ranking) const {
+  std::optional<FittedScene> model;
+  for (const RankedCandidate::Start& start : candidate.guided_starts) {
+    if (Stopped()) break;
+    model = Cheaper(std::move(model),
+                    FitAfresh(FromFabricOf(baseline_, StartAt(current, candidate, start, ranking)),
+                              Start::kGuided, kFirstIterations, runner_));
+  }
+  return model;
+}
+
+// Short-listed candidates first; far off, where a linear score says little, those too that the null
+// does not do as much as, until there are enough, and besides them whatever is ordinary, each by
+// itself and all of it together.
 std::vector<RankedCandidate> ModelRace::Entrants(const Ranking& ranking, double least_score) const {
   std::vector<RankedCandidate> entrants;
   const auto enter = [&](const auto& is_asked) {
@@ -120,10 +136,6 @@ std::vector<RankedCandidate> ModelRace::Entrants(const Ranking& ranking, double 
     }
   };
   enter([&](const Candidate& c) { return c.is_short_listed && c.score >= least_score; });
-  for (const RankedCandidate& candidate : ranking.candidates) {
-    if (candidate.guided_rank && !IsAmong(entrants, candidate.summary.name))
-      entrants.push_back(candidate);
-  }
   if (ranking.residual_rms < kFarOff) return entrants;
   if (ranking.gate_p_value < kGate) {
     enter([&](const Candidate& c) {
@@ -152,14 +164,14 @@ std::vector<RankedCandidate> ModelRace::Reserves(
   return reserves;
 }
 
-std::vector<FittedModel> ModelRace::RunHeats(const FittedScene& current, const Ranking& ranking,
-                                             const std::vector<RankedCandidate>& entrants) const {
+std::vector<FittedModel> ModelRace::RunAll(const std::vector<RankedCandidate>& entrants,
+                                           const Ranking& ranking, const Heat& heat) const {
   std::vector<std::optional<FittedScene>> heats(entrants.size());
   std::vector<std::string> names;
   for (const RankedCandidate& entrant : entrants) names.push_back(entrant.summary.name);
   if (!names.empty()) Say("fitting with " + JoinNames(names), 0.5);
   ForAll(entrants.size(), [&](std::size_t i) {
-    if (!Stopped()) heats[i] = FirstHeat(current, entrants[i], ranking);
+    if (!Stopped()) heats[i] = heat(entrants[i]);
   });
   std::vector<FittedModel> models;
   for (std::size_t i = 0; i < heats.size(); ++i) {
@@ -171,14 +183,51 @@ std::vector<FittedModel> ModelRace::RunHeats(const FittedScene& current, const R
   }
   ForAll(models.size(),
          [&](std::size_t i) { EstimateFaultAgain(ranking.faults, runner_, &models[i]); });
+  return models;
+}
+
+std::vector<FittedModel> ModelRace::RunHeats(const FittedScene& current, const Ranking& ranking,
+                                             const std::vector<RankedCandidate>& entrants) const {
+  std::vector<FittedModel> models = RunAll(
+      entrants, ranking,
+      [&](const RankedCandidate& candidate) { return FirstHeat(current, candidate, ranking); });
   FinishModels(current, kStillInRace, &models);
   return models;
 }
 
+void ModelRace::RunGuidedHeats(const FittedScene& current, const Ranking& ranking,
+                               std::vector<FittedModel>* models) const {
+  std::vector<RankedCandidate> entrants;
+  for (const RankedCandidate& candidate : ranking.candidates) {
+    if (!candidate.guided_starts.empty()) entrants.push_back(candidate);
+  }
+  if (entrants.empty()) return;
+  std::vector<FittedModel> guided = RunAll(
+      entrants, ranking,
+      [&](const RankedCandidate& candidate) { return GuidedHeat(current, candidate, ranking); });
+  for (FittedModel& model : guided) {
+    const auto same = std::find_if(models->begin(), models->end(), [&](const FittedModel& other) {
+      return other.candidate.summary.name == model.candidate.summary.name;
+    });
+    if (same == models->end()) {
+      models->push_back(std::move(model));
+    } else if (IsCheaper(model, *same)) {
+      *same = std::move(model);
+    }
+  }
+  FinishModels(current, kStillInRace, models);
+}
+
 std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const HeldOutErrors& errors,
-                                        const Ranking& ranking, double least_score) const {
-  const std::vector<RankedCandidate> entrants = Entrants(ranking, least_score);
-  std::vector<FittedModel> models = RunHeats(current, ranking, entrants);
+                                        double least_score, const Guide& guide,
+                                        Ranking* open_ranking) const {
+  const std::vector<RankedCandidate> entrants = Entrants(*open_ranking, least_score);
+  std::vector<FittedModel> models = RunHeats(current, *open_ranking, entrants);
+  if (guide && !ExplainsMost(current, *open_ranking, models) && !Stopped()) {
+    guide(open_ranking);
+    RunGuidedHeats(current, *open_ranking, &models);
+  }
+  const Ranking& ranking = *open_ranking;
   // A linear score says little of what changes much: a seam that bends 37 times as hard as the
   // cloth came seventh. Where none of the first explains most of it, the next may.
   if (ranking.residual_rms < kHopeless && !ExplainsMost(current, ranking, models) && !Stopped()) {

@@ -5,6 +5,7 @@
 // iterations each, then more for those that may come first.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,9 +44,11 @@ class ModelRace {
   // The best first: of those that explain nearly all that the lowest cost does, the one that
   // predicts the held-out frames best (of several that do, the one with the fewest unknowns), and
   // then by cost. `errors`: those of `current`; least_score: sum of squares that a
-  // short-listed candidate has to promise.
+  // short-listed candidate has to promise. `guide` is asked for guided starts where the first
+  // entrants leave much unexplained; none: they are not sought.
+  using Guide = std::function<void(Ranking*)>;
   std::vector<FittedModel> Run(const FittedScene& current, const HeldOutErrors& errors,
-                               const Ranking& ranking, double least_score) const;
+                               double least_score, const Guide& guide, Ranking* ranking) const;
 
  private:
   std::vector<RankedCandidate> Entrants(const Ranking& ranking, double least_score) const;
@@ -55,8 +58,17 @@ class ModelRace {
   // Fits each of them, and those further that may come first.
   std::vector<FittedModel> RunHeats(const FittedScene& current, const Ranking& ranking,
                                     const std::vector<RankedCandidate>& entrants) const;
+  // The same from guided starts; what is fitted so takes the place of what was fitted worse.
+  void RunGuidedHeats(const FittedScene& current, const Ranking& ranking,
+                      std::vector<FittedModel>* models) const;
+  using Heat = std::function<std::optional<FittedScene>(const RankedCandidate&)>;
+  std::vector<FittedModel> RunAll(const std::vector<RankedCandidate>& entrants,
+                                  const Ranking& ranking, const Heat& heat) const;
   std::optional<FittedScene> FirstHeat(const FittedScene& current, const RankedCandidate& candidate,
                                        const Ranking& ranking) const;
+  std::optional<FittedScene> GuidedHeat(const FittedScene& current,
+                                        const RankedCandidate& candidate,
+                                        const Ranking& ranking) const;
   void FinishModels(const FittedScene& current, double still_in_race,
                     std::vector<FittedModel>* models) const;
   void BeginAnew(const FittedScene& current, const Ranking& ranking,

@@ -286,7 +286,7 @@ void Ranker::AddOtherSign(const Projection& projection, RankedCandidate* ranked)
     if (score.decrease < best || score.amounts[0] * ranked->amounts[0] >= 0.0) continue;
     best = score.decrease;
     const Eigen::VectorXd amounts = score.amounts.cwiseProduct(scale_(trial.columns));
-    other = RankedCandidate::Start{trial.probe, amounts / scale_[residual_], false};
+    other = RankedCandidate::Start{trial.probe, amounts / scale_[residual_]};
   }
   if (other) ranked->other_starts.push_back(*other);
 }

@@ -31,10 +31,9 @@ struct RankedCandidate {
   struct Start {
     Probe probe;
     Eigen::VectorXd amounts;
-    bool is_guided;  // estimated along a guided motion, see guided_ranking.h
   };
   std::vector<Start> other_starts;
-  std::optional<int> guided_rank;  // among those that stand out along it, from 0
+  std::vector<Start> guided_starts;  // estimated along a guided motion, see guided_ranking.h
 
   // Is there so many times more of it than the null passes for?
   bool Exceeds(double detection_limits) const {

@@ -184,12 +184,9 @@ TEST(GuidedRanking, TellsWhereToBegin) {
     if (candidate.summary.name == "added_mass") mass = &candidate;
   }
   ASSERT_NE(mass, nullptr);
-  ASSERT_TRUE(mass->guided_rank);
-  EXPECT_EQ(*mass->guided_rank, 0);
   EXPECT_LT(mass->summary.guided_p_value.value_or(1.0), 1e-3);
-  ASSERT_FALSE(mass->other_starts.empty());
-  EXPECT_TRUE(mass->other_starts.back().is_guided);
-  EXPECT_NEAR(mass->other_starts.back().amounts[0], 0.26, 0.13);
+  ASSERT_FALSE(mass->guided_starts.empty());
+  EXPECT_NEAR(mass->guided_starts.front().amounts[0], 0.26, 0.13);
 }
 
 TEST(GuidedRanking, DoesNothingWithoutPoints) {
@@ -201,7 +198,7 @@ TEST(GuidedRanking, DoesNothingWithoutPoints) {
   Ranking ranking;
   ranking.candidates.resize(1);
   RankGuided(blind, start.config, {}, FitRunner(), &ranking);
-  EXPECT_FALSE(ranking.candidates.front().guided_rank);
+  EXPECT_TRUE(ranking.candidates.front().guided_starts.empty());
 }
 
 TEST(GuidedFit, NeedsSomethingToPullAt) {

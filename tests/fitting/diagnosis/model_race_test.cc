@@ -45,11 +45,13 @@ class Race : public testing::Test {
   }
 
   static std::vector<FittedModel> Run(const std::vector<RankedCandidate>& candidates,
-                                      double null_mean, const DiagnosisOptions& options) {
+                                      double null_mean, const DiagnosisOptions& options,
+                                      const ModelRace::Guide& guide = {}) {
     Ranking ranking = ranking_;
     ranking.candidates = candidates;
     ranking.null_mean = null_mean;
-    return ModelRace(told_, options).Run(*current_, MeasureHeldOut(*current_), ranking, 0.0);
+    return ModelRace(told_, options)
+        .Run(*current_, MeasureHeldOut(*current_), 0.0, guide, &ranking);
   }
 
   // One candidate at a time: the names of those that were fitted, the best first.
@@ -111,6 +113,41 @@ TEST_F(Race, TheNextHaveToBeShortListed) {
   mass.summary.is_short_listed = false;
   const std::vector<std::string> one = {"gravity_tilt"};
   EXPECT_EQ(FittedOneByOne({Tilt(), mass}, 0.0), one);
+}
+
+// `guide` tells where the one that is not short-listed would begin.
+void TellOfMass(Ranking* ranking) {
+  for (RankedCandidate& candidate : ranking->candidates) {
+    if (candidate.summary.name == "added_mass")
+      candidate.guided_starts = {{{}, Eigen::VectorXd::Constant(1, 0.1)}};
+  }
+}
+
+TEST_F(Race, WhatAGuidedMotionTellsOfIsFittedWhereTheFirstExplainLittle) {
+  RankedCandidate mass = ranking_.candidates[0];
+  mass.summary.is_short_listed = false;
+  const std::vector<FittedModel> models = Run({Tilt(), mass}, 0.0, {}, TellOfMass);
+  ASSERT_EQ(models.size(), 2u);
+  EXPECT_EQ(models[0].candidate.summary.name, "added_mass");
+  EXPECT_NEAR(models[0].scene.values.parameters.at("added_mass.normal").value, kAddedMass,
+              0.2 * kAddedMass);
+}
+
+TEST_F(Race, AGuidedStartTakesThePlaceOfAWorseFitOfTheSame) {
+  const std::vector<FittedModel> plain = Run({ranking_.candidates[0]}, 0.0, {});
+  const std::vector<FittedModel> models = Run({ranking_.candidates[0]}, 0.0, {}, TellOfMass);
+  ASSERT_EQ(models.size(), 1u);
+  EXPECT_LE(models[0].scene.fit.cost_after, 1.001 * plain[0].scene.fit.cost_after);
+}
+
+TEST_F(Race, NoGuidedMotionIsSoughtWhereTheFirstExplainMost) {
+  const double left = 2.0 * Run({ranking_.candidates[0]}, 0.0, {})[0].scene.fit.cost_after;
+  int num_asked = 0;
+  const auto guide = [&](Ranking*) { ++num_asked; };
+  Run({ranking_.candidates[0]}, left, {}, guide);
+  EXPECT_EQ(num_asked, 0);
+  Run({Tilt()}, left, {}, guide);
+  EXPECT_EQ(num_asked, 1);
 }
 
 // A model of so many unknowns, as it comes out of a race.
