@@ -41,6 +41,13 @@ bool IsAmong(const std::vector<RankedCandidate>& candidates, const std::string& 
   });
 }
 
+FittedModel* Find(const std::string& name, std::vector<FittedModel>* models) {
+  const auto same = std::find_if(models->begin(), models->end(), [&](const FittedModel& model) {
+    return model.candidate.summary.name == name;
+  });
+  return same == models->end() ? nullptr : &*same;
+}
+
 // Does the first leave little more than nothing missing would and, of physics, than noise?
 // `models`: the cheapest first.
 bool ExplainsMost(const FittedScene& current, const Ranking& ranking,
@@ -151,14 +158,18 @@ std::vector<RankedCandidate> ModelRace::Entrants(const Ranking& ranking, double 
   return entrants;
 }
 
-std::vector<RankedCandidate> ModelRace::Reserves(
-    const Ranking& ranking, double least_score,
-    const std::vector<RankedCandidate>& entrants) const {
+std::vector<RankedCandidate> ModelRace::Reserves(const Ranking& ranking, double least_score,
+                                                 const std::vector<FittedModel>& models) const {
+  const auto is_fitted = [&](const std::string& name) {
+    return std::any_of(models.begin(), models.end(), [&](const FittedModel& model) {
+      return model.candidate.summary.name == name;
+    });
+  };
   std::vector<RankedCandidate> reserves;
   for (const RankedCandidate& candidate : ranking.candidates) {
     const Candidate& c = candidate.summary;
     if (static_cast<int>(reserves.size()) >= options_.max_models) break;
-    if (c.is_short_listed && c.score >= least_score && !IsAmong(entrants, c.name))
+    if (c.is_short_listed && c.score >= least_score && !is_fitted(c.name))
       reserves.push_back(candidate);
   }
   return reserves;
@@ -206,10 +217,8 @@ void ModelRace::RunGuidedHeats(const FittedScene& current, const Ranking& rankin
       entrants, ranking,
       [&](const RankedCandidate& candidate) { return GuidedHeat(current, candidate, ranking); });
   for (FittedModel& model : guided) {
-    const auto same = std::find_if(models->begin(), models->end(), [&](const FittedModel& other) {
-      return other.candidate.summary.name == model.candidate.summary.name;
-    });
-    if (same == models->end()) {
+    FittedModel* same = Find(model.candidate.summary.name, models);
+    if (same == nullptr) {
       models->push_back(std::move(model));
     } else if (IsCheaper(model, *same)) {
       *same = std::move(model);
@@ -232,13 +241,14 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const HeldOu
   // cloth came seventh. Where none of the first explains most of it, the next may.
   if (ranking.residual_rms < kHopeless && !ExplainsMost(current, ranking, models) && !Stopped()) {
     std::vector<FittedModel> more =
-        RunHeats(current, ranking, Reserves(ranking, least_score, entrants));
+        RunHeats(current, ranking, Reserves(ranking, least_score, models));
     std::move(more.begin(), more.end(), std::back_inserter(models));
     std::stable_sort(models.begin(), models.end(), IsCheaper);
     // Nor do the first iterations: with that seam they gain a fifth of what it gains in the end.
     if (!ExplainsMost(current, ranking, models)) FinishModels(current, 0.0, &models);
   }
   BeginAnew(current, ranking, &models);
+  FitRivals(current, ranking, least_score, &models);
   ForAll(models.size(), [&](std::size_t i) { models[i].errors = MeasureHeldOut(models[i].scene); });
   for (const FittedModel& model : models) {
     Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
@@ -346,6 +356,36 @@ void ModelRace::BeginAnew(const FittedScene& current, const Ranking& ranking,
   }
   std::stable_sort(models->begin(), models->end(), IsCheaper);
   GoOnWith(&models->front());
+}
+
+// What is short-listed, too, but was not fitted since the first explain most of it, may do so as
+// well. Their fabric is right for it, or as wrong.
+void ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking, double least_score,
+                          std::vector<FittedModel>* models) const {
+  if (!ExplainsMost(current, ranking, *models) || !models->front().candidate.faults.empty()) return;
+  const FittedScene& best = models->front().scene;
+  std::vector<RankedCandidate> entrants;
+  for (RankedCandidate& reserve : Reserves(ranking, least_score, *models)) {
+    if (reserve.summary.kind == CandidateKind::kPhysics) entrants.push_back(std::move(reserve));
+  }
+  if (entrants.empty() || Stopped()) return;
+  FitConfig fabric = current.config;
+  for (auto& [name, setting] : fabric.parameters)
+    setting.value = best.values.parameters.at(name).value;
+  std::vector<FittedModel> rivals =
+      RunAll(entrants, ranking, [&](const RankedCandidate& candidate) {
+        const ModelStart start = FromFabricOf(fabric, SwitchOn(current, candidate, ranking.faults));
+        return FitModel(best, AtBestShare(best, start, candidate, runner_), kFirstIterations,
+                        runner_);
+      });
+  const double before = current.fit.cost_after;
+  const double most = before - kStillInRace * (before - best.fit.cost_after);
+  ForAll(rivals.size(), [&](std::size_t i) {
+    for (int k = 1; k < kMoreHeats && rivals[i].scene.fit.cost_after <= most; ++k)
+      GoOnWith(&rivals[i]);
+  });
+  std::move(rivals.begin(), rivals.end(), std::back_inserter(*models));
+  std::stable_sort(models->begin(), models->end(), IsCheaper);
 }
 
 // Fits a model further, unless it has converged.

@@ -52,9 +52,9 @@ class ModelRace {
 
  private:
   std::vector<RankedCandidate> Entrants(const Ranking& ranking, double least_score) const;
-  // Those that come next: short-listed, and not among the entrants.
+  // Those that come next: short-listed, and not fitted yet.
   std::vector<RankedCandidate> Reserves(const Ranking& ranking, double least_score,
-                                        const std::vector<RankedCandidate>& entrants) const;
+                                        const std::vector<FittedModel>& models) const;
   // Fits each of them, and those further that may come first.
   std::vector<FittedModel> RunHeats(const FittedScene& current, const Ranking& ranking,
                                     const std::vector<RankedCandidate>& entrants) const;
@@ -72,6 +72,8 @@ class ModelRace {
   void FinishModels(const FittedScene& current, double still_in_race,
                     std::vector<FittedModel>* models) const;
   void BeginAnew(const FittedScene& current, const Ranking& ranking,
+                 std::vector<FittedModel>* models) const;
+  void FitRivals(const FittedScene& current, const Ranking& ranking, double least_score,
                  std::vector<FittedModel>* models) const;
   void GoOnWith(FittedModel* model) const;
   void TakeOutIdleParts(const FittedScene& current, const Ranking& ranking,

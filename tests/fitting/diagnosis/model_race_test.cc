@@ -101,11 +101,35 @@ TEST_F(Race, TheNextAreFittedWhereTheFirstExplainLittle) {
   EXPECT_EQ(FittedOneByOne({Tilt(), ranking_.candidates[0]}, 0.0), both);
 }
 
-TEST_F(Race, TheNextAreNotFittedWhereTheFirstExplainMost) {
+TEST_F(Race, RivalsOfWhatExplainsMostAreFittedFromItsFabric) {
   std::vector<std::string> stages;
   const double left = 2.0 * RunRace(0.0, &stages)[0].scene.fit.cost_after;
-  const std::vector<std::string> one = {"added_mass"};
-  EXPECT_EQ(FittedOneByOne({ranking_.candidates[0], Tilt()}, left), one);
+  RankedCandidate fault = Tilt();
+  fault.summary.name = "markers: clock";
+  fault.summary.kind = CandidateKind::kObservation;
+  const std::vector<std::string> both = {"added_mass", "gravity_tilt"};
+  EXPECT_EQ(FittedOneByOne({ranking_.candidates[0], Tilt(), fault}, left), both);
+}
+
+// What is tilted pulls as a steady wind does, and the first of them explains most.
+TEST(Rivals, AreToldOfThoughTheFirstExplainsMost) {
+  const Recording recording = MakeSmallRecording({5, 30, 0.001, {{"wind.y", 0.5}}});
+  FitConfig told = DefaultConfig(recording);
+  for (auto& [name, setting] : told.parameters) setting.free = name == "air_drag.normal";
+  const auto current = FitAfresh({recording, told}, Start::kPlain, 10, FitRunner());
+  ASSERT_TRUE(current);
+  Ranking ranking;
+  ranking.candidates = {ShortListed("wind", "wind.y", 0.3),
+                        ShortListed("gravity_tilt", "gravity_tilt.angle_1", 0.03)};
+  ranking.null_mean = 0.2 * current->fit.cost_after;
+  DiagnosisOptions options;
+  options.max_models = 1;
+  const std::vector<FittedModel> models =
+      ModelRace(told, options).Run(*current, MeasureHeldOut(*current), 0.0, {}, &ranking);
+  ASSERT_EQ(models.size(), 2u);
+  for (const FittedModel& model : models)
+    EXPECT_LT(model.scene.fit.cost_after, 0.5 * current->fit.cost_after)
+        << model.candidate.summary.name;
 }
 
 TEST_F(Race, TheNextHaveToBeShortListed) {
