@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -41,13 +40,6 @@ bool IsAmong(const std::vector<RankedCandidate>& candidates, const std::string& 
   });
 }
 
-FittedModel* Find(const std::string& name, std::vector<FittedModel>* models) {
-  const auto same = std::find_if(models->begin(), models->end(), [&](const FittedModel& model) {
-    return model.candidate.summary.name == name;
-  });
-  return same == models->end() ? nullptr : &*same;
-}
-
 // Does the first leave little more than nothing missing would and, of physics, than noise?
 // `models`: the cheapest first.
 bool ExplainsMost(const FittedScene& current, const Ranking& ranking,
@@ -62,6 +54,21 @@ bool ExplainsMost(const FittedScene& current, const Ranking& ranking,
 
 bool IsCheaper(const FittedModel& a, const FittedModel& b) {
   return a.scene.fit.cost_after < b.scene.fit.cost_after;
+}
+
+// Of two fits of the same candidate the cheaper stays.
+void Merge(std::vector<FittedModel> more, std::vector<FittedModel>* models) {
+  for (FittedModel& model : more) {
+    const auto same = std::find_if(models->begin(), models->end(), [&](const FittedModel& other) {
+      return other.candidate.summary.name == model.candidate.summary.name;
+    });
+    if (same == models->end()) {
+      models->push_back(std::move(model));
+    } else if (IsCheaper(model, *same)) {
+      *same = std::move(model);
+    }
+  }
+  std::stable_sort(models->begin(), models->end(), IsCheaper);
 }
 
 }  // namespace
@@ -158,18 +165,14 @@ std::vector<RankedCandidate> ModelRace::Entrants(const Ranking& ranking, double 
   return entrants;
 }
 
-std::vector<RankedCandidate> ModelRace::Reserves(const Ranking& ranking, double least_score,
-                                                 const std::vector<FittedModel>& models) const {
-  const auto is_fitted = [&](const std::string& name) {
-    return std::any_of(models.begin(), models.end(), [&](const FittedModel& model) {
-      return model.candidate.summary.name == name;
-    });
-  };
+std::vector<RankedCandidate> ModelRace::Reserves(
+    const Ranking& ranking, double least_score,
+    const std::vector<RankedCandidate>& entrants) const {
   std::vector<RankedCandidate> reserves;
   for (const RankedCandidate& candidate : ranking.candidates) {
     const Candidate& c = candidate.summary;
     if (static_cast<int>(reserves.size()) >= options_.max_models) break;
-    if (c.is_short_listed && c.score >= least_score && !is_fitted(c.name))
+    if (c.is_short_listed && c.score >= least_score && !IsAmong(entrants, c.name))
       reserves.push_back(candidate);
   }
   return reserves;
@@ -213,17 +216,10 @@ void ModelRace::RunGuidedHeats(const FittedScene& current, const Ranking& rankin
     if (!candidate.guided_starts.empty()) entrants.push_back(candidate);
   }
   if (entrants.empty()) return;
-  std::vector<FittedModel> guided = RunAll(
-      entrants, ranking,
-      [&](const RankedCandidate& candidate) { return GuidedHeat(current, candidate, ranking); });
-  for (FittedModel& model : guided) {
-    FittedModel* same = Find(model.candidate.summary.name, models);
-    if (same == nullptr) {
-      models->push_back(std::move(model));
-    } else if (IsCheaper(model, *same)) {
-      *same = std::move(model);
-    }
-  }
+  const auto heat = [&](const RankedCandidate& candidate) {
+    return GuidedHeat(current, candidate, ranking);
+  };
+  Merge(RunAll(entrants, ranking, heat), models);
   FinishModels(current, kStillInRace, models);
 }
 
@@ -240,10 +236,7 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const HeldOu
   // A linear score says little of what changes much: a seam that bends 37 times as hard as the
   // cloth came seventh. Where none of the first explains most of it, the next may.
   if (ranking.residual_rms < kHopeless && !ExplainsMost(current, ranking, models) && !Stopped()) {
-    std::vector<FittedModel> more =
-        RunHeats(current, ranking, Reserves(ranking, least_score, models));
-    std::move(more.begin(), more.end(), std::back_inserter(models));
-    std::stable_sort(models.begin(), models.end(), IsCheaper);
+    Merge(RunHeats(current, ranking, Reserves(ranking, least_score, entrants)), &models);
     // Nor do the first iterations: with that seam they gain a fifth of what it gains in the end.
     if (!ExplainsMost(current, ranking, models)) FinishModels(current, 0.0, &models);
   }
@@ -364,8 +357,9 @@ void ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking, do
                           std::vector<FittedModel>* models) const {
   if (!ExplainsMost(current, ranking, *models) || !models->front().candidate.faults.empty()) return;
   const FittedScene& best = models->front().scene;
-  std::vector<RankedCandidate> entrants;
-  for (RankedCandidate& reserve : Reserves(ranking, least_score, *models)) {
+  std::vector<RankedCandidate> fitted, entrants;
+  for (const FittedModel& model : *models) fitted.push_back(model.candidate);
+  for (RankedCandidate& reserve : Reserves(ranking, least_score, fitted)) {
     if (reserve.summary.kind == CandidateKind::kPhysics) entrants.push_back(std::move(reserve));
   }
   if (entrants.empty() || Stopped()) return;
@@ -375,8 +369,7 @@ void ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking, do
   std::vector<FittedModel> rivals =
       RunAll(entrants, ranking, [&](const RankedCandidate& candidate) {
         const ModelStart start = FromFabricOf(fabric, SwitchOn(current, candidate, ranking.faults));
-        return FitModel(best, AtBestShare(best, start, candidate, runner_), kFirstIterations,
-                        runner_);
+        return FitFirst(best, start, fabric, candidate, kFirstIterations, runner_);
       });
   const double before = current.fit.cost_after;
   const double most = before - kStillInRace * (before - best.fit.cost_after);
@@ -384,8 +377,7 @@ void ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking, do
     for (int k = 1; k < kMoreHeats && rivals[i].scene.fit.cost_after <= most; ++k)
       GoOnWith(&rivals[i]);
   });
-  std::move(rivals.begin(), rivals.end(), std::back_inserter(*models));
-  std::stable_sort(models->begin(), models->end(), IsCheaper);
+  Merge(std::move(rivals), models);
 }
 
 // Fits a model further, unless it has converged.

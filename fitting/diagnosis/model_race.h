@@ -52,9 +52,9 @@ class ModelRace {
 
  private:
   std::vector<RankedCandidate> Entrants(const Ranking& ranking, double least_score) const;
-  // Those that come next: short-listed, and not fitted yet.
+  // Those that come next: short-listed, and not among the entrants.
   std::vector<RankedCandidate> Reserves(const Ranking& ranking, double least_score,
-                                        const std::vector<FittedModel>& models) const;
+                                        const std::vector<RankedCandidate>& entrants) const;
   // Fits each of them, and those further that may come first.
   std::vector<FittedModel> RunHeats(const FittedScene& current, const Ranking& ranking,
                                     const std::vector<RankedCandidate>& entrants) const;
