@@ -21,6 +21,7 @@ namespace {
 constexpr int kMoreHeats = 3;         // of the best, until it converges
 constexpr double kNearBest = 0.9;     // of what the best gains: it may come first yet
 constexpr double kTie = 0.02;         // of what the best improves the prediction by
+constexpr double kClearly = 0.2;      // of the same: what needs more unknowns to explain less
 constexpr double kAlmostAsLow = 1.2;  // times the lowest cost: of a large gain any model is near
 constexpr double kStillInRace = 0.5;  // of what the best has gained by then
 
@@ -93,6 +94,13 @@ void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before,
   std::stable_sort(models->begin(), last_tied, [](const FittedModel& a, const FittedModel& b) {
     return NumUnknowns(a) < NumUnknowns(b);
   });
+  // A gust that lasted from before the first frame until after the last predicted better than the
+  // wind that it was, and explained less.
+  const auto simpler = std::find_if(models->begin(), last, [&](const FittedModel& model) {
+    return NumUnknowns(model) < NumUnknowns(models->front()) && IsCheaper(model, models->front()) &&
+           model.errors.Rms() <= least + kClearly * improved;
+  });
+  if (simpler != last) std::rotate(models->begin(), simpler, simpler + 1);
 }
 
 ModelStart StartAt(const FittedScene& current, RankedCandidate candidate,

@@ -213,5 +213,11 @@ TEST_F(Finish, OfEqualPredictionsTheSimplestComesFirst) {
   EXPECT_EQ(First({{"attractor", 5, 100.0, 0.0118}, {"tilt", 2, 110.0, 0.0130}}), "attractor");
 }
 
+TEST_F(Finish, WhatNeedsMoreUnknownsToExplainLessHasToPredictClearlyBetter) {
+  EXPECT_EQ(First({{"wind", 3, 100.0, 0.016}, {"gust", 8, 110.0, 0.012}}), "wind");
+  EXPECT_EQ(First({{"wind", 3, 100.0, 0.022}, {"gust", 8, 110.0, 0.012}}), "gust");
+  EXPECT_EQ(First({{"wind", 3, 110.0, 0.016}, {"gust", 8, 100.0, 0.012}}), "gust");
+}
+
 }  // namespace
 }  // namespace clothfit
