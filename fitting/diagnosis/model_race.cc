@@ -11,6 +11,7 @@
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/fault_estimate.h"
+#include "fitting/diagnosis/imitation.h"
 #include "fitting/diagnosis/ordinary_physics.h"
 #include "fitting/diagnosis/verdict.h"
 #include "tracking/text.h"
@@ -23,6 +24,9 @@ constexpr double kNearBest = 0.9;     // of what the best gains: it may come fir
 constexpr double kTie = 0.02;         // of what the best improves the prediction by
 constexpr double kClearly = 0.2;      // of the same: what needs more unknowns to explain less
 constexpr double kAlmostAsLow = 1.2;  // times the lowest cost: of a large gain any model is near
+constexpr double kAlike = 0.3;        // of the squares of a force
+constexpr std::size_t kMostRivals = 3;
+constexpr int kProbes = 24;           // of what imitates it
 constexpr double kStillInRace = 0.5;  // of what the best has gained by then
 
 // All cores; the numbers are the same for any.
@@ -249,7 +253,7 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const HeldOu
     if (!ExplainsMost(current, ranking, models)) FinishModels(current, 0.0, &models);
   }
   BeginAnew(current, ranking, &models);
-  FitRivals(current, ranking, least_score, &models);
+  FitRivals(current, ranking, &models);
   ForAll(models.size(), [&](std::size_t i) { models[i].errors = MeasureHeldOut(models[i].scene); });
   for (const FittedModel& model : models) {
     Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
@@ -359,17 +363,59 @@ void ModelRace::BeginAnew(const FittedScene& current, const Ranking& ranking,
   GoOnWith(&models->front());
 }
 
-// What is short-listed, too, but was not fitted since the first explain most of it, may do so as
-// well. Their fabric is right for it, or as wrong.
-void ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking, double least_score,
+// The best three of those that could make most of the force that the first model makes and are not
+// known to explain as much.
+std::vector<RankedCandidate> ModelRace::Imitators(const FittedScene& current,
+                                                  const Ranking& ranking,
+                                                  const std::vector<FittedModel>& models) const {
+  Say("seeking what else could make this force", 0.63);
+  const FittedModel& best = models.front();
+  const double before = current.fit.cost_after;
+  const double near = before - kNearBest * (before - best.scene.fit.cost_after);
+  const std::vector<std::string> own = best.candidate.Effects();
+  const auto is_known = [&](const std::string& name) {
+    return std::find(own.begin(), own.end(), name) != own.end() ||
+           std::any_of(models.begin(), models.end(), [&](const FittedModel& model) {
+             return model.candidate.summary.name == name && model.scene.fit.cost_after <= near;
+           });
+  };
+  std::vector<CandidateTerm> terms =
+      ListCandidates(current.values, current.scene, ranking.extent, options_.excluded, kProbes);
+  const auto last = std::remove_if(terms.begin(), terms.end(),
+                                   [&](const CandidateTerm& term) { return is_known(term.name); });
+  terms.erase(last, terms.end());
+  const std::vector<Imitation> imitations = Imitate(best.scene, own, terms, ranking.extent);
+  std::vector<std::pair<double, RankedCandidate>> able;
+  for (std::size_t i = 0; i < imitations.size(); ++i) {
+    const auto ranked = std::find_if(
+        ranking.candidates.begin(), ranking.candidates.end(),
+        [&](const RankedCandidate& other) { return other.summary.name == terms[i].name; });
+    if (imitations[i].share < kAlike || ranked == ranking.candidates.end()) continue;
+    RankedCandidate candidate = *ranked;
+    candidate.names = terms[i].switches;
+    candidate.probe = imitations[i].probe;
+    candidate.amounts = imitations[i].amounts;
+    able.emplace_back(imitations[i].share, std::move(candidate));
+  }
+  std::stable_sort(able.begin(), able.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  if (able.size() > kMostRivals) able.resize(kMostRivals);
+  std::vector<RankedCandidate> imitators;
+  for (auto& [share, candidate] : able) {
+    Log(fmt::format("{} could make {:.0f} % of the force of {}", candidate.summary.name,
+                    100.0 * share, best.candidate.summary.name));
+    imitators.push_back(std::move(candidate));
+  }
+  return imitators;
+}
+
+// What could make much of the force that explains most of it may explain as much itself. The same
+// fabric is right for it, or as wrong.
+void ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking,
                           std::vector<FittedModel>* models) const {
   if (!ExplainsMost(current, ranking, *models) || !models->front().candidate.faults.empty()) return;
   const FittedScene& best = models->front().scene;
-  std::vector<RankedCandidate> fitted, entrants;
-  for (const FittedModel& model : *models) fitted.push_back(model.candidate);
-  for (RankedCandidate& reserve : Reserves(ranking, least_score, fitted)) {
-    if (reserve.summary.kind == CandidateKind::kPhysics) entrants.push_back(std::move(reserve));
-  }
+  const std::vector<RankedCandidate> entrants = Imitators(current, ranking, *models);
   if (entrants.empty() || Stopped()) return;
   FitConfig fabric = current.config;
   for (auto& [name, setting] : fabric.parameters)
@@ -377,7 +423,8 @@ void ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking, do
   std::vector<FittedModel> rivals =
       RunAll(entrants, ranking, [&](const RankedCandidate& candidate) {
         const ModelStart start = FromFabricOf(fabric, SwitchOn(current, candidate, ranking.faults));
-        return FitFirst(best, start, fabric, candidate, kFirstIterations, runner_);
+        return FitModel(best, AtBestShare(best, start, candidate, runner_), kFirstIterations,
+                        runner_);
       });
   const double before = current.fit.cost_after;
   const double most = before - kStillInRace * (before - best.fit.cost_after);

@@ -74,7 +74,9 @@ class ModelRace {
                     std::vector<FittedModel>* models) const;
   void BeginAnew(const FittedScene& current, const Ranking& ranking,
                  std::vector<FittedModel>* models) const;
-  void FitRivals(const FittedScene& current, const Ranking& ranking, double least_score,
+  std::vector<RankedCandidate> Imitators(const FittedScene& current, const Ranking& ranking,
+                                         const std::vector<FittedModel>& models) const;
+  void FitRivals(const FittedScene& current, const Ranking& ranking,
                  std::vector<FittedModel>* models) const;
   void GoOnWith(FittedModel* model) const;
   void TakeOutIdleParts(const FittedScene& current, const Ranking& ranking,
