@@ -156,11 +156,7 @@ Eigen::VectorXd ForceOfParameters(const ClothModel& model, const ForcePoint& at,
   return with - without;
 }
 
-std::optional<ActingForce> MeasureActingForce(const FittedScene& fitted,
-                                              const std::vector<std::string>& effects) {
-  const Scene& scene = fitted.scene;
-  const FreeParameters free(fitted.values, scene, MakeParameterTable());
-  WindowSimulator simulator(scene, fitted.values, free, false, nullptr);
+std::vector<std::string> SwitchesOf(const std::vector<std::string>& effects) {
   std::vector<std::string> names;
   for (const NamedParameter& named : MakeParameterTable()) {
     const bool is_asked = std::any_of(
@@ -168,6 +164,15 @@ std::optional<ActingForce> MeasureActingForce(const FittedScene& fitted,
         [&](const std::string& effect) { return effect == named.term || effect == named.name; });
     if (is_asked && SwitchesOff(named.parameter)) names.push_back(named.name);
   }
+  return names;
+}
+
+std::optional<ActingForce> MeasureActingForce(const FittedScene& fitted,
+                                              const std::vector<std::string>& effects) {
+  const Scene& scene = fitted.scene;
+  const FreeParameters free(fitted.values, scene, MakeParameterTable());
+  WindowSimulator simulator(scene, fitted.values, free, false, nullptr);
+  const std::vector<std::string> names = SwitchesOf(effects);
   const ClothModel& model = simulator.simulation().model();
   ForceMeter meter(model.topology().areas, scene.last_fitted_frame + 1);
   const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);

@@ -62,6 +62,9 @@ class ForceMeter {
 Eigen::VectorXd ForceOfParameters(const ClothModel& model, const ForcePoint& at,
                                   const std::vector<std::string>& names);
 
+// Full names of what switches these terms, or single parameters, on.
+std::vector<std::string> SwitchesOf(const std::vector<std::string>& effects);
+
 // Of terms, or of single parameters by their full names, that a fitted model has on, at every
 // fitted frame; other names are of nothing that acts. Empty where it cannot be simulated.
 std::optional<ActingForce> MeasureActingForce(const FittedScene& fitted,

@@ -10,6 +10,7 @@
 
 #include "autodiff_sim/parallel.h"
 #include "autodiff_sim/parameter_table.h"
+#include "fitting/diagnosis/acting_force.h"
 #include "fitting/diagnosis/named_parameter.h"
 #include "fitting/window_simulator.h"
 
@@ -26,18 +27,6 @@ struct Sample {
   Eigen::VectorXd x, v, a, start, memory;
   Eigen::VectorXd others;  // N, of all that acts besides
 };
-
-// The names of what these effects switch on.
-std::vector<std::string> SwitchesOf(const std::vector<std::string>& effects) {
-  std::vector<std::string> names;
-  for (const NamedParameter& named : MakeParameterTable()) {
-    const bool is_asked = std::any_of(
-        effects.begin(), effects.end(),
-        [&](const std::string& effect) { return effect == named.term || effect == named.name; });
-    if (is_asked && SwitchesOff(named.parameter)) names.push_back(named.name);
-  }
-  return names;
-}
 
 class Imitator {
  public:
