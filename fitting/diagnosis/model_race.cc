@@ -427,10 +427,18 @@ void ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking,
                         runner_);
       });
   const double before = current.fit.cost_after;
-  const double most = before - kStillInRace * (before - best.fit.cost_after);
+  const double gain = before - best.fit.cost_after;
+  const double most = before - kStillInRace * gain, near = before - kNearBest * gain;
   ForAll(rivals.size(), [&](std::size_t i) {
-    for (int k = 1; k < kMoreHeats && rivals[i].scene.fit.cost_after <= most; ++k)
-      GoOnWith(&rivals[i]);
+    FittedScene& rival = rivals[i].scene;
+    if (rival.fit.cost_after > most) return;
+    GoOnWith(&rivals[i]);
+    // Wind whose drag is free is slow to leave the fabric of a tilted gravity.
+    if (rival.fit.cost_after > near || Stopped()) return;
+    std::optional<FittedScene> other =
+        FitAfresh(FromFabricOf(fabric, GoOn(rival)), Start::kGuided, 2 * kModelIterations, runner_);
+    if (other && other->fit.cost_after < rival.fit.cost_after) rival = std::move(*other);
+    GoOnWith(&rivals[i]);
   });
   Merge(std::move(rivals), models);
 }
