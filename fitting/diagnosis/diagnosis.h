@@ -86,7 +86,8 @@ struct Candidate {
 struct HeldOutProof {
   double before = 0.0, after = 0.0;
   double improvement_lower95 = 0.0;  // of before - after, by a block bootstrap
-  double floor = 0.0;                // what mesh, step and noise alone come to
+  double noise = 0.0;                // what the observations' noise alone comes to
+  double floor = 0.0;                // what mesh, step and noise alone may make of `before`
   bool is_proven = false;
   bool is_in_pixels = false;
   // Of a fault of one source: the errors are its own alone, along a motion that follows whatever

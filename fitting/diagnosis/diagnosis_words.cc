@@ -58,9 +58,15 @@ std::string SayProof(const Model& answer) {
         "on those from there to {} falls",
         proof.earlier->first, proof.earlier->last);
   }
-  words += fmt::format(" from {} to {}; noise, mesh and step alone may make {}.",
-                       Length(proof.before, is_px), Length(proof.after, is_px),
-                       Length(proof.floor, is_px));
+  words += fmt::format(" from {} to {}", Length(proof.before, is_px), Length(proof.after, is_px));
+  words += proof.noise > 0.0 ? fmt::format("; noise is {}.", Length(proof.noise, is_px)) : ".";
+  const double by_mesh = proof.floor * proof.floor - proof.noise * proof.noise;
+  const double squared = proof.before * proof.before;
+  constexpr double kWorthSaying = 0.05;
+  if (by_mesh > kWorthSaying * squared) {
+    words += fmt::format(" Mesh and step alone might make it fall to {}.",
+                         Length(std::sqrt(std::max(0.0, squared - by_mesh)), is_px));
+  }
   if (proof.gain_of_null) {
     words += fmt::format(
         " On recordings of the baseline itself, made on a finer mesh, it explains at most {:.0f} % "
@@ -119,6 +125,7 @@ Json AsJson(const Model& m) {
            {{"before", OrNull(m.proof.before)},
             {"after", OrNull(m.proof.after)},
             {"improvement_lower95", OrNull(m.proof.improvement_lower95)},
+            {"noise", OrNull(m.proof.noise)},
             {"floor", OrNull(m.proof.floor)},
             {"unit", m.proof.is_in_pixels ? "px" : "m"},
             {"earlier_frames", std::move(earlier)},

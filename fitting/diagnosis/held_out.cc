@@ -169,6 +169,7 @@ HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int 
   HeldOutProof proof;
   proof.before = before.Rms();
   proof.after = after.Rms();
+  proof.noise = floor.noise;
   proof.floor = std::hypot(floor.noise, floor.numerical);
   if (!before.is_complete || !after.is_complete || before.squared.size() != after.squared.size()) {
     proof.is_proven = after.is_complete && !before.is_complete && !after.squared.empty();

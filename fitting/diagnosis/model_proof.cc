@@ -36,6 +36,7 @@ std::optional<int> FaultySource(const FittedModel& model, const Ranking& ranking
 
 // Of what is predicted, root mean square.
 double NoiseOf(const Scene& scene, bool is_in_pixels) {
+  if (!HasPoints(scene)) return 0.0;
   return is_in_pixels ? scene.track_sigma * std::sqrt(2.0) : scene.marker_sigma * std::sqrt(3.0);
 }
 
@@ -192,7 +193,8 @@ std::optional<HeldOutProof> ProveAgainstNull(const FittedModel& model, const Pro
   // The recordings have their noise, too.
   const double by_chance = std::sqrt(std::max(0.0, null->held_out));
   HeldOutProof proof = ProveBy(start.errors, model.errors, is_in_pixels, {0.0, by_chance}, start);
-  proof.floor = std::hypot(NoiseOf(scene, is_in_pixels), by_chance);
+  proof.noise = NoiseOf(scene, is_in_pixels);
+  proof.floor = std::hypot(proof.noise, by_chance);
   proof.gain_of_null = null->cost / gain;
   // Where it gains many times as much as in any of them, so few frames need not be certain of it:
   // that their errors fall, and by more than there, is enough.
@@ -219,8 +221,7 @@ std::optional<HeldOutProof> ProveOtherwise(const FittedModel& model, const Proof
                     name, 100.0 * *proof->gain_of_null, proof->before, proof->after, proof->floor),
         *proof);
     if (proof->is_proven) return proof;
-    const double noise = NoiseOf(model.scene.scene, proof->is_in_pixels);
-    const double squared = std::max(0.0, proof->floor * proof->floor - noise * noise);
+    const double squared = std::max(0.0, proof->floor * proof->floor - proof->noise * proof->noise);
     if (*proof->gain_of_null < 1.0) by_chance = std::sqrt(squared);
   }
   say("predicting earlier frames with " + name);

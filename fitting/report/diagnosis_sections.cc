@@ -106,12 +106,12 @@ ReportJson ProofBars(const ReportJson& model) {
   const ReportJson& proof = model.at("held_out");
   ReportJson items = ReportJson::array();
   const auto add = [&](const char* name, const char* key, bool is_muted) {
-    if (!proof.at(key).is_number()) return;
+    if (!proof.contains(key) || !proof.at(key).is_number()) return;
     items.push_back({{"name", name}, {"value", proof.at(key)}, {"note", ""}, {"muted", is_muted}});
   };
   add("baseline", "before", false);
   add("with what was found", "after", false);
-  add("noise alone", "floor", true);
+  add("noise alone", "noise", true);
   const std::string earlier = EarlierFrames(proof);
   const std::string title = earlier.empty()
                                 ? "Error on held-out frames"
@@ -160,7 +160,7 @@ ReportJson ModelTable(const ReportJson& models, bool is_px) {
             with_unit("before"),
             with_unit("after"),
             with_unit("better by at least"),
-            with_unit("noise"),
+            with_unit("noise, mesh and step"),
             Column("", false),
             Column("", false)}},
           {"rows", rows}};
