@@ -262,11 +262,33 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
   }
 }
 
-void Diagnoser::LocateMismatch(const FittedScene& fitted) {
+const FittedScene* Diagnoser::Held(const FittedScene& fitted, const Ranking& ranking) {
+  if (!options_.guide || !IsWorthGuiding(fitted, ranking) || Stopped()) return nullptr;
+  if (!is_held_known_) {
+    held_ = FitGuided(FromFabricOf(baseline_, GoOn(fitted)), kScoringDamping, runner_);
+    is_held_known_ = true;
+    Spend("guided motion");
+  }
+  return held_ ? &*held_ : nullptr;
+}
+
+// A simulation that a force cannot lead to the recorded motion, as it is somewhere else altogether,
+// tells little about that force: then along the motion that is held to what was seen.
+void Diagnoser::LocateMismatch(const FittedScene& fitted, const Ranking& ranking) {
   if (Stopped()) return;
   Say("locating what is missing", 0.4);
-  const std::optional<Localised> found = Localise(fitted, options_, last_ranking_.errors.get());
+  constexpr double kFollows = 0.5;  // share of the sum of squares that the force explains
+  std::optional<Localised> found = Localise(fitted, options_, ranking.errors.get());
   Spend("locating");
+  if (!found || found->missing.explained < kFollows) {
+    if (const FittedScene* const held = Held(fitted, ranking)) {
+      Log(fmt::format("a force explains {:.0f} % of this: located along a guided motion",
+                      found ? 100.0 * found->missing.explained : 0.0));
+      std::optional<Localised> guided = Localise(*held, options_);
+      if (guided) found = std::move(guided);
+      Spend("locating");
+    }
+  }
   if (!found) {
     Log("the missing force cannot be estimated: the simulation fails");
     return;
@@ -302,6 +324,7 @@ void Diagnoser::FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors
 
 bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   Say("ranking what could be missing", 0.3);
+  is_held_known_ = false;
   const bool is_first = diagnosis_.ranking.empty();
   Ranking ranking = is_first ? RankOnFineMesh(current, errors)
                              : RankCandidates(*current, options_, {last_ranking_.errors});
@@ -321,13 +344,14 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     first_errors_ = *errors;
   }
   last_ranking_ = ranking;
-  if (is_first && IsSuspicious(ranking)) LocateMismatch(*current);
+  if (is_first && IsSuspicious(ranking)) LocateMismatch(*current, ranking);
   ModelRace::Guide guide;
   if (options_.guide && IsWorthGuiding(*current, ranking)) {
     guide = [&](Ranking* open) {
       Spend("fitting models");
       Say("ranking along a guided motion", 0.6);
-      RankGuided(*current, baseline_, options_, runner_, open);
+      if (const FittedScene* const held = Held(*current, ranking))
+        RankGuided(*held, options_, open);
       Spend("ranking along a guided motion");
     };
   }
@@ -363,6 +387,15 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     TellApart(FindAmbiguity(ranking, models, winner, current->fit.cost_after));
     KeepRivals(models, winner);
   }
+  const bool is_physics = model.candidate.faults.empty();
+  const bool is_first_physics = is_physics && (!kept_ || !kept_->candidate.faults.empty());
+  if (is_first_physics) {
+    first_kept_ = {{choice->model, model.candidate, *current, *errors},
+                   ranking,
+                   models,
+                   diagnosis_.effects,
+                   kept_parameters_};
+  }
   diagnosis_.answer = described;
   diagnosis_.effects = described.effects;
   for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);
@@ -370,7 +403,8 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   kept_ = {choice->model, model.candidate, std::move(*current), std::move(*errors)};
   *errors = std::move(model.errors);
   *current = std::move(model.scene);
-  if (!model.candidate.faults.empty()) FitAgainWithoutFault(current, errors);
+  if (!is_physics) FitAgainWithoutFault(current, errors);
+  if (is_physics && !is_first_physics) DropWhatIsIdle(current, errors);
   return true;
 }
 
@@ -383,7 +417,7 @@ Diagnosis Diagnoser::Run() {
   baseline_cost_ = current.fit.cost_after;
   Spend("baseline");
   HeldOutErrors errors = MeasureHeldOut(current);
-  for (int k = 0; k < options_.max_effects && !Stopped(); ++k) {
+  for (rounds_left_ = options_.max_effects; rounds_left_ > 0 && !Stopped(); --rounds_left_) {
     if (!AddEffect(&current, &errors)) break;
   }
   MeasureAnswer(current);

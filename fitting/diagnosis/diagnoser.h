@@ -40,13 +40,19 @@ class Diagnoser {
   // A baseline's fit begun anew on its mesh: what a coarser one has come to may be a wrong valley.
   std::optional<FittedScene> FitGuidedOnFineMesh(const FittedScene& fitted);
   // Where, when and of what class a force is missing.
-  void LocateMismatch(const FittedScene& fitted);
+  void LocateMismatch(const FittedScene& fitted, const Ranking& ranking);
+  // The model of `fitted` held to what was seen, from the fabric that the baseline was told; null
+  // where that cannot be or would be of no use. Fitted once for one fit.
+  const FittedScene* Held(const FittedScene& fitted, const Ranking& ranking);
   // One more effect. False where there is none to be had.
   bool AddEffect(FittedScene* current, HeldOutErrors* errors);
   // Whether a fit without the effect, begun where the model has ended, comes (nearly) as far: then
   // the model had found a better valley, not an effect. What is explained is held against that
   // fit then.
   bool CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors);
+  // What physics was kept first, taken out again where what was kept after it does without it: that
+  // had stood for a part of the other.
+  void DropWhatIsIdle(FittedScene* current, HeldOutErrors* errors);
   // Forgets a round, so that it can be held again from a better fit.
   void BeginAgain(std::size_t first_model, const FittedScene& better, const HeldOutErrors& errors);
   void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
@@ -114,6 +120,17 @@ class Diagnoser {
     HeldOutErrors before_errors;
   };
   std::optional<Kept> kept_;
+  // The first physics that was kept, alone so far, with the round that it was found in.
+  struct First {
+    Kept kept;
+    Ranking ranking;
+    std::vector<FittedModel> models;
+    std::vector<std::string> effects, parameters;  // that were kept before
+  };
+  // What was kept last without it, where that explains nearly as much and is proven.
+  std::optional<FittedModel> WithoutFirst(const First& first, const FittedScene& current);
+  std::optional<First> first_kept_;
+  int rounds_left_ = 0;
   std::vector<FittedModel> rivals_;  // physics that was fitted and cannot be told from the first
   double kept_score_ = 0.0;          // the highest of what was kept
   double baseline_cost_ = 0.0;
@@ -127,6 +144,8 @@ class Diagnoser {
   // What the answer explained on the mesh on which it was found, where it was refined.
   std::optional<double> explained_;
   std::optional<MissingForce> missing_;
+  std::optional<FittedScene> held_;
+  bool is_held_known_ = false;  // of the fit that is looked at now
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
 

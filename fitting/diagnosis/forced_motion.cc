@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/forced_motion.h"
 
+#include "fitting/diagnosis/rows.h"
 #include "fitting/window_simulator.h"
 
 namespace clothfit {
@@ -15,6 +16,7 @@ ForcedMotion::ForcedMotion(const Scene& scene, const FitConfig& config, const Fr
       simulation_(scene.mesh, scene.world, scene.HandlePoints(), StepOptions(config)),
       handles_(scene.handles) {
   share_ = FindParameter(simulation_.model().parameters(), "residual_force.share");
+  if (IsHeld(config)) attracting_.emplace(scene);
 }
 
 State ForcedMotion::FirstState(const Eigen::VectorXd& theta) const {
@@ -47,6 +49,7 @@ StepInputs ForcedMotion::Inputs(const Eigen::VectorXd& force, double time,
     inputs.handles.push_back({handles_[h].on_cloth, handles_[h].path.At(time)});
     held.push_back(static_cast<int>(h));
   }
+  if (attracting_) attracting_->AddTargets(time, &inputs);
   inputs.residual_force = layout_.At(force, time);
   if (!with_directions) return inputs;
   inputs.directions.setZero(inputs.num_rows(), num_directions());

@@ -6,8 +6,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "autodiff_sim/simulation.h"
+#include "fitting/attraction_targets.h"
 #include "fitting/diagnosis/force_layout.h"
 #include "fitting/free_parameters.h"
 #include "fitting/scene.h"
@@ -20,7 +22,8 @@ class ForcedMotion {
   using Observer =
       std::function<void(int frame, const State& state, const Sensitivity* sensitivity)>;
 
-  // The arguments must outlive this object.
+  // The arguments must outlive this object. What was observed pulls at the cloth where the config
+  // says so (IsHeld).
   ForcedMotion(const Scene& scene, const FitConfig& config, const FreeParameters& free,
                const ForceLayout& layout);
 
@@ -46,6 +49,7 @@ class ForcedMotion {
   int share_;  // index of residual_force.share
   Simulation simulation_;
   std::vector<SceneHandle> handles_;
+  std::optional<AttractionCourses> attracting_;
 };
 
 }  // namespace clothfit

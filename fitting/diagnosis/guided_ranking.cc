@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "fitting/diagnosis/modelling.h"
-
 namespace clothfit {
 namespace {
 
@@ -17,15 +15,11 @@ constexpr int kProbes = 24;  // linear as it is, the motion tells places well
 
 }  // namespace
 
-void RankGuided(const FittedScene& fitted, const FitConfig& told, const DiagnosisOptions& options,
-                const FitRunner& runner, Ranking* ranking) {
-  const std::optional<FittedScene> held =
-      FitGuided(FromFabricOf(told, GoOn(fitted)), kScoringDamping, runner);
-  if (!held || runner.IsStopped()) return;
+void RankGuided(const FittedScene& held, const DiagnosisOptions& options, Ranking* ranking) {
   RankingStart start;
   start.draws = kDraws;
   start.probes = kProbes;
-  const Ranking guided = RankCandidates(*held, options, start);
+  const Ranking guided = RankCandidates(held, options, start);
   if (options.log)
     options.log(fmt::format("guided: residuals of {:.3g} sigmas, mesh and step leave {:.3g}",
                             guided.residual_rms, guided.floor_rms));

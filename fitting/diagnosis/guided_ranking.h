@@ -8,16 +8,13 @@
 // has to be pulled for.
 #pragma once
 
-#include "fitting/diagnosis/fit_runner.h"
 #include "fitting/diagnosis/ranking.h"
 
 namespace clothfit {
 
-// Fits the model of `fitted` guided, from the fabric of the config that a diagnosis was told, ranks
-// around that, and adds to the ranking where the first four that stand out there would begin
-// (RankedCandidate::guided_starts) and their p-values. Does nothing where nothing can guide
-// or the guided fit fails.
-void RankGuided(const FittedScene& fitted, const FitConfig& told, const DiagnosisOptions& options,
-                const FitRunner& runner, Ranking* ranking);
+// Ranks around a fit that is held to what was seen (FitGuided with kScoringDamping), and adds to
+// the ranking of the same model where the first four that stand out there would begin
+// (RankedCandidate::guided_starts) and their p-values.
+void RankGuided(const FittedScene& held, const DiagnosisOptions& options, Ranking* ranking);
 
 }  // namespace clothfit

@@ -188,6 +188,19 @@ ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model) {
   return start;
 }
 
+ModelStart WithOnly(const FittedScene& before, const FittedScene& model,
+                    const RankedCandidate& candidate) {
+  ModelStart start = WithoutEffect(before, model);
+  std::vector<std::string> names = candidate.names;
+  for (const auto& [name, value] : candidate.probe) names.push_back(name);
+  for (const std::string& name : names) {
+    ParameterSetting& setting = start.config.parameters.at(name);
+    setting = model.config.parameters.at(name);
+    setting.value = Inside(model.values.parameters.at(name).value, setting);
+  }
+  return start;
+}
+
 ModelStart FromFabricOf(const FitConfig& told, ModelStart start) {
   for (auto& [name, setting] : start.config.parameters) {
     const ParameterSetting& own = told.parameters.at(name);

@@ -33,6 +33,11 @@ inline constexpr double kEnoughForDiagnosis = 1e-4;
 // The same scene without the model's effect, begun from what the model found for everything else.
 ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model);
 
+// The scene of a fit with one candidate of a model that has others besides, begun from what the
+// model found for that candidate and the fabric.
+ModelStart WithOnly(const FittedScene& before, const FittedScene& model,
+                    const RankedCandidate& candidate);
+
 // The same from the fabric that a config was told, where that is free.
 ModelStart FromFabricOf(const FitConfig& told, ModelStart start);
 // The same, and with a candidate's amounts where a fit of its term begins: an estimate that was

@@ -8,6 +8,7 @@
 
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/forced_motion.h"
+#include "fitting/diagnosis/modelling.h"
 
 namespace clothfit {
 namespace {
@@ -110,6 +111,11 @@ MismatchProblem MakeMismatchProblem(const MismatchProblemOptions& options) {
   problem.true_x = TrueMotion(scene, options, problem.config);
   Observe(options, scene, problem.true_x, &recording);
   problem.scene = MakeScene(recording, problem.config);
+  constexpr double kShare = 0.03;  // as strong as the last of a guided fit
+  if (options.held) {
+    problem.config = *Guided(problem.config, problem.scene, kShare, kScoringDamping);
+    problem.scene = MakeScene(recording, problem.config);  // with the tracks' rays
+  }
   problem.free =
       std::make_unique<FreeParameters>(problem.config, problem.scene, MakeParameterTable());
   problem.theta = problem.free->start();

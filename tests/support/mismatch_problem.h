@@ -26,6 +26,7 @@ struct MismatchProblemOptions {
   std::map<std::string, double> missing;  // parameters of the truth that the model has off
   PlantedForce planted;
   bool tracks_only = false;                     // of three cameras; else markers
+  bool held = false;                            // what was seen pulls at the cloth (IsHeld)
   Eigen::Vector2d shifted_camera = {0.0, 0.0};  // px, by which camera 1's tracks are off
   int particles = 7;                            // along each side of 0.4 m
   int frames = 48;                              // at 60 Hz

@@ -178,7 +178,9 @@ TEST(GuidedRanking, TellsWhereToBegin) {
   RankingStart quick;
   quick.draws = 1;
   Ranking ranking = RankCandidates(*fitted, options, quick);
-  RankGuided(*fitted, start.config, options, FitRunner(), &ranking);
+  const auto held = FitGuided(GoOn(*fitted), kScoringDamping, FitRunner());
+  ASSERT_TRUE(held && IsHeld(held->config));
+  RankGuided(*held, options, &ranking);
   const RankedCandidate* mass = nullptr;
   for (const RankedCandidate& candidate : ranking.candidates) {
     if (candidate.summary.name == "added_mass") mass = &candidate;
@@ -189,23 +191,12 @@ TEST(GuidedRanking, TellsWhereToBegin) {
   EXPECT_NEAR(mass->guided_starts.front().amounts[0], 0.26, 0.13);
 }
 
-TEST(GuidedRanking, DoesNothingWithoutPoints) {
-  ModelStart start = WithAddedMass(LivelyCloth(8));
-  const auto fitted = FitAfresh(start, Start::kPlain, 0, FitRunner());
-  ASSERT_TRUE(fitted);
-  FittedScene blind = *fitted;
-  blind.scene.recording.markers.clear();
-  Ranking ranking;
-  ranking.candidates.resize(1);
-  RankGuided(blind, start.config, {}, FitRunner(), &ranking);
-  EXPECT_TRUE(ranking.candidates.front().guided_starts.empty());
-}
-
 TEST(GuidedFit, NeedsSomethingToPullAt) {
   ModelStart start = WithAddedMass(LivelyCloth());
   start.recording.markers.clear();
   start.recording.tracks.clear();
   EXPECT_FALSE(FitAfresh(start, Start::kGuided, 1, FitRunner()));
+  EXPECT_FALSE(FitGuided(start, kScoringDamping, FitRunner()));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "fitting/diagnosis/force_equations.h"
 #include "fitting/diagnosis/mismatch_class.h"
 #include "fitting/diagnosis/mismatch_pictures.h"
+#include "fitting/diagnosis/modelling.h"
 #include "tests/support/mismatch_problem.h"
 
 #ifdef CLOTHFIT_PICTURES
@@ -102,10 +103,12 @@ TEST(Evidence, IsTheMarginalLikelihoodOfTheResiduals) {
 // Frame by frame, by three kinds of rows, with a force there: J'r is half the sum's gradient.
 TEST(ForceEquations, GradientAgreesWithDifferences) {
   int checked = 0;
-  for (const bool tracks_only : {false, true}) {
+  for (const auto& [tracks_only, held] : {std::pair{false, false}, std::pair{true, false},
+                                          std::pair{false, true}, std::pair{true, true}}) {
     MismatchProblemOptions options;
     options.frames = 20;
     options.tracks_only = tracks_only;
+    options.held = held;
     const MismatchProblem p = MakeMismatchProblem(options);
     const ForceLayout layout = MakeForceLayout(p.scene.mesh, {3, 2}, 60.0, 19, 0.08);
     const ResidualForceOptions force_options;
@@ -127,7 +130,7 @@ TEST(ForceEquations, GradientAgreesWithDifferences) {
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 10);
+  EXPECT_EQ(checked, 20);
 }
 
 struct Found {
@@ -196,9 +199,28 @@ TEST(Locate, FindsAPlantedPush) {
 }
 
 TEST(Locate, FindsNothingInACleanRecording) {
-  const Found found = Find("clean", {});
-  EXPECT_GT(found.location.mismatch.p_value, 0.1);
-  EXPECT_FALSE(found.location.mismatch.is_significant);
+  for (const bool held : {false, true}) {
+    MismatchProblemOptions options;
+    options.held = held;
+    const Found found = Find(held ? "clean held" : "clean", options);
+    EXPECT_GT(found.location.mismatch.p_value, 0.1);
+    EXPECT_FALSE(found.location.mismatch.is_significant);
+  }
+}
+
+// What was seen pulls, and what it has to pull for is the force.
+TEST(Locate, FindsAPushAlongAMotionThatIsHeld) {
+  for (const bool tracks_only : {false, true}) {
+    MismatchProblemOptions options;
+    options.held = true;
+    options.tracks_only = tracks_only;
+    options.planted = Patch();
+    const Found found = Find(tracks_only ? "held tracks" : "held", options);
+    ExpectPatch(found, options.planted);
+    const Eigen::Vector3d amplitude = found.location.patch.amplitude;
+    EXPECT_GT(amplitude[0] / amplitude.norm(), 0.9);
+    EXPECT_NEAR(amplitude[0], 0.5, 0.17);
+  }
 }
 
 TEST(Locate, FindsAPushInTracksAndBlamesNoCamera) {
