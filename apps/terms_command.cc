@@ -41,6 +41,10 @@ const char* MeaningName(Meaning meaning) {
       return "distance on the cloth";
     case Meaning::kTime:
       return "time";
+    case Meaning::kTilt:
+      return "tilt";
+    case Meaning::kAlongTilt:
+      return "place along the tilted direction";
     case Meaning::kNumber:
       break;
   }
@@ -54,7 +58,7 @@ std::vector<double> ProbeValues(const Parameter& p) {
 // What is tried while the term is off; places and times in shares of what was recorded.
 std::string ProbeText(const Parameter& p) {
   if (p.probes.count == 0) return "";
-  const bool is_share = p.meaning != Meaning::kNumber;
+  const bool is_share = p.meaning != Meaning::kNumber && p.meaning != Meaning::kTilt;
   return fmt::format(" (tried{}: {:g})", is_share ? " at shares" : "",
                      fmt::join(ProbeValues(p), ", "));
 }

@@ -26,13 +26,16 @@ enum class Meaning {
   kClothV,
   kClothDistance,  // between places on the cloth, m
   kTime,           // s, since the recording began
+  kTilt,           // of the direction up, rad, about one of two horizontal axes
+  kAlongTilt,      // of a plane, m, along the direction that the term's tilts turn up to
 };
 
 // Values to try for a parameter that has no meaning while its term is off: a term whose parameters
 // without probes are off adds nothing, whatever those with probes are. In the parameter's unit, but
 // shares of what was recorded for a place or a time: of the box that the cloth passes through
 // (kPlace), of its extent along u or v (kClothU, kClothV), of the longer one of these
-// (kClothDistance), of the recording's duration (kTime).
+// (kClothDistance), of the recording's duration (kTime), of the box along the tilted direction
+// (kAlongTilt). Of the two tilts one is tried at a time, the other at 0.
 struct Probes {
   static constexpr int kMost = 4;
   int count = 0;

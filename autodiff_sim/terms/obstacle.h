@@ -54,13 +54,13 @@ struct ObstaclePlane : TermDefaults {
       kObstacleStiffness,
       Shape({"height", "m", "of the plane above the world's origin, along its normal", 0.0, 0.0,
              -100.0, 100.0, Scale::kLinear, 0.3},
-            Meaning::kPlaceZ, 0.0, 0.25, 0.5),
+            Meaning::kAlongTilt, 0.1, 0.4),
       Shape({"angle_1", "rad", "tilt of the normal, which is up at 0, as in gravity_tilt", 0.0, 0.0,
              -3.2, 3.2, Scale::kLinear, 0.3},
-            Meaning::kNumber, 0.0),
+            Meaning::kTilt, 0.0, M_PI / 2, -M_PI / 2),
       Shape({"angle_2", "rad", "tilt of the normal, which is up at 0, as in gravity_tilt", 0.0, 0.0,
              -3.2, 3.2, Scale::kLinear, 0.3},
-            Meaning::kNumber, 0.0),
+            Meaning::kTilt, 0.0, M_PI / 2, -M_PI / 2),
   }};
 
   struct Element {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/tilted_down.h"
 
 namespace clothfit {
 namespace {
@@ -34,6 +35,7 @@ double Resolve(const Parameter& parameter, double share, const Extent& extent) {
     case Meaning::kPlaceY:
       return place(1);
     case Meaning::kPlaceZ:
+    case Meaning::kAlongTilt:  // as at no tilt; see PutAlongTilt
       return place(2);
     case Meaning::kClothU:
       return share * extent.size.x();
@@ -66,6 +68,50 @@ std::vector<const NamedParameter*> Shapes(const std::vector<NamedParameter>& tab
   return shapes;
 }
 
+// The direction that a probe's tilts turn up to.
+Eigen::Vector3d TiltedUp(const std::vector<const NamedParameter*>& shapes, const Probe& probe,
+                         const Extent& extent) {
+  std::array<double, 2> tilts = {0.0, 0.0};
+  std::size_t k = 0;
+  for (const NamedParameter* shape : shapes) {
+    if (shape->parameter.meaning == Meaning::kTilt && k < tilts.size())
+      tilts[k++] = probe.at(shape->name);
+  }
+  return -TiltedDown<double>(MakeDownFrame(extent.gravity), tilts[0], tilts[1]);
+}
+
+int NumTilts(const std::vector<const NamedParameter*>& shapes, const Probe& probe) {
+  return static_cast<int>(
+      std::count_if(shapes.begin(), shapes.end(), [&](const NamedParameter* shape) {
+        return shape->parameter.meaning == Meaning::kTilt && probe.at(shape->name) != 0.0;
+      }));
+}
+
+// The place that a plane has along the vertical, as far through the box along its own direction.
+void PutAlongTilt(const std::vector<const NamedParameter*>& shapes, const Extent& extent,
+                  Probe* probe) {
+  for (const NamedParameter* shape : shapes) {
+    const Parameter& p = shape->parameter;
+    if (p.meaning != Meaning::kAlongTilt) continue;
+    double& place = probe->at(shape->name);
+    const double share =
+        (place - extent.low.z()) / std::max(1e-9, extent.high.z() - extent.low.z());
+    const Eigen::Vector3d up = TiltedUp(shapes, *probe, extent);
+    const double middle = 0.5 * up.dot(extent.low + extent.high);
+    const double reach = 0.5 * up.cwiseAbs().dot(extent.high - extent.low);
+    place = std::clamp(middle + (2.0 * share - 1.0) * reach, p.lower, p.upper);
+  }
+}
+
+// One of all combinations of the shapes' values.
+Probe Combination(const std::vector<const NamedParameter*>& shapes,
+                  const std::vector<std::vector<double>>& values, std::size_t index) {
+  Probe probe;
+  for (std::size_t s = 0; s < shapes.size(); index /= values[s++].size())
+    probe[shapes[s]->name] = values[s][index % values[s].size()];
+  return probe;
+}
+
 // All combinations of the shapes' values, or `most` of them at chance but always the same.
 std::vector<Probe> Combinations(const std::vector<const NamedParameter*>& shapes,
                                 const Extent& extent, int most) {
@@ -75,21 +121,21 @@ std::vector<Probe> Combinations(const std::vector<const NamedParameter*>& shapes
     values.push_back(ProbeValues(shape->parameter, extent));
     total *= values.back().size();
   }
-  std::vector<std::size_t> chosen(total);
-  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
-  if (total > static_cast<std::size_t>(most)) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < total; ++i) {
+    if (NumTilts(shapes, Combination(shapes, values, i)) < 2) chosen.push_back(i);
+  }
+  if (chosen.size() > static_cast<std::size_t>(most)) {
     std::mt19937_64 random(total);
-    for (std::size_t i = total - 1; i > 0; --i) std::swap(chosen[i], chosen[random() % (i + 1)]);
+    for (std::size_t i = chosen.size() - 1; i > 0; --i)
+      std::swap(chosen[i], chosen[random() % (i + 1)]);
     chosen.resize(static_cast<std::size_t>(most));
     std::sort(chosen.begin(), chosen.end());
   }
   std::vector<Probe> probes;
-  for (std::size_t index : chosen) {
-    Probe probe;
-    for (std::size_t s = 0; s < shapes.size(); ++s) {
-      probe[shapes[s]->name] = values[s][index % values[s].size()];
-      index /= values[s].size();
-    }
+  for (const std::size_t index : chosen) {
+    Probe probe = Combination(shapes, values, index);
+    PutAlongTilt(shapes, extent, &probe);
     probes.push_back(std::move(probe));
   }
   return probes;
@@ -167,7 +213,8 @@ std::vector<Probe> ProbesNear(const CandidateTerm& candidate, const Probe& probe
                               const Extent& extent, double step) {
   std::vector<Probe> near;
   const std::vector<NamedParameter> table = MakeParameterTable();
-  for (const NamedParameter* shape : Shapes(table, candidate.term)) {
+  const std::vector<const NamedParameter*> shapes = Shapes(table, candidate.term);
+  for (const NamedParameter* shape : shapes) {
     const auto at = probe.find(shape->name);
     if (at == probe.end()) continue;
     const std::vector<double> values = ProbeValues(shape->parameter, extent);
@@ -183,6 +230,14 @@ std::vector<Probe> ProbesNear(const CandidateTerm& candidate, const Probe& probe
       const double value = is_log ? at->second * std::exp(sign * step * spacing)
                                   : at->second + sign * step * spacing;
       moved[shape->name] = std::clamp(value, shape->parameter.lower, shape->parameter.upper);
+      if (shape->parameter.meaning == Meaning::kTilt) {  // about the middle of what was recorded
+        const Eigen::Vector3d turned =
+            TiltedUp(shapes, moved, extent) - TiltedUp(shapes, probe, extent);
+        for (const NamedParameter* other : shapes) {
+          if (other->parameter.meaning == Meaning::kAlongTilt)
+            moved[other->name] += turned.dot(0.5 * (extent.low + extent.high));
+        }
+      }
       near.push_back(std::move(moved));
     }
   }

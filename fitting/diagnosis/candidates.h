@@ -27,9 +27,10 @@ struct CandidateTerm {
 
 // What a recording's cloth passes through, for probes that are shares of it.
 struct Extent {
-  Eigen::Vector3d low, high;  // m, world
-  Eigen::Vector2d size;       // m, of the cloth
-  double duration = 0.0;      // s
+  Eigen::Vector3d low, high;                    // m, world
+  Eigen::Vector2d size;                         // m, of the cloth
+  double duration = 0.0;                        // s
+  Eigen::Vector3d gravity = {0.0, 0.0, -9.81};  // m/s^2, world
 };
 
 // Whether a term is physics that a model may lack. Others help a fit or an estimate, keep apart

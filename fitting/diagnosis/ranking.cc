@@ -89,6 +89,7 @@ class Ranker {
 void Ranker::RunBaseline() {
   extent_.low.setConstant(1e9);
   extent_.high.setConstant(-1e9);
+  extent_.gravity = fitted_.scene.world.gravity;
   extent_.size = fitted_.scene.recording.cloth.size;
   extent_.duration = fitted_.scene.FrameTime(fitted_.scene.last_fitted_frame);
   baseline_ =

@@ -64,8 +64,9 @@ double FirstStep(const TermScene& scene, const Eigen::VectorXd& numbers, int col
   using Layout = TermLayout<Term>;
   if (column < Layout::kV) return 1e-5;
   if (column < Layout::kParameter) return 1e-2 * scene.speed;
+  const auto is_number = [](Meaning m) { return m == Meaning::kNumber || m == Meaning::kTilt; };
   if (column < Layout::kDensity &&
-      Term::kParameters[column - Layout::kParameter].meaning != Meaning::kNumber)
+      !is_number(Term::kParameters[column - Layout::kParameter].meaning))
     return 1e-4;  // m, m/s or s: small beside the cloth's edges
   if (column < Layout::kDensity && numbers[column] == 0.0)
     return 1e-2 * Term::kParameters[column - Layout::kParameter].prior_factor;

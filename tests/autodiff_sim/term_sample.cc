@@ -202,6 +202,7 @@ double RandomParameter(const Parameter& parameter, const TermScene& scene, std::
       return near_the_cloth(0);
     case Meaning::kPlaceY:
       return near_the_cloth(1);
+    case Meaning::kAlongTilt:
     case Meaning::kPlaceZ:
       return scene.x[2] + between(-2.0 * kEdge, 2.0 * kEdge);
     case Meaning::kClothU:

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/tilted_down.h"
 #include "fitting/diagnosis/candidates.h"
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/diagnosis_words.h"
@@ -154,6 +155,44 @@ TEST(Candidates, AreWhatIsOffAndCouldAct) {
   EXPECT_THAT(names, Not(Contains("adhesion")));  // no ground
   EXPECT_THAT(names, Not(Contains("gravity")));   // on
   EXPECT_THAT(names, Not(Contains("attraction_point")));
+}
+
+// A plane may be a table or a wall on any side; each that is tried cuts what the cloth passes
+// through.
+TEST(Candidates, PlanesAreTriedFromAllSides) {
+  const Recording recording = MakeSyntheticRecording(Small()).recording;
+  const FitConfig config = DefaultConfig(recording);
+  const Scene scene = MakeScene(recording, config);
+  const Extent extent{{2.0, -0.3, 0.5}, {2.5, 0.1, 1.0}, {0.4, 0.4}, 1.5};
+  const DownFrame frame = MakeDownFrame(extent.gravity);
+  const auto check = [&](const Probe& probe) {
+    const Eigen::Vector3d up = -TiltedDown<double>(frame, probe.at("obstacle_plane.angle_1"),
+                                                   probe.at("obstacle_plane.angle_2"));
+    const double height = probe.at("obstacle_plane.height");
+    const double middle = 0.5 * up.dot(extent.low + extent.high);
+    const double reach = 0.5 * up.cwiseAbs().dot(extent.high - extent.low);
+    EXPECT_GT(height, middle - reach - 0.1) << up.transpose();
+    EXPECT_LT(height, middle + reach) << up.transpose();
+    return up;
+  };
+  Eigen::Matrix<double, 3, 2> sides = Eigen::Matrix<double, 3, 2>::Zero();
+  int count = 0;
+  for (const CandidateTerm& c : ListCandidates(config, scene, extent, {}, 8)) {
+    if (c.name != "obstacle_plane") continue;
+    for (const Probe& probe : c.probes) {
+      const Eigen::Vector3d up = check(probe);
+      sides.col(0) = sides.col(0).cwiseMax(up);
+      sides.col(1) = sides.col(1).cwiseMin(up);
+      for (const Probe& near : ProbesNear(c, probe, extent, 0.25)) check(near);
+      ++count;
+    }
+  }
+  EXPECT_EQ(count, 8);
+  EXPECT_NEAR(sides(0, 0), 1.0, 1e-12);
+  EXPECT_NEAR(sides(1, 0), 1.0, 1e-12);
+  EXPECT_NEAR(sides(2, 0), 1.0, 1e-12);
+  EXPECT_NEAR(sides(0, 1), -1.0, 1e-12);
+  EXPECT_NEAR(sides(1, 1), -1.0, 1e-12);
 }
 
 }  // namespace

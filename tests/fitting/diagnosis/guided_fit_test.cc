@@ -144,6 +144,37 @@ TEST(AtBestShare, BeginsWhereTheRecordingIsNearest) {
   }
 }
 
+TEST(WithOnly, KeepsOneOfTwoEffects) {
+  const Recording recording = LivelyCloth(8);
+  const ModelStart plain{recording, DefaultConfig(recording)};
+  const auto before = FitAfresh(plain, Start::kPlain, 0, FitRunner());
+  ASSERT_TRUE(before);
+  RankedCandidate crease, mass;
+  crease.summary.name = crease.term.term = "crease";
+  crease.names = {"crease.curvature"};
+  crease.amounts = Eigen::VectorXd::Constant(1, 2.0);
+  crease.probe = {{"crease.angle", 0.5}};
+  mass.summary.name = mass.term.term = "added_mass";
+  mass.names = {"added_mass.normal"};
+  mass.amounts = Eigen::VectorXd::Constant(1, 0.1);
+  const auto first = FitModel(*before, SwitchOn(*before, crease, {}), 0, FitRunner());
+  ASSERT_TRUE(first);
+  ModelStart both = SwitchOn(*first, mass, {});
+  both.config.parameters.at("bending.stiffness").value *= 1.5;
+  const auto model = FitModel(*first, both, 0, FitRunner());
+  ASSERT_TRUE(model);
+  const ModelStart one = WithOnly(*before, *model, mass);
+  EXPECT_EQ(one.config.parameters.at("crease.curvature").value, 0.0);
+  EXPECT_FALSE(one.config.parameters.at("crease.curvature").free);
+  EXPECT_FALSE(one.config.parameters.at("crease.angle").free);
+  EXPECT_NEAR(one.config.parameters.at("added_mass.normal").value, 0.1, 1e-12);
+  EXPECT_TRUE(one.config.parameters.at("added_mass.normal").free);
+  EXPECT_EQ(one.config.parameters.at("bending.stiffness").value,
+            model->values.parameters.at("bending.stiffness").value);
+  EXPECT_NE(one.config.parameters.at("bending.stiffness").value,
+            before->values.parameters.at("bending.stiffness").value);
+}
+
 TEST(FittedScene, KeepsValuesAtTheirBoundsInside) {
   const Recording recording = LivelyCloth();
   FitConfig config = DefaultConfig(recording);
