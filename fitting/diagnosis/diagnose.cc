@@ -51,6 +51,13 @@ bool IsWorthGuiding(const FittedScene& fitted, const Ranking& ranking) {
          IsOff(fitted.scene, fitted.config, fitted.fit);
 }
 
+// Does a force lead the simulation to the recording, and is it known which way it points?
+bool Tells(const Localised& found) {
+  constexpr double kFollows = 0.5;  // share of the sum of squares
+  const Mismatch& m = found.location.mismatch;
+  return found.missing.explained >= kFollows && (!m.is_significant || m.peak > m.peak_sigma);
+}
+
 // Do mesh and step make much of what is left?
 bool MeshMatters(const Ranking& ranking) {
   const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
@@ -277,13 +284,14 @@ const FittedScene* Diagnoser::Held(const FittedScene& fitted, const Ranking& ran
 void Diagnoser::LocateMismatch(const FittedScene& fitted, const Ranking& ranking) {
   if (Stopped()) return;
   Say("locating what is missing", 0.4);
-  constexpr double kFollows = 0.5;  // share of the sum of squares that the force explains
   std::optional<Localised> found = Localise(fitted, options_, ranking.errors.get());
   Spend("locating");
-  if (!found || found->missing.explained < kFollows) {
+  if (!found || !Tells(*found)) {
     if (const FittedScene* const held = Held(fitted, ranking)) {
-      Log(fmt::format("a force explains {:.0f} % of this: located along a guided motion",
-                      found ? 100.0 * found->missing.explained : 0.0));
+      Log(fmt::format(
+          "a force of {:.2g} N/m^2 explains {:.0f} % of this: located along a guided motion",
+          found ? found->location.mismatch.peak : 0.0,
+          found ? 100.0 * found->missing.explained : 0.0));
       std::optional<Localised> guided = Localise(*held, options_);
       if (guided) found = std::move(guided);
       Spend("locating");
