@@ -78,7 +78,7 @@ void Merge(std::vector<FittedModel> more, std::vector<FittedModel>* models) {
 
 }  // namespace
 
-void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before,
+void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before, double by_mesh,
                             std::vector<FittedModel>* models) {
   if (models->empty()) return;
   const double best = models->front().scene.fit.cost_after;
@@ -100,10 +100,13 @@ void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before,
   });
   // A gust that lasted from before the first frame until after the last predicted better than the
   // wind that it was, and explained less.
-  const auto simpler = std::find_if(models->begin(), last, [&](const FittedModel& model) {
-    return NumUnknowns(model) < NumUnknowns(models->front()) && IsCheaper(model, models->front()) &&
-           model.errors.Rms() <= least + kClearly * improved;
-  });
+  const double clearly = std::max(least + kClearly * improved, std::hypot(least, by_mesh));
+  auto simpler = last;
+  for (auto model = models->begin(); model != last; ++model) {
+    const bool is_simpler = NumUnknowns(*model) < NumUnknowns(models->front()) &&
+                            IsCheaper(*model, models->front()) && model->errors.Rms() <= clearly;
+    if (is_simpler && (simpler == last || IsCheaper(*model, *simpler))) simpler = model;
+  }
   if (simpler != last) std::rotate(models->begin(), simpler, simpler + 1);
 }
 
@@ -259,7 +262,8 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const HeldOu
     Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
                     current.fit.cost_after, model.scene.fit.cost_after));
   }
-  PutBestPredictionFirst(current.fit.cost_after, errors, &models);
+  const double by_mesh = ranking.errors ? ranking.errors->held_out_rms : 0.0;
+  PutBestPredictionFirst(current.fit.cost_after, errors, by_mesh, &models);
   if (!models.empty()) TakeOutIdleParts(current, ranking, &models.front());
   return models;
 }

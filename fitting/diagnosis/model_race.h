@@ -30,9 +30,10 @@ struct FittedModel {
 // Of models in the order of their costs, those that explain nearly all that the first does come in
 // the order of their predictions: what stands for another effect follows the frames that it was
 // fitted to more easily than it foresees the others. Of those that predict about as well the one
-// with the fewest unknowns is the first; what explains more with fewer unknowns has to be predicted
-// clearly better to come before that. `before`: of the fit without any of them.
-void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before,
+// with the fewest unknowns is the first. What explains more with fewer unknowns comes before that
+// unless it predicts clearly worse, by more than mesh and step do to a prediction (`by_mesh`, root
+// mean square); the cheapest of several. `before`: of the fit without any of them.
+void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before, double by_mesh,
                             std::vector<FittedModel>* models);
 
 class ModelRace {

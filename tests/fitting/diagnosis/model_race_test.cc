@@ -186,7 +186,7 @@ HeldOutErrors Errors(double error) { return {{error * error, error * error}, tru
 class Finish : public Race {
  protected:
   // The first of them, of a fit without at cost 1000 and 50 mm.
-  static std::string First(const std::vector<Finisher>& finishers) {
+  static std::string First(const std::vector<Finisher>& finishers, double by_mesh = 0.0) {
     std::vector<FittedModel> models;
     for (const Finisher& finisher : finishers) {
       RankedCandidate candidate;
@@ -195,7 +195,7 @@ class Finish : public Race {
       models.push_back({candidate, *current_, Errors(finisher.error)});
       models.back().scene.fit.cost_after = finisher.cost;
     }
-    PutBestPredictionFirst(1000.0, Errors(0.05), &models);
+    PutBestPredictionFirst(1000.0, Errors(0.05), by_mesh, &models);
     return models.front().candidate.summary.name;
   }
 };
@@ -217,6 +217,12 @@ TEST_F(Finish, WhatNeedsMoreUnknownsToExplainLessHasToPredictClearlyBetter) {
   EXPECT_EQ(First({{"wind", 3, 100.0, 0.016}, {"gust", 8, 110.0, 0.012}}), "wind");
   EXPECT_EQ(First({{"wind", 3, 100.0, 0.022}, {"gust", 8, 110.0, 0.012}}), "gust");
   EXPECT_EQ(First({{"wind", 3, 110.0, 0.016}, {"gust", 8, 100.0, 0.012}}), "gust");
+  // By more than mesh and step do to a prediction; the cheapest of those that need fewer.
+  EXPECT_EQ(First({{"wind", 3, 100.0, 0.022}, {"gust", 8, 110.0, 0.012}}, 0.02), "wind");
+  EXPECT_EQ(First({{"wind", 3, 100.0, 0.024}, {"gust", 8, 110.0, 0.012}}, 0.02), "gust");
+  EXPECT_EQ(First({{"wind", 3, 100.0, 0.022}, {"tilt", 2, 105.0, 0.018}, {"gust", 8, 110.0, 0.012}},
+                  0.02),
+            "wind");
 }
 
 }  // namespace
