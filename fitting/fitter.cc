@@ -103,7 +103,7 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
                             RowMajorMatrix* jacobian) {
     const Outcome outcome = EvaluateWindow(simulator, observations_, start, at, first, last,
-                                           Rows::kCompressed, residuals, jacobian);
+                                           WindowRows::kCompressed, residuals, jacobian);
     if (outcome == Outcome::kComplete && jacobian != nullptr && is_whole)
       newest_ = {at, *residuals, *jacobian, simulator->last_report()};
     return outcome == Outcome::kComplete;
@@ -198,7 +198,7 @@ bool Fitter::RunWindow(int window, WindowStart* start) {
   RowMajorMatrix jacobian;
   WindowStart end;
   if (EvaluateWindow(&attracting_, observations_, *start, progress_.theta, first, last,
-                     Rows::kCompressed, &residuals, &jacobian, &end) != Outcome::kComplete) {
+                     WindowRows::kCompressed, &residuals, &jacobian, &end) != Outcome::kComplete) {
     Log(stage_ + ": the simulation does not reach the end of the window; the windows end here");
     return false;
   }
@@ -305,7 +305,7 @@ void Fitter::RunWindows() {
     WindowStart end;
     const int frame = std::min(progress_.next_window * window_frames_, scene_.last_fitted_frame);
     if (EvaluateWindow(&attracting_, observations_, start, progress_.mean, 0, frame,
-                       Rows::kCompressed, &residuals, nullptr, &end) != Outcome::kComplete) {
+                       WindowRows::kCompressed, &residuals, nullptr, &end) != Outcome::kComplete) {
       return;
     }
     start = std::move(end);
@@ -322,7 +322,7 @@ double Fitter::Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) co
   Eigen::VectorXd residuals;
   const WindowStart start = simulator->FirstStart(theta);
   if (EvaluateWindow(simulator, observations_, start, theta, 0, scene_.last_fitted_frame,
-                     Rows::kCompressed, &residuals, nullptr) != Outcome::kComplete) {
+                     WindowRows::kCompressed, &residuals, nullptr) != Outcome::kComplete) {
     return std::numeric_limits<double>::infinity();
   }
   return 0.5 * (residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());

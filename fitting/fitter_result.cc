@@ -46,9 +46,10 @@ void Fitter::Finish(FitResult* result) {
   if (!is_complete) {
     const WindowStart start = simulator.FirstStart(result->theta);
     at_best_ = {};
-    is_complete = EvaluateWindow(&simulator, observations_, start, result->theta, 0,
-                                 scene_.last_fitted_frame, Rows::kCompressed, &at_best_.residuals,
-                                 &at_best_.jacobian) == WindowSimulator::Outcome::kComplete;
+    is_complete =
+        EvaluateWindow(&simulator, observations_, start, result->theta, 0, scene_.last_fitted_frame,
+                       WindowRows::kCompressed, &at_best_.residuals,
+                       &at_best_.jacobian) == WindowSimulator::Outcome::kComplete;
     if (is_complete) at_best_.theta = result->theta;
     at_best_.steps = simulator.last_report();
   }

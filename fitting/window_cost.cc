@@ -58,9 +58,10 @@ class RowCompressor {
 WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
                                         const ObservationResiduals& observations,
                                         const WindowStart& start, const Eigen::VectorXd& theta,
-                                        int first, int last, Rows rows, Eigen::VectorXd* residuals,
-                                        RowMajorMatrix* jacobian, WindowStart* end) {
-  const bool all = rows == Rows::kAll;
+                                        int first, int last, WindowRows rows,
+                                        Eigen::VectorXd* residuals, RowMajorMatrix* jacobian,
+                                        WindowStart* end) {
+  const bool all = rows == WindowRows::kAll;
   const int count = all ? observations.Count(first, last) : 0;
   residuals->resize(count);
   if (jacobian != nullptr) jacobian->resize(count, theta.size());
@@ -113,8 +114,8 @@ bool EvaluateResiduals(const Scene& scene, const FitConfig& config, const FreePa
   const Eigen::VectorXd prior = free.PriorResiduals(theta);
   Eigen::VectorXd observed;
   RowMajorMatrix observed_jacobian;
-  if (EvaluateWindow(&simulator, observations, start, theta, 0, last_frame, Rows::kAll, &observed,
-                     jacobian != nullptr ? &observed_jacobian : nullptr) !=
+  if (EvaluateWindow(&simulator, observations, start, theta, 0, last_frame, WindowRows::kAll,
+                     &observed, jacobian != nullptr ? &observed_jacobian : nullptr) !=
       WindowSimulator::Outcome::kComplete) {
     return false;
   }

@@ -12,7 +12,7 @@
 namespace clothfit {
 
 // How the residuals of a window are given.
-enum class Rows {
+enum class WindowRows {
   kAll,
   // As many as there are free entries and one more, whatever the number of observations: with the
   // same sum of squares, and with a Jacobian J for which J'J and J'r are the same. Without
@@ -25,8 +25,9 @@ enum class Rows {
 WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
                                         const ObservationResiduals& observations,
                                         const WindowStart& start, const Eigen::VectorXd& theta,
-                                        int first, int last, Rows rows, Eigen::VectorXd* residuals,
-                                        RowMajorMatrix* jacobian, WindowStart* end = nullptr);
+                                        int first, int last, WindowRows rows,
+                                        Eigen::VectorXd* residuals, RowMajorMatrix* jacobian,
+                                        WindowStart* end = nullptr);
 
 // information * (theta - mean): what earlier windows, or the prior, know.
 class LinearCost : public ceres::CostFunction {

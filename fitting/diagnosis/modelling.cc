@@ -12,6 +12,7 @@
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/named_parameter.h"
 #include "fitting/diagnosis/rows.h"
+#include "fitting/window_cost.h"
 
 namespace clothfit {
 namespace {
@@ -271,21 +272,40 @@ std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<F
   return is_second ? std::move(b) : std::move(a);
 }
 
+namespace {
+
+// Of a start as FitModel begins it, without derivatives; infinite where the simulation fails.
+double CostOf(const FittedScene& fitted, const ModelStart& start) {
+  const FitConfig config = QuickConfig(start.config, 0);
+  const Scene scene = MakeScene(start.recording, config, &fitted.scene);
+  const FreeParameters free(config, scene, MakeParameterTable());
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::VectorXd& theta : {ThetaOfPass(free, fitted.unknown), free.start()}) {
+    Eigen::VectorXd residuals;
+    if (EvaluateResiduals(scene, config, free, theta, scene.last_fitted_frame, &residuals, nullptr))
+      least = std::min(least, 0.5 * residuals.squaredNorm());
+  }
+  return least;
+}
+
+}  // namespace
+
 ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,
                        const RankedCandidate& candidate, const FitRunner& runner) {
   if (candidate.summary.kind == CandidateKind::kObservation) return start;
   ModelStart best = start;
   double least = std::numeric_limits<double>::infinity();
   for (const double share : kSharesOfEstimate) {
+    if (runner.IsStopped()) break;
     RankedCandidate smaller = candidate;
     smaller.amounts *= share;
     ModelStart tried = start;
     const FitConfig scaled = SwitchOn(fitted, smaller, {}).config;
     for (const std::string& name : candidate.names)
       tried.config.parameters.at(name).value = scaled.parameters.at(name).value;
-    const std::optional<FittedScene> there = FitModel(fitted, tried, 0, runner);
-    if (!there || there->fit.cost_after >= least) continue;
-    least = there->fit.cost_after;
+    const double cost = CostOf(fitted, tried);
+    if (cost >= least) continue;
+    least = cost;
     best = std::move(tried);
   }
   return best;

@@ -20,9 +20,10 @@ void ExpectTheSameSums(const Scene& scene, const FitConfig& config, int last) {
   const WindowStart start = simulator.FirstStart(theta);
   Eigen::VectorXd all, compressed, value;
   RowMajorMatrix jacobian, compressed_jacobian;
-  EvaluateWindow(&simulator, observations, start, theta, 0, last, Rows::kAll, &all, &jacobian);
-  EvaluateWindow(&simulator, observations, start, theta, 0, last, Rows::kCompressed, &compressed,
-                 &compressed_jacobian);
+  EvaluateWindow(&simulator, observations, start, theta, 0, last, WindowRows::kAll, &all,
+                 &jacobian);
+  EvaluateWindow(&simulator, observations, start, theta, 0, last, WindowRows::kCompressed,
+                 &compressed, &compressed_jacobian);
   ASSERT_EQ(all.size(), observations.Count(0, last));
   ASSERT_EQ(compressed.size(), free.size() + 1);
   ASSERT_GT(all.squaredNorm(), 0.0);
@@ -34,8 +35,8 @@ void ExpectTheSameSums(const Scene& scene, const FitConfig& config, int last) {
   EXPECT_LT((compressed_jacobian.transpose() * compressed_jacobian - information).norm(),
             1e-9 * information.norm());
   // Without derivatives, which leave the simulation's last digits otherwise.
-  EvaluateWindow(&simulator, observations, start, theta, 0, last, Rows::kAll, &all, nullptr);
-  EvaluateWindow(&simulator, observations, start, theta, 0, last, Rows::kCompressed, &value,
+  EvaluateWindow(&simulator, observations, start, theta, 0, last, WindowRows::kAll, &all, nullptr);
+  EvaluateWindow(&simulator, observations, start, theta, 0, last, WindowRows::kCompressed, &value,
                  nullptr);
   EXPECT_EQ(value.size(), compressed.size());
   EXPECT_NEAR(value.squaredNorm(), all.squaredNorm(), 1e-10 * all.squaredNorm());
