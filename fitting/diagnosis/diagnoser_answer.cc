@@ -18,8 +18,6 @@
 namespace clothfit {
 
 void Diagnoser::LearnInstead(FittedScene* current) {
-  // Share of the excess that a law has to explain more: this, or half of what is left.
-  constexpr double kBetter = 0.1;
   if (!first_ranking_ || Stopped()) return;
   const bool stands_out = first_ranking_->gate_p_value < kGate && is_above_floor_;
   // Physics that is proven is there, whatever mesh and step may leave.
@@ -46,7 +44,11 @@ void Diagnoser::LearnInstead(FittedScene* current) {
   const double by_names = baseline_cost_ - current->fit.cost_after;
   const double by_law = explained > 0.0 ? explained * (baseline_cost_ - law.model.cost) / by_names
                                         : law.model.explained;
-  if (!law.model.is_kept || by_law < explained + std::min(kBetter, 0.5 * (1.0 - explained))) return;
+  const HeldOutProof* const of_names = diagnosis_.answer ? &diagnosis_.answer->proof : nullptr;
+  if (!law.model.is_kept || !TakesPlace(law.model.proof, by_law, of_names, explained)) {
+    diagnosis_.models.back().is_kept = false;
+    return;
+  }
   diagnosis_.answer = law.model;
   diagnosis_.effects.clear();
   diagnosis_.ambiguity.clear();

@@ -45,6 +45,17 @@ double MostOfIt(const Diagnosis& diagnosis) {
   return left > kHopeless ? kMostFromAfar : kMostOfIt;
 }
 
+bool TakesPlace(const HeldOutProof& law, double explained_by_law, const HeldOutProof* names,
+                double explained_by_names) {
+  constexpr double kBetter = 0.1, kOfError = 0.8;
+  if (explained_by_law >= explained_by_names + std::min(kBetter, 0.5 * (1.0 - explained_by_names)))
+    return true;
+  if (names == nullptr || explained_by_law < explained_by_names - kBetter) return false;
+  const bool are_comparable = law.is_in_pixels == names->is_in_pixels &&
+                              !names->is_against_others && !law.earlier && !names->earlier;
+  return are_comparable && law.after <= kOfError * names->after;
+}
+
 bool StandsOnFinerMesh(double gain, double gain_on_finer) {
   constexpr double kStands = 0.3;
   return gain_on_finer >= kStands * gain;

@@ -133,6 +133,21 @@ TEST(ChooseModel, LooksAtTheBestValleyWhereNothingIsProven) {
   EXPECT_FALSE(ChooseModel(models, 2, {100.0, 0.1, true}));  // no models in this round
 }
 
+TEST(Law, TakesThePlaceOfNamesThatExplainLessOrPredictWorse) {
+  HeldOutProof law, names;
+  law.after = 4.7;
+  names.after = 14.3;
+  EXPECT_TRUE(TakesPlace(law, 0.74, &names, 0.77));
+  EXPECT_FALSE(TakesPlace(law, 0.60, &names, 0.77));
+  EXPECT_TRUE(TakesPlace(names, 0.88, &law, 0.77));
+  EXPECT_FALSE(TakesPlace(names, 0.80, &law, 0.77));
+  EXPECT_TRUE(TakesPlace(law, 0.96, &law, 0.92));  // half of what is left
+  EXPECT_FALSE(TakesPlace(law, 0.74, nullptr, 0.77));
+  EXPECT_TRUE(TakesPlace(law, 0.2, nullptr, 0.0));
+  names.is_against_others = true;  // of something else
+  EXPECT_FALSE(TakesPlace(law, 0.74, &names, 0.77));
+}
+
 TEST(Verdict, OfALawIsNoneOfTheAbove) {
   Diagnosis diagnosis = Unexplained();
   diagnosis.effects = {"wind"};
