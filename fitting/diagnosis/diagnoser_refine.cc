@@ -127,6 +127,7 @@ void Diagnoser::ChooseAgain(std::vector<FittedModel> rivals, FittedScene* curren
   });
   const double by_mesh = last_ranking_.errors ? last_ranking_.errors->held_out_rms : 0.0;
   PutBestPredictionFirst(kept_->before.fit.cost_after, kept_->before_errors, by_mesh, &rivals);
+  PutSimplerTwinFirst(last_ranking_.extent, &rivals);
   FittedModel& best = rivals.front();
   const std::string& better = best.candidate.summary.name;
   for (const FittedModel& rival : rivals)

@@ -110,6 +110,32 @@ void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before, dou
   if (simpler != last) std::rotate(models->begin(), simpler, simpler + 1);
 }
 
+void PutSimplerTwinFirst(const Extent& extent, std::vector<FittedModel>* models) {
+  constexpr double kAllOfIt = 0.95;
+  if (models->empty() || !models->front().candidate.faults.empty()) return;
+  const FittedModel& first = models->front();
+  std::vector<CandidateTerm> terms;
+  std::vector<std::size_t> simpler;
+  for (std::size_t i = 1; i < models->size(); ++i) {
+    const FittedModel& model = (*models)[i];
+    const bool is_term = model.candidate.parts.empty() && !model.candidate.term.switches.empty();
+    if (!is_term || NumUnknowns(model) >= NumUnknowns(first) || !IsCheaper(model, first)) continue;
+    terms.push_back(model.candidate.term);
+    simpler.push_back(i);
+  }
+  if (terms.empty()) return;
+  const std::vector<Imitation> imitations =
+      Imitate(first.scene, first.candidate.Effects(), terms, extent);
+  std::optional<std::size_t> twin;
+  for (std::size_t k = 0; k < imitations.size(); ++k) {
+    const bool is_twin = imitations[k].share >= kAllOfIt;
+    if (is_twin && (!twin || IsCheaper((*models)[simpler[k]], (*models)[*twin]))) twin = simpler[k];
+  }
+  if (!twin) return;
+  const auto found = models->begin() + static_cast<std::ptrdiff_t>(*twin);
+  std::rotate(models->begin(), found, found + 1);
+}
+
 ModelStart StartAt(const FittedScene& current, RankedCandidate candidate,
                    const RankedCandidate::Start& start, const Ranking& ranking) {
   candidate.probe = start.probe;
@@ -264,6 +290,7 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const HeldOu
   }
   const double by_mesh = ranking.errors ? ranking.errors->held_out_rms : 0.0;
   PutBestPredictionFirst(current.fit.cost_after, errors, by_mesh, &models);
+  PutSimplerTwinFirst(ranking.extent, &models);
   if (!models.empty()) TakeOutIdleParts(current, ranking, &models.front());
   return models;
 }

@@ -36,6 +36,12 @@ struct FittedModel {
 void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before, double by_mesh,
                             std::vector<FittedModel>* models);
 
+// Of models whose first is physics: what explains more with fewer unknowns and could make nearly
+// all of the first one's force, along its own motion, is the same told more simply, and comes
+// before it. A gust that lasts from long before the recording until long after it, everywhere, is a
+// wind.
+void PutSimplerTwinFirst(const Extent& extent, std::vector<FittedModel>* models);
+
 class ModelRace {
  public:
   // `baseline`: the config that a diagnosis was given, whose fabric models begin from where the
