@@ -125,8 +125,8 @@ void Diagnoser::ChooseAgain(std::vector<FittedModel> rivals, FittedScene* curren
   std::stable_sort(rivals.begin(), rivals.end(), [](const FittedModel& a, const FittedModel& b) {
     return a.scene.fit.cost_after < b.scene.fit.cost_after;
   });
-  const double by_mesh = last_ranking_.errors ? last_ranking_.errors->held_out_rms : 0.0;
-  PutBestPredictionFirst(kept_->before.fit.cost_after, kept_->before_errors, by_mesh, &rivals);
+  PutBestPredictionFirst(kept_->before.fit.cost_after, kept_->before_errors,
+                         last_ranking_.PredictionError(), &rivals);
   PutSimplerTwinFirst(last_ranking_.extent, &rivals);
   FittedModel& best = rivals.front();
   const std::string& better = best.candidate.summary.name;

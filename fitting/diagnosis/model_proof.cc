@@ -65,8 +65,7 @@ std::optional<HeldOutProof> ProveAgainstOthers(int source, const FittedModel& mo
 // What mesh and step do to a prediction is held against physics, not against a camera.
 HeldOutFloor FloorOf(const FittedModel& model, bool is_in_pixels, const ProofStart& start) {
   const bool is_physics = model.candidate.faults.empty();
-  const double numerical =
-      is_physics && start.ranking.errors ? start.ranking.errors->held_out_rms : 0.0;
+  const double numerical = is_physics ? start.ranking.PredictionError() : 0.0;
   return {NoiseOf(start.before.scene, is_in_pixels), numerical};
 }
 

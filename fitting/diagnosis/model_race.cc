@@ -288,8 +288,7 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const HeldOu
     Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
                     current.fit.cost_after, model.scene.fit.cost_after));
   }
-  const double by_mesh = ranking.errors ? ranking.errors->held_out_rms : 0.0;
-  PutBestPredictionFirst(current.fit.cost_after, errors, by_mesh, &models);
+  PutBestPredictionFirst(current.fit.cost_after, errors, ranking.PredictionError(), &models);
   PutSimplerTwinFirst(ranking.extent, &models);
   if (!models.empty()) TakeOutIdleParts(current, ranking, &models.front());
   return models;

@@ -65,6 +65,8 @@ struct Ranking {
   std::optional<Projection> projection;
   // Of the fit's mesh and step: for a later ranking or location on the same ones.
   std::shared_ptr<const NumericalErrors> errors;
+  // What they do to a prediction of held-out frames, root mean square; 0 where that is not known.
+  double PredictionError() const { return errors ? errors->held_out_rms : 0.0; }
   std::vector<std::pair<std::string, double>> seconds;  // spent on each part
 };
 
