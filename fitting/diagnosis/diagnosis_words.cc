@@ -144,6 +144,8 @@ Json AsJson(const Mismatch& m) {
           {"direction", {m.direction.x(), m.direction.y(), m.direction.z()}},
           {"peak_N_per_m2", OrNull(m.peak)},
           {"peak_sigma_N_per_m2", OrNull(m.peak_sigma)},
+          {"even_N_per_m2", OrNull(m.even)},
+          {"even_sigma_N_per_m2", OrNull(m.even_sigma)},
           {"words", m.words}};
 }
 

@@ -83,6 +83,34 @@ void FindPeak(const MissingForce& missing, Mismatch* mismatch) {
   }
 }
 
+// The even force on the patch that a system finds, and its covariance.
+struct Amplitude {
+  Eigen::Vector3d value;
+  Eigen::Matrix3d covariance;
+};
+
+Amplitude EstimateAmplitude(const LinearSystem& system, const ForcePatch& patch, double noise) {
+  Eigen::MatrixXd pattern = Eigen::MatrixXd::Zero(system.information.rows(), 3);
+  for (Eigen::Index i = 0; i < patch.weights.size(); ++i) {
+    for (int c = 0; c < 3; ++c) pattern(3 * i + c, c) = patch.weights[i];
+  }
+  const Eigen::MatrixXd moved = system.information.selfadjointView<Eigen::Lower>() * pattern;
+  Eigen::Matrix3d information = pattern.transpose() * moved;
+  constexpr double kRidge = 1e-12;
+  information.diagonal().array() += kRidge + kRidge * information.trace();
+  const Eigen::Matrix3d inverse = information.inverse();
+  return {inverse * (pattern.transpose() * system.data.col(0)), noise * noise * inverse};
+}
+
+// Neighbouring places err against each other, so that this is known better than any of them.
+void FindEven(const MissingForce& missing, const ForcePatch& patch, Mismatch* mismatch) {
+  const Amplitude even = EstimateAmplitude(missing.system, patch, missing.noise_factor);
+  mismatch->even = even.value.norm();
+  if (!(mismatch->even > 0.0)) return;
+  const Eigen::Vector3d along = even.value / mismatch->even;
+  mismatch->even_sigma = std::sqrt(along.dot(even.covariance * along));
+}
+
 // Mean over the region and its time, of the force with the force found there for a weight.
 Eigen::Vector3d MeanDirection(const Scene& scene, const MissingForce& missing,
                               const Mismatch& mismatch) {
@@ -115,31 +143,13 @@ Location Locate(const Scene& scene, const MissingForce& missing, const LocateOpt
   mismatch.low_uv = location.patch.low_uv;
   mismatch.high_uv = location.patch.high_uv;
   FindPeak(missing, &mismatch);
+  FindEven(missing, location.patch, &mismatch);
   mismatch.direction = MeanDirection(scene, missing, mismatch);
   mismatch.words = MismatchWords(scene, missing.layout, missing.last_frame, mismatch);
   return location;
 }
 
 namespace {
-
-// The even force on the patch that a system finds, and its covariance.
-struct Amplitude {
-  Eigen::Vector3d value;
-  Eigen::Matrix3d covariance;
-};
-
-Amplitude EstimateAmplitude(const LinearSystem& system, const ForcePatch& patch, double noise) {
-  Eigen::MatrixXd pattern = Eigen::MatrixXd::Zero(system.information.rows(), 3);
-  for (Eigen::Index i = 0; i < patch.weights.size(); ++i) {
-    for (int c = 0; c < 3; ++c) pattern(3 * i + c, c) = patch.weights[i];
-  }
-  const Eigen::MatrixXd moved = system.information.selfadjointView<Eigen::Lower>() * pattern;
-  Eigen::Matrix3d information = pattern.transpose() * moved;
-  constexpr double kRidge = 1e-12;
-  information.diagonal().array() += kRidge + kRidge * information.trace();
-  const Eigen::Matrix3d inverse = information.inverse();
-  return {inverse * (pattern.transpose() * system.data.col(0)), noise * noise * inverse};
-}
 
 SourceShift ShiftWithout(const SourceSystem& source, const ForcePatch& patch,
                          const Amplitude& with_all, double noise) {

@@ -60,16 +60,22 @@ std::string MismatchWords(const Scene& scene, const ForceLayout& layout, int las
                                                    scene.FrameTime(mismatch.first_frame),
                                                    scene.FrameTime(mismatch.last_frame));
   const std::string where = RegionWords(layout.low, layout.high, mismatch.low_uv, mismatch.high_uv);
-  if (!(mismatch.peak > mismatch.peak_sigma)) {
+  if (mismatch.peak > mismatch.peak_sigma) {
+    return fmt::format(
+        "{} {} is pushed along {} with up to {:.2g} N/m^2 (+- {:.1g}) more than the "
+        "model has.",
+        when, where, DirectionWords(mismatch.direction), mismatch.peak, mismatch.peak_sigma);
+  }
+  if (!(mismatch.even > 2.0 * mismatch.even_sigma)) {
     return fmt::format(
         "{} something acts on {} that the model does not have; by how much, and which way, this "
         "recording cannot tell.",
         when, where);
   }
   return fmt::format(
-      "{} {} is pushed along {} with up to {:.2g} N/m^2 (+- {:.1g}) more than the "
-      "model has.",
-      when, where, DirectionWords(mismatch.direction), mismatch.peak, mismatch.peak_sigma);
+      "{} {} is pushed along {} with {:.2g} N/m^2 (+- {:.1g}) more than the model has, if evenly; "
+      "where most this recording cannot tell.",
+      when, where, DirectionWords(mismatch.direction), mismatch.even, mismatch.even_sigma);
 }
 
 ActingClass ClassOfActing(const Scene& scene, const ActingForce& force) {

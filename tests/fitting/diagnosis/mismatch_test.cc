@@ -196,6 +196,10 @@ TEST(Locate, FindsAPlantedPush) {
   const Eigen::Vector3d amplitude = found.location.patch.amplitude;
   EXPECT_GT(amplitude[0] / amplitude.norm(), 0.9);
   EXPECT_NEAR(amplitude[0], 0.5, 0.17);
+  const Mismatch& m = found.location.mismatch;
+  EXPECT_NEAR(m.even, amplitude.norm(), 1e-6);  // found by a search that knows no sigma
+  EXPECT_GT(m.even_sigma, 0.0);
+  EXPECT_LT(m.even_sigma / m.even, m.peak_sigma / m.peak);
 }
 
 TEST(Locate, FindsNothingInACleanRecording) {
