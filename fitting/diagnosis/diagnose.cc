@@ -180,7 +180,7 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
   return described;
 }
 
-// Where the best of a round is worth it and none is proven, the held-out frames may not be able to
+// Where the best of a round is worth it and not proven, the held-out frames may not be able to
 // tell.
 void Diagnoser::ProveOtherwiseToo(const FittedModel& model, std::size_t index,
                                   const ProofStart& start) {
@@ -376,6 +376,8 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   for (const FittedModel& model : models)
     diagnosis_.models.push_back(Describe(model, *current, *errors));
   const ChoiceRules rules = RulesOf(*current);
+  if (FirstDeservesAnotherProof(diagnosis_.models, first_model, rules))
+    ProveOtherwiseToo(models.front(), first_model, {*current, *errors, ranking, options_});
   const std::optional<Choice> choice = ChooseModel(diagnosis_.models, first_model, rules);
   if (!choice) return false;
   FittedModel& model = models[choice->model - first_model];

@@ -13,6 +13,7 @@
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/null_residuals.h"
+#include "fitting/diagnosis/verdict.h"
 
 namespace clothfit {
 
@@ -135,7 +136,11 @@ void Diagnoser::ChooseAgain(std::vector<FittedModel> rivals, FittedScene* curren
                     rival.scene.fit.cost_after));
   if (better == name) return;
   const ProofStart start{kept_->before, kept_->before_errors, last_ranking_, options_};
-  const HeldOutProof proof = ProveOnHeldOut(best, start);
+  HeldOutProof proof = ProveOnHeldOut(best, start);
+  const bool leaves_far_less = best.scene.fit.cost_after <= kFarLess * current->fit.cost_after;
+  if (!proof.is_proven && leaves_far_less) {
+    if (const std::optional<HeldOutProof> other = ProveOtherwise(best, start)) proof = *other;
+  }
   if (options_.prove && !proof.is_proven) return;
   Log(better + " comes before " + name + " on the finer mesh");
   diagnosis_.effects = diagnosis_.answer->effects = best.candidate.Effects();

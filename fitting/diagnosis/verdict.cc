@@ -77,6 +77,13 @@ std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t 
   return {};
 }
 
+bool FirstDeservesAnotherProof(const std::vector<Model>& models, std::size_t first,
+                               const ChoiceRules& rules) {
+  const std::optional<Choice> choice = ChooseModel(models, first, rules);
+  return choice && choice->model != first && models[first].explained >= rules.least_share &&
+         models[first].cost <= kFarLess * models[choice->model].cost;
+}
+
 Verdict VerdictOf(const Diagnosis& diagnosis, double explained, bool is_above_floor) {
   if (diagnosis.law) return Verdict::kNoneOfTheAbove;
   const std::vector<std::string>& effects = diagnosis.effects;

@@ -48,6 +48,14 @@ struct Choice {
 std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t first,
                                   const ChoiceRules& rules);
 
+// What leaves this much of another's cost at most leaves far less.
+inline constexpr double kFarLess = 1.0 / 1.2;
+
+// Is another one kept as it alone is proven, while the first of all leaves far less? That should be
+// proven by other means then.
+bool FirstDeservesAnotherProof(const std::vector<Model>& models, std::size_t first,
+                               const ChoiceRules& rules);
+
 // Of a diagnosis that has run to its end. explained: the share that what was named takes of what
 // the baseline leaves above its null; is_above_floor: what it leaves is well above what mesh and
 // step make.

@@ -114,6 +114,17 @@ TEST(ChooseModel, TakesTheFirstThatIsProven) {
   EXPECT_TRUE(unasked->is_kept);
 }
 
+TEST(ChooseModel, TheFirstDeservesAnotherProofOnlyWhereItLeavesFarLess) {
+  const ChoiceRules rules{100.0, 0.1, true};
+  const Model kept = Explaining(0.5, true);
+  EXPECT_TRUE(FirstDeservesAnotherProof({Explaining(0.7, false), kept}, 0, rules));
+  EXPECT_FALSE(FirstDeservesAnotherProof({Explaining(0.55, false), kept}, 0, rules));
+  EXPECT_FALSE(FirstDeservesAnotherProof({Explaining(0.7, true), kept}, 0, rules));
+  EXPECT_FALSE(FirstDeservesAnotherProof({Explaining(0.7, false)}, 0, rules));  // none is kept
+  EXPECT_TRUE(FirstDeservesAnotherProof({kept, Explaining(0.7, false), kept}, 1, rules));
+  EXPECT_FALSE(FirstDeservesAnotherProof({}, 0, rules));
+}
+
 // A camera that moved explains some of whatever is wrong with a cloth.
 TEST(ChooseModel, KeepsNothingThatGainsFarLessThanTheBest) {
   const std::vector<Model> models = {Explaining(0.8, false), Explaining(0.3, true)};
