@@ -271,12 +271,11 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
 
 const FittedScene* Diagnoser::Held(const FittedScene& fitted, const Ranking& ranking) {
   if (!options_.guide || !IsWorthGuiding(fitted, ranking) || Stopped()) return nullptr;
-  if (!is_held_known_) {
-    held_ = FitGuided(FromFabricOf(baseline_, GoOn(fitted)), kScoringDamping, runner_);
-    is_held_known_ = true;
+  if (!held_) {
+    held_.emplace(FitGuided(FromFabricOf(baseline_, GoOn(fitted)), kScoringDamping, runner_));
     Spend("guided motion");
   }
-  return held_ ? &*held_ : nullptr;
+  return *held_ ? &**held_ : nullptr;
 }
 
 // A simulation that a force cannot lead to the recorded motion, as it is somewhere else altogether,
@@ -332,7 +331,7 @@ void Diagnoser::FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors
 
 bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   Say("ranking what could be missing", 0.3);
-  is_held_known_ = false;
+  held_.reset();
   const bool is_first = diagnosis_.ranking.empty();
   Ranking ranking = is_first ? RankOnFineMesh(current, errors)
                              : RankCandidates(*current, options_, {last_ranking_.errors});

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A diagnosis under way: what is known so far, and its steps. Its answer is looked at in
-// diagnoser_answer.cc, all else is in diagnose.cc.
+// diagnoser_answer.cc and, on a finer mesh, in diagnoser_refine.cc; diagnoser_idle.cc drops what an
+// answer does without; all else is in diagnose.cc.
 #pragma once
 
 #include <chrono>
@@ -144,8 +145,9 @@ class Diagnoser {
   // What the answer explained on the mesh on which it was found, where it was refined.
   std::optional<double> explained_;
   std::optional<MissingForce> missing_;
-  std::optional<FittedScene> held_;
-  bool is_held_known_ = false;  // of the fit that is looked at now
+  // Of the fit that is looked at now, once it has been asked for: its guided motion, where that can
+  // be simulated.
+  std::optional<std::optional<FittedScene>> held_;
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
 

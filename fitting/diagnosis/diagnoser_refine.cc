@@ -123,9 +123,7 @@ void Diagnoser::ChooseAgain(std::vector<FittedModel> rivals, FittedScene* curren
   if (rivals.empty()) return;
   const std::string name = kept_->candidate.summary.name;
   rivals.push_back({kept_->candidate, *current, *errors});
-  std::stable_sort(rivals.begin(), rivals.end(), [](const FittedModel& a, const FittedModel& b) {
-    return a.scene.fit.cost_after < b.scene.fit.cost_after;
-  });
+  std::stable_sort(rivals.begin(), rivals.end(), IsCheaper);
   PutBestPredictionFirst(kept_->before.fit.cost_after, kept_->before_errors,
                          last_ranking_.PredictionError(), &rivals);
   PutSimplerTwinFirst(last_ranking_.extent, &rivals);

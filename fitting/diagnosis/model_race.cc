@@ -19,12 +19,8 @@
 namespace clothfit {
 namespace {
 
-constexpr int kMoreHeats = 3;         // of the best, until it converges
-constexpr double kNearBest = 0.9;     // of what the best gains: it may come first yet
-constexpr double kTie = 0.02;         // of what the best improves the prediction by
-constexpr double kClearly = 0.2;      // of the same: what needs more unknowns to explain less
-constexpr double kAlmostAsLow = 1.2;  // times the lowest cost: of a large gain any model is near
-constexpr double kAlike = 0.3;        // of the squares of a force
+constexpr int kMoreHeats = 3;   // of the best, until it converges
+constexpr double kAlike = 0.3;  // of the squares of a force
 constexpr std::size_t kMostRivals = 3;
 constexpr int kProbes = 24;           // of what imitates it
 constexpr double kStillInRace = 0.5;  // of what the best has gained by then
@@ -33,10 +29,6 @@ constexpr double kStillInRace = 0.5;  // of what the best has gained by then
 void ForAll(std::size_t count, const std::function<void(std::size_t)>& work) {
   ParallelFor(static_cast<int>(count), NumThreads(0),
               [&](int i, int) { work(static_cast<std::size_t>(i)); });
-}
-
-std::size_t NumUnknowns(const FittedModel& model) {
-  return model.candidate.names.size() + model.candidate.probe.size();
 }
 
 bool IsAmong(const std::vector<RankedCandidate>& candidates, const std::string& name) {
@@ -57,10 +49,6 @@ bool ExplainsMost(const FittedScene& current, const Ranking& ranking,
                         0.5 * ranking.null_mean, 0.5 * ranking.explainable) >= kMostOfIt;
 }
 
-bool IsCheaper(const FittedModel& a, const FittedModel& b) {
-  return a.scene.fit.cost_after < b.scene.fit.cost_after;
-}
-
 // Of two fits of the same candidate the cheaper stays.
 void Merge(std::vector<FittedModel> more, std::vector<FittedModel>* models) {
   for (FittedModel& model : more) {
@@ -77,64 +65,6 @@ void Merge(std::vector<FittedModel> more, std::vector<FittedModel>* models) {
 }
 
 }  // namespace
-
-void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before, double by_mesh,
-                            std::vector<FittedModel>* models) {
-  if (models->empty()) return;
-  const double best = models->front().scene.fit.cost_after;
-  const double near = std::min(cost_before - kNearBest * (cost_before - best), kAlmostAsLow * best);
-  const auto last = std::find_if(models->begin(), models->end(), [&](const FittedModel& model) {
-    return model.scene.fit.cost_after > near;
-  });
-  std::stable_sort(models->begin(), last, [](const FittedModel& a, const FittedModel& b) {
-    return a.errors.Rms() < b.errors.Rms();
-  });
-  // An attractor far away predicted what wind had done by 11.806 mm, wind by 11.812 mm.
-  const double least = models->front().errors.Rms();
-  const double improved = before.is_complete ? std::max(0.0, before.Rms() - least) : 0.0;
-  const auto last_tied = std::find_if(models->begin(), last, [&](const FittedModel& model) {
-    return model.errors.Rms() > least + kTie * improved;
-  });
-  std::stable_sort(models->begin(), last_tied, [](const FittedModel& a, const FittedModel& b) {
-    return NumUnknowns(a) < NumUnknowns(b);
-  });
-  // A gust that lasted from before the first frame until after the last predicted better than the
-  // wind that it was, and explained less.
-  const double clearly = std::max(least + kClearly * improved, std::hypot(least, by_mesh));
-  auto simpler = last;
-  for (auto model = models->begin(); model != last; ++model) {
-    const bool is_simpler = NumUnknowns(*model) < NumUnknowns(models->front()) &&
-                            IsCheaper(*model, models->front()) && model->errors.Rms() <= clearly;
-    if (is_simpler && (simpler == last || IsCheaper(*model, *simpler))) simpler = model;
-  }
-  if (simpler != last) std::rotate(models->begin(), simpler, simpler + 1);
-}
-
-void PutSimplerTwinFirst(const Extent& extent, std::vector<FittedModel>* models) {
-  constexpr double kAllOfIt = 0.95;
-  if (models->empty() || !models->front().candidate.faults.empty()) return;
-  const FittedModel& first = models->front();
-  std::vector<CandidateTerm> terms;
-  std::vector<std::size_t> simpler;
-  for (std::size_t i = 1; i < models->size(); ++i) {
-    const FittedModel& model = (*models)[i];
-    const bool is_term = model.candidate.parts.empty() && !model.candidate.term.switches.empty();
-    if (!is_term || NumUnknowns(model) >= NumUnknowns(first) || !IsCheaper(model, first)) continue;
-    terms.push_back(model.candidate.term);
-    simpler.push_back(i);
-  }
-  if (terms.empty()) return;
-  const std::vector<Imitation> imitations =
-      Imitate(first.scene, first.candidate.Effects(), terms, extent);
-  std::optional<std::size_t> twin;
-  for (std::size_t k = 0; k < imitations.size(); ++k) {
-    const bool is_twin = imitations[k].share >= kAllOfIt;
-    if (is_twin && (!twin || IsCheaper((*models)[simpler[k]], (*models)[*twin]))) twin = simpler[k];
-  }
-  if (!twin) return;
-  const auto found = models->begin() + static_cast<std::ptrdiff_t>(*twin);
-  std::rotate(models->begin(), found, found + 1);
-}
 
 ModelStart StartAt(const FittedScene& current, RankedCandidate candidate,
                    const RankedCandidate::Start& start, const Ranking& ranking) {

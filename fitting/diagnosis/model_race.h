@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fitting/diagnosis/held_out.h"
+#include "fitting/diagnosis/model_order.h"
 #include "fitting/diagnosis/modelling.h"
 
 namespace clothfit {
@@ -19,28 +20,6 @@ inline constexpr int kModelIterations = 12;  // a model starts near its end
 
 // Of what a model gains, that it may lose without a part of it.
 inline constexpr double kIdle = 0.1;
-
-// A candidate with what was fitted with it.
-struct FittedModel {
-  RankedCandidate candidate;
-  FittedScene scene;
-  HeldOutErrors errors;
-};
-
-// Of models in the order of their costs, those that explain nearly all that the first does come in
-// the order of their predictions: what stands for another effect follows the frames that it was
-// fitted to more easily than it foresees the others. Of those that predict about as well the one
-// with the fewest unknowns is the first. What explains more with fewer unknowns comes before that
-// unless it predicts clearly worse, by more than mesh and step do to a prediction (`by_mesh`, root
-// mean square); the cheapest of several. `before`: of the fit without any of them.
-void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before, double by_mesh,
-                            std::vector<FittedModel>* models);
-
-// Of models whose first is physics: what explains more with fewer unknowns and could make nearly
-// all of the first one's force, along its own motion, is the same told more simply, and comes
-// before it. A gust that lasts from long before the recording until long after it, everywhere, is a
-// wind.
-void PutSimplerTwinFirst(const Extent& extent, std::vector<FittedModel>* models);
 
 class ModelRace {
  public:
