@@ -413,7 +413,7 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   *errors = std::move(model.errors);
   *current = std::move(model.scene);
   if (!is_physics) FitAgainWithoutFault(current, errors);
-  if (is_physics && !is_first_physics) DropWhatIsIdle(current, errors);
+  if (is_physics && !is_first_physics) LookBackAtFirst(current, errors);
   return true;
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A diagnosis under way: what is known so far, and its steps. Its answer is looked at in
-// diagnoser_answer.cc and, on a finer mesh, in diagnoser_refine.cc; diagnoser_idle.cc drops what an
-// answer does without; all else is in diagnose.cc.
+// diagnoser_answer.cc and, on a finer mesh, in diagnoser_refine.cc; what was kept first once more
+// beside a second effect in diagnoser_first.cc; all else is in diagnose.cc.
 #pragma once
 
 #include <chrono>
@@ -52,8 +52,12 @@ class Diagnoser {
   // fit then.
   bool CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors);
   // What physics was kept first, taken out again where what was kept after it does without it: that
-  // had stood for a part of the other.
-  void DropWhatIsIdle(FittedScene* current, HeldOutErrors* errors);
+  // had stood for a part of the other. Else what could make the same force is fitted in its place,
+  // and takes it where it comes first beside the second.
+  void LookBackAtFirst(FittedScene* current, HeldOutErrors* errors);
+  // By other means, too, where the held-out frames do not prove it and it leaves far less than
+  // that.
+  HeldOutProof Prove(const FittedModel& model, double other_cost, const ProofStart& start) const;
   // Forgets a round, so that it can be held again from a better fit.
   void BeginAgain(std::size_t first_model, const FittedScene& better, const HeldOutErrors& errors);
   void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
@@ -128,8 +132,22 @@ class Diagnoser {
     std::vector<FittedModel> models;
     std::vector<std::string> effects, parameters;  // that were kept before
   };
-  // What was kept last without it, where that explains nearly as much and is proven.
+  // What was kept last without it. Empty where the fit fails.
   std::optional<FittedModel> WithoutFirst(const First& first, const FittedScene& current);
+  // Does the second alone explain nearly as much as `current`, which has both, and is it proven?
+  bool IsIdle(const First& first, const FittedModel& second, const FittedScene& current);
+  void DropFirst(First first, FittedModel second, FittedScene* current, HeldOutErrors* errors);
+  void ExchangeFirst(const First& first, const FittedModel& second, FittedScene* current,
+                     HeldOutErrors* errors);
+  // Takes the rival in its place, which has the second besides, where both are proven.
+  bool TakesFirstPlace(const First& first, const FittedModel& second, const FittedModel& rival,
+                       FittedScene* current, HeldOutErrors* errors);
+  // Of models that all have the second effect besides.
+  void TellApartBeside(const First& first, const FittedModel& second,
+                       const std::vector<FittedModel>& models, std::size_t winner);
+  void Keep(const FittedModel& model, FittedScene before, HeldOutErrors before_errors);
+  // It and what was kept last.
+  void ForgetFirst(const First& first);
   std::optional<First> first_kept_;
   int rounds_left_ = 0;
   std::vector<FittedModel> rivals_;  // physics that was fitted and cannot be told from the first

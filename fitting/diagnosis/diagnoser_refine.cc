@@ -118,27 +118,27 @@ void Diagnoser::FitFromFabricOf(const FittedScene& answer, std::vector<FittedMod
   });
 }
 
+HeldOutProof Diagnoser::Prove(const FittedModel& model, double other_cost,
+                              const ProofStart& start) const {
+  HeldOutProof proof = ProveOnHeldOut(model, start);
+  if (proof.is_proven || model.scene.fit.cost_after > kFarLess * other_cost) return proof;
+  return ProveOtherwise(model, start).value_or(proof);
+}
+
 void Diagnoser::ChooseAgain(std::vector<FittedModel> rivals, FittedScene* current,
                             HeldOutErrors* errors) {
   if (rivals.empty()) return;
   const std::string name = kept_->candidate.summary.name;
   rivals.push_back({kept_->candidate, *current, *errors});
-  std::stable_sort(rivals.begin(), rivals.end(), IsCheaper);
-  PutBestPredictionFirst(kept_->before.fit.cost_after, kept_->before_errors,
-                         last_ranking_.PredictionError(), &rivals);
-  PutSimplerTwinFirst(last_ranking_.extent, &rivals);
+  PutBestFirst(kept_->before.fit.cost_after, kept_->before_errors, last_ranking_, &rivals);
   FittedModel& best = rivals.front();
   const std::string& better = best.candidate.summary.name;
   for (const FittedModel& rival : rivals)
     Log(fmt::format("  with {}: cost {:.6g}", rival.candidate.summary.name,
                     rival.scene.fit.cost_after));
   if (better == name) return;
-  const ProofStart start{kept_->before, kept_->before_errors, last_ranking_, options_};
-  HeldOutProof proof = ProveOnHeldOut(best, start);
-  const bool leaves_far_less = best.scene.fit.cost_after <= kFarLess * current->fit.cost_after;
-  if (!proof.is_proven && leaves_far_less) {
-    if (const std::optional<HeldOutProof> other = ProveOtherwise(best, start)) proof = *other;
-  }
+  const HeldOutProof proof = Prove(best, current->fit.cost_after,
+                                   {kept_->before, kept_->before_errors, last_ranking_, options_});
   if (options_.prove && !proof.is_proven) return;
   Log(better + " comes before " + name + " on the finer mesh");
   diagnosis_.effects = diagnosis_.answer->effects = best.candidate.Effects();

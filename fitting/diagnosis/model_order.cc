@@ -15,10 +15,6 @@ constexpr double kTie = 0.02;         // of what the best improves the predictio
 constexpr double kClearly = 0.2;      // of the same: what needs more unknowns to explain less
 constexpr double kAlmostAsLow = 1.2;  // times the lowest cost: of a large gain any model is near
 
-std::size_t NumUnknowns(const FittedModel& model) {
-  return model.candidate.names.size() + model.candidate.probe.size();
-}
-
 }  // namespace
 
 bool IsCheaper(const FittedModel& a, const FittedModel& b) {
@@ -43,15 +39,16 @@ void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before, dou
     return model.errors.Rms() > least + kTie * improved;
   });
   std::stable_sort(models->begin(), last_tied, [](const FittedModel& a, const FittedModel& b) {
-    return NumUnknowns(a) < NumUnknowns(b);
+    return a.candidate.NumUnknowns() < b.candidate.NumUnknowns();
   });
   // A gust that lasted from before the first frame until after the last predicted better than the
   // wind that it was, and explained less.
   const double clearly = std::max(least + kClearly * improved, std::hypot(least, by_mesh));
   auto simpler = last;
   for (auto model = models->begin(); model != last; ++model) {
-    const bool is_simpler = NumUnknowns(*model) < NumUnknowns(models->front()) &&
-                            IsCheaper(*model, models->front()) && model->errors.Rms() <= clearly;
+    const bool is_simpler =
+        model->candidate.NumUnknowns() < models->front().candidate.NumUnknowns() &&
+        IsCheaper(*model, models->front()) && model->errors.Rms() <= clearly;
     if (is_simpler && (simpler == last || IsCheaper(*model, *simpler))) simpler = model;
   }
   if (simpler != last) std::rotate(models->begin(), simpler, simpler + 1);
@@ -66,7 +63,9 @@ void PutSimplerTwinFirst(const Extent& extent, std::vector<FittedModel>* models)
   for (std::size_t i = 1; i < models->size(); ++i) {
     const FittedModel& model = (*models)[i];
     const bool is_term = model.candidate.parts.empty() && !model.candidate.term.switches.empty();
-    if (!is_term || NumUnknowns(model) >= NumUnknowns(first) || !IsCheaper(model, first)) continue;
+    if (!is_term || model.candidate.NumUnknowns() >= first.candidate.NumUnknowns() ||
+        !IsCheaper(model, first))
+      continue;
     terms.push_back(model.candidate.term);
     simpler.push_back(i);
   }
@@ -81,6 +80,13 @@ void PutSimplerTwinFirst(const Extent& extent, std::vector<FittedModel>* models)
   if (!twin) return;
   const auto found = models->begin() + static_cast<std::ptrdiff_t>(*twin);
   std::rotate(models->begin(), found, found + 1);
+}
+
+void PutBestFirst(double cost_before, const HeldOutErrors& before, const Ranking& ranking,
+                  std::vector<FittedModel>* models) {
+  std::stable_sort(models->begin(), models->end(), IsCheaper);
+  PutBestPredictionFirst(cost_before, before, ranking.PredictionError(), models);
+  PutSimplerTwinFirst(ranking.extent, models);
 }
 
 }  // namespace clothfit

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -212,14 +214,14 @@ std::vector<FittedModel> ModelRace::Run(const FittedScene& current, const HeldOu
     if (!ExplainsMost(current, ranking, models)) FinishModels(current, 0.0, &models);
   }
   BeginAnew(current, ranking, &models);
-  FitRivals(current, ranking, &models);
+  if (ExplainsMost(current, ranking, models) && models.front().candidate.faults.empty())
+    Merge(FitRivals(current, ranking, models), &models);
   ForAll(models.size(), [&](std::size_t i) { models[i].errors = MeasureHeldOut(models[i].scene); });
   for (const FittedModel& model : models) {
     Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
                     current.fit.cost_after, model.scene.fit.cost_after));
   }
-  PutBestPredictionFirst(current.fit.cost_after, errors, ranking.PredictionError(), &models);
-  PutSimplerTwinFirst(ranking.extent, &models);
+  PutBestFirst(current.fit.cost_after, errors, ranking, &models);
   if (!models.empty()) TakeOutIdleParts(current, ranking, &models.front());
   return models;
 }
@@ -359,9 +361,18 @@ std::vector<RankedCandidate> ModelRace::Imitators(const FittedScene& current,
   }
   std::stable_sort(able.begin(), able.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
-  if (able.size() > kMostRivals) able.resize(kMostRivals);
+  // What has more unknowns makes more of any force: those first that have fewer than all before.
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  std::vector<std::pair<double, RankedCandidate>> chosen, others;
+  for (auto& one : able) {
+    const std::size_t unknowns = one.second.NumUnknowns();
+    (unknowns < fewest ? chosen : others).push_back(std::move(one));
+    fewest = std::min(fewest, unknowns);
+  }
+  std::move(others.begin(), others.end(), std::back_inserter(chosen));
+  if (chosen.size() > kMostRivals) chosen.resize(kMostRivals);
   std::vector<RankedCandidate> imitators;
-  for (auto& [share, candidate] : able) {
+  for (auto& [share, candidate] : chosen) {
     Log(fmt::format("{} could make {:.0f} % of the force of {}", candidate.summary.name,
                     100.0 * share, best.candidate.summary.name));
     imitators.push_back(std::move(candidate));
@@ -369,14 +380,12 @@ std::vector<RankedCandidate> ModelRace::Imitators(const FittedScene& current,
   return imitators;
 }
 
-// What could make much of the force that explains most of it may explain as much itself. The same
-// fabric is right for it, or as wrong.
-void ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking,
-                          std::vector<FittedModel>* models) const {
-  if (!ExplainsMost(current, ranking, *models) || !models->front().candidate.faults.empty()) return;
-  const FittedScene& best = models->front().scene;
-  const std::vector<RankedCandidate> entrants = Imitators(current, ranking, *models);
-  if (entrants.empty() || Stopped()) return;
+// The same fabric is right for them, or as wrong.
+std::vector<FittedModel> ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking,
+                                              const std::vector<FittedModel>& models) const {
+  const FittedScene& best = models.front().scene;
+  const std::vector<RankedCandidate> entrants = Imitators(current, ranking, models);
+  if (entrants.empty() || Stopped()) return {};
   FitConfig fabric = current.config;
   for (auto& [name, setting] : fabric.parameters)
     setting.value = best.values.parameters.at(name).value;
@@ -400,7 +409,7 @@ void ModelRace::FitRivals(const FittedScene& current, const Ranking& ranking,
     if (other && other->fit.cost_after < rival.fit.cost_after) rival = std::move(*other);
     GoOnWith(&rivals[i]);
   });
-  Merge(std::move(rivals), models);
+  return rivals;
 }
 
 // Fits a model further, unless it has converged.

@@ -37,6 +37,13 @@ class ModelRace {
   std::vector<FittedModel> Run(const FittedScene& current, const HeldOutErrors& errors,
                                double least_score, const Guide& guide, Ranking* ranking) const;
 
+  // What could make much of the force of the first of the models, and may so explain as much
+  // itself: fitted in its place, without held-out errors. Left out is what one of the models is
+  // already and explains nearly as much. `current`: the fit without that force; `ranking`: of any
+  // fit of the recording, for its candidates and faults.
+  std::vector<FittedModel> FitRivals(const FittedScene& current, const Ranking& ranking,
+                                     const std::vector<FittedModel>& models) const;
+
  private:
   std::vector<RankedCandidate> Entrants(const Ranking& ranking, double least_score) const;
   // Those that come next: short-listed, and not among the entrants.
@@ -62,8 +69,6 @@ class ModelRace {
                  std::vector<FittedModel>* models) const;
   std::vector<RankedCandidate> Imitators(const FittedScene& current, const Ranking& ranking,
                                          const std::vector<FittedModel>& models) const;
-  void FitRivals(const FittedScene& current, const Ranking& ranking,
-                 std::vector<FittedModel>* models) const;
   void GoOnWith(FittedModel* model) const;
   void TakeOutIdleParts(const FittedScene& current, const Ranking& ranking,
                         FittedModel* model) const;

@@ -132,6 +132,36 @@ TEST(Rivals, AreToldOfThoughTheFirstExplainsMost) {
         << model.candidate.summary.name;
 }
 
+// A tilted gravity was named before it was known that the cloth takes air along. Beside that it is
+// the wind that explains the rest.
+TEST(Rivals, AreFittedBesideWhatWasFoundSince) {
+  const Recording recording =
+      MakeSmallRecording({5, 30, 0.001, {{"wind.y", 0.5}, {"added_mass.normal", kAddedMass}}});
+  FitConfig told = DefaultConfig(recording);
+  for (auto& [name, setting] : told.parameters) setting.free = name == "air_drag.normal";
+  FitConfig with_mass = told;
+  with_mass.parameters.at("added_mass.normal").free = true;
+  with_mass.parameters.at("added_mass.normal").value = 0.05;
+  FitConfig with_both = with_mass;
+  with_both.parameters.at("gravity_tilt.angle_1").free = true;
+  const auto mass = FitAfresh({recording, with_mass}, Start::kPlain, 20, FitRunner());
+  const auto both = FitAfresh({recording, with_both}, Start::kPlain, 20, FitRunner());
+  ASSERT_TRUE(mass && both);
+  Ranking ranking;
+  ranking.candidates = {ShortListed("gravity_tilt", "gravity_tilt.angle_1", 0.03),
+                        ShortListed("wind", "wind.y", 0.3)};
+  ranking.extent = {{-0.25, -0.3, -0.5}, {0.25, 0.3, 0.0}, {0.5, 0.5}, 1.2};
+  const DiagnosisOptions options;
+  const std::vector<FittedModel> rivals =
+      ModelRace(told, options)
+          .FitRivals(*mass, ranking, {{ranking.candidates[0], *both, MeasureHeldOut(*both)}});
+  ASSERT_EQ(rivals.size(), 1u);  // not the tilt itself
+  EXPECT_EQ(rivals[0].candidate.summary.name, "wind");
+  EXPECT_LT(rivals[0].scene.fit.cost_after, 0.8 * both->fit.cost_after);
+  EXPECT_NEAR(rivals[0].scene.values.parameters.at("added_mass.normal").value, kAddedMass,
+              0.3 * kAddedMass);
+}
+
 TEST_F(Race, TheNextHaveToBeShortListed) {
   RankedCandidate mass = ranking_.candidates[0];
   mass.summary.is_short_listed = false;
