@@ -329,6 +329,15 @@ void Diagnoser::FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors
   *errors = MeasureHeldOut(*current);
 }
 
+void Diagnoser::TakeForAnswer(Kept kept) {
+  Model& model = diagnosis_.models[kept.model];
+  model.is_kept = true;
+  diagnosis_.answer = model;
+  diagnosis_.effects = model.effects;
+  for (const EffectParameter& p : model.parameters) kept_parameters_.push_back(p.name);
+  kept_ = std::move(kept);
+}
+
 bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   Say("ranking what could be missing", 0.3);
   held_.reset();
@@ -389,8 +398,6 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     ProveOtherwiseToo(model, choice->model, {*current, *errors, ranking, options_});
     if (!ChooseModel(diagnosis_.models, first_model, rules)->is_kept) return false;
   }
-  Model& described = diagnosis_.models[choice->model];
-  described.is_kept = true;
   if (!diagnosis_.answer) {
     const std::size_t winner = choice->model - first_model;
     TellApart(FindAmbiguity(ranking, models, winner, current->fit.cost_after));
@@ -405,11 +412,8 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
                    diagnosis_.effects,
                    kept_parameters_};
   }
-  diagnosis_.answer = described;
-  diagnosis_.effects = described.effects;
-  for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);
   kept_score_ = std::max(kept_score_, model.candidate.summary.score);
-  kept_ = {choice->model, model.candidate, std::move(*current), std::move(*errors)};
+  TakeForAnswer({choice->model, model.candidate, std::move(*current), std::move(*errors)});
   *errors = std::move(model.errors);
   *current = std::move(model.scene);
   if (!is_physics) FitAgainWithoutFault(current, errors);

@@ -146,6 +146,8 @@ class Diagnoser {
   void TellApartBeside(const First& first, const FittedModel& second,
                        const std::vector<FittedModel>& models, std::size_t winner);
   void Keep(const FittedModel& model, FittedScene before, HeldOutErrors before_errors);
+  // One of diagnosis_.models.
+  void TakeForAnswer(Kept kept);
   // It and what was kept last.
   void ForgetFirst(const First& first);
   std::optional<First> first_kept_;

@@ -6,13 +6,13 @@
 // seam has been found. Exchange: wind and a heavy patch look like a tilted gravity while the patch
 // is not known, and like nothing but wind beside it.
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/verdict.h"
 
 namespace clothfit {
 
@@ -41,14 +41,9 @@ bool Diagnoser::IsIdle(const First& first, const FittedModel& second, const Fitt
 
 // As the newest of the models, held against the fit without its newest effect.
 void Diagnoser::Keep(const FittedModel& model, FittedScene before, HeldOutErrors before_errors) {
-  Model described = Describe(model, before, before_errors);
-  described.is_kept = true;
-  diagnosis_.effects = described.effects;
-  for (const EffectParameter& p : described.parameters) kept_parameters_.push_back(p.name);
-  diagnosis_.answer = described;
-  diagnosis_.models.push_back(std::move(described));
-  kept_ = {diagnosis_.models.size() - 1, model.candidate, std::move(before),
-           std::move(before_errors)};
+  diagnosis_.models.push_back(Describe(model, before, before_errors));
+  TakeForAnswer(
+      {diagnosis_.models.size() - 1, model.candidate, std::move(before), std::move(before_errors)});
 }
 
 void Diagnoser::ForgetFirst(const First& first) {
@@ -137,9 +132,8 @@ bool Diagnoser::TakesFirstPlace(const First& first, const FittedModel& second,
   alone.errors = MeasureHeldOut(alone.scene);
   // The second, which was proven beside the first, is to be proven beside this one.
   const FittedModel both{second.candidate, rival.scene, rival.errors};
-  constexpr double kByAnyMeans = std::numeric_limits<double>::infinity();
   const HeldOutProof proof =
-      Prove(both, kByAnyMeans, {alone.scene, alone.errors, last_ranking_, options_});
+      ProveByAnyMeans(both, {alone.scene, alone.errors, last_ranking_, options_});
   Spend("another effect in its place");
   if (options_.prove && !proof.is_proven) return false;
   Log(fmt::format("{} takes the place of {}", rival.candidate.summary.name,

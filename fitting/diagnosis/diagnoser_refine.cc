@@ -120,9 +120,8 @@ void Diagnoser::FitFromFabricOf(const FittedScene& answer, std::vector<FittedMod
 
 HeldOutProof Diagnoser::Prove(const FittedModel& model, double other_cost,
                               const ProofStart& start) const {
-  HeldOutProof proof = ProveOnHeldOut(model, start);
-  if (proof.is_proven || model.scene.fit.cost_after > kFarLess * other_cost) return proof;
-  return ProveOtherwise(model, start).value_or(proof);
+  const bool leaves_far_less = model.scene.fit.cost_after <= kFarLess * other_cost;
+  return leaves_far_less ? ProveByAnyMeans(model, start) : ProveOnHeldOut(model, start);
 }
 
 void Diagnoser::ChooseAgain(std::vector<FittedModel> rivals, FittedScene* current,

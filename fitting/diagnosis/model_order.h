@@ -23,9 +23,9 @@ inline constexpr double kNearBest = 0.9;  // of what the best gains: it may come
 
 bool IsCheaper(const FittedModel& a, const FittedModel& b);
 
-// All of this: in the order of their costs, but the best prediction first, and a simpler twin of
-// the first before it. `cost_before`, `before`: of the fit without any of them, whose ranking it
-// is.
+// All of what follows: in the order of their costs, but the best prediction first, and a simpler
+// twin of the first before it. `cost_before`, `before`: of the fit without any of them, whose
+// ranking it is.
 void PutBestFirst(double cost_before, const HeldOutErrors& before, const Ranking& ranking,
                   std::vector<FittedModel>* models);
 

@@ -233,4 +233,10 @@ std::optional<HeldOutProof> ProveOtherwise(const FittedModel& model, const Proof
   return proof->is_proven ? proof : std::nullopt;
 }
 
+HeldOutProof ProveByAnyMeans(const FittedModel& model, const ProofStart& start) {
+  HeldOutProof proof = ProveOnHeldOut(model, start);
+  if (proof.is_proven || !start.options.prove) return proof;
+  return ProveOtherwise(model, start).value_or(proof);
+}
+
 }  // namespace clothfit

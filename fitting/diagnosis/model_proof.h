@@ -26,6 +26,9 @@ HeldOutProof ProveOnHeldOut(const FittedModel& model, const ProofStart& start);
 // on earlier frames, both below. Empty where neither proves it, and for faults.
 std::optional<HeldOutProof> ProveOtherwise(const FittedModel& model, const ProofStart& start);
 
+// On the held-out frames or, where those alone do not prove it and a proof is asked for, otherwise.
+HeldOutProof ProveByAnyMeans(const FittedModel& model, const ProofStart& start);
+
 // On the second half of the fitted frames, predicted by both after a fit to the first half alone,
 // begun from where they are. For physics that the held-out frames cannot show either way, since the
 // motion has come to rest by then, or a gust is over. Empty where they do show that the model is
