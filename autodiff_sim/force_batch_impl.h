@@ -13,7 +13,6 @@
 
 #include "autodiff_sim/dual.h"
 #include "autodiff_sim/force_batch.h"
-#include "autodiff_sim/parameter_table.h"
 
 namespace clothfit {
 

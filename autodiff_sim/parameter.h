@@ -74,4 +74,11 @@ constexpr Parameter PlaceInWorld(const char* name, Meaning meaning, const char* 
 // Whether the parameter by itself keeps its term from acting while it is off.
 constexpr bool SwitchesOff(const Parameter& parameter) { return parameter.probes.count == 0; }
 
+// Indices of the cloth's own parameters, cloth.*, which belong to no one force and come first in
+// every table.
+constexpr int kArealDensity = 0;
+constexpr int kShrinkWarp = 1;
+constexpr int kShrinkWeft = 2;
+constexpr int kNumClothParameters = 3;
+
 }  // namespace clothfit

@@ -17,12 +17,6 @@ struct NamedParameter {
   Parameter parameter;
 };
 
-// Indices of the cloth's own parameters, cloth.*, which belong to no one force and come first.
-constexpr int kArealDensity = 0;
-constexpr int kShrinkWarp = 1;
-constexpr int kShrinkWeft = 2;
-constexpr int kNumClothParameters = 3;
-
 // The parameters of these terms, in the terms' order, after the cloth's own.
 std::vector<NamedParameter> MakeParameterTable(const std::vector<TermInfo>& terms);
 

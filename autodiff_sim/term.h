@@ -45,23 +45,13 @@
 #include <vector>
 
 #include <Eigen/Geometry>
-#include <ceres/jet.h>
 
 #include "autodiff_sim/cloth_mesh.h"
 #include "autodiff_sim/parameter.h"
+#include "autodiff_sim/scalar.h"
 #include "autodiff_sim/step_inputs.h"
 
 namespace clothfit {
-
-template <class T>
-using Vector3 = Eigen::Matrix<T, 3, 1>;
-
-// The plain value of a scalar that may carry derivatives.
-inline double Value(double value) { return value; }
-template <class T, int N>
-double Value(const ceres::Jet<T, N>& value) {
-  return value.a;
-}
 
 struct Obstacle;         // contact/obstacle_body.h
 struct ContactPair;      // contact/contact_pair.h

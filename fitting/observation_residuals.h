@@ -11,12 +11,11 @@
 #include <ceres/loss_function.h>
 
 #include "fitting/point_residual.h"
+#include "fitting/row_major_matrix.h"
 #include "fitting/scene.h"
 #include "fitting/soft_silhouette.h"
 
 namespace clothfit {
-
-using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 class ObservationResiduals {
  public:

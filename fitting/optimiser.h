@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/observation_residuals.h"
+#include "fitting/row_major_matrix.h"
 
 namespace clothfit {
 

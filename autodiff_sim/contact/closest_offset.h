@@ -11,7 +11,7 @@
 
 #include "autodiff_sim/contact/closest_points.h"
 #include "autodiff_sim/contact/feature_pair.h"
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/scalar.h"
 
 namespace clothfit {
 

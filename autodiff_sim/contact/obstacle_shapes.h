@@ -12,7 +12,7 @@
 #include <variant>
 
 #include "autodiff_sim/contact/rigid_pose.h"
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/scalar.h"
 
 namespace clothfit {
 
