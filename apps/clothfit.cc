@@ -15,7 +15,7 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "apps/commands.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/version.h"
 #include "tracking/text.h"
 

@@ -13,7 +13,7 @@
 #include "apps/config_options.h"
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/comparison.h"
 #include "fitting/fit_run.h"
 #include "fitting/whole_file.h"

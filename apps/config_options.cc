@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/recording_summary.h"
 
 namespace clothfit {

@@ -12,7 +12,7 @@
 #include "apps/config_options.h"
 #include "apps/interrupt.h"
 #include "apps/share_display.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/diagnosis_folder.h"
 #include "fitting/fit_run.h"
 

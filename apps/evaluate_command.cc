@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/surface_evaluation.h"
 #include "tracking/text.h"
 

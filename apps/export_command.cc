@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/export/export.h"
 #include "tracking/text.h"
 

@@ -14,7 +14,7 @@
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
 #include "apps/tracking_options.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/fit_run.h"
 #include "fitting/optimiser.h"
 #include "tracking/text.h"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/import_commands.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/import_video.h"
 
 namespace clothfit {

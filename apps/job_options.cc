@@ -11,7 +11,7 @@
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
 #include "apps/study_commands.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 
 namespace clothfit {
 

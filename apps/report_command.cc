@@ -9,7 +9,7 @@
 
 #include "apps/commands.h"
 #include "apps/report/assets.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/whole_file.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 
 #include "apps/commands.h"
 #include "apps/config_options.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/fit_run.h"
 
 namespace clothfit {

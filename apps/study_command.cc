@@ -12,7 +12,7 @@
 #include "apps/commands.h"
 #include "apps/study_commands.h"
 #include "apps/tracking_options.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/chaos_study.h"
 #include "fitting/recovery_study.h"
 #include "tracking/text.h"

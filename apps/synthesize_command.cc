@@ -13,7 +13,7 @@
 
 #include "apps/commands.h"
 #include "apps/share_display.h"
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/synthetic_keys.h"
 #include "tracking/synthetic_presets.h"
 #include "tracking/text.h"

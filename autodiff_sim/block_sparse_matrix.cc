@@ -8,7 +8,7 @@
 #include <iterator>
 #include <set>
 
-#include "autodiff_sim/flush_denormals.h"
+#include "autodiff_sim/base/flush_denormals.h"
 
 namespace clothfit {
 

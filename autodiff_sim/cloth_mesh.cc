@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 
 namespace clothfit {
 namespace {

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "autodiff_sim/dual.h"
+#include "autodiff_sim/base/dual.h"
 #include "autodiff_sim/force_batch.h"
 
 namespace clothfit {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "autodiff_sim/flush_denormals.h"
+#include "autodiff_sim/base/flush_denormals.h"
 
 namespace clothfit {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 
 namespace clothfit {
 

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <utility>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 
 namespace clothfit {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/contact/intersections.h"
-#include "autodiff_sim/error.h"
 #include "autodiff_sim/grips.h"
 #include "autodiff_sim/step_solver.h"
 #include "autodiff_sim/terms.h"

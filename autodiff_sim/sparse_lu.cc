@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "autodiff_sim/base/flush_denormals.h"
 #include "autodiff_sim/dense_panel.h"
-#include "autodiff_sim/flush_denormals.h"
 
 namespace clothfit {
 

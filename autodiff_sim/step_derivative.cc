@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/direct_solve.h"
-#include "autodiff_sim/parallel.h"
 #include "autodiff_sim/step_solver.h"
 
 namespace clothfit {

@@ -46,9 +46,9 @@
 
 #include <Eigen/Geometry>
 
+#include "autodiff_sim/base/scalar.h"
 #include "autodiff_sim/cloth_mesh.h"
 #include "autodiff_sim/parameter.h"
-#include "autodiff_sim/scalar.h"
 #include "autodiff_sim/step_inputs.h"
 
 namespace clothfit {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/free_parameters.h"
 #include "fitting/surface_truth.h"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/optimiser.h"
 #include "tracking/text.h"
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/run_obstacles.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/window_cost.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "autodiff_sim/gradient_check.h"
+#include "autodiff_sim/base/gradient_check.h"
 #include "fitting/free_parameters.h"
 
 namespace clothfit {

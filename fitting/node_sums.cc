@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 
 namespace clothfit {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "fitting/track_residual.h"
 
 namespace clothfit {

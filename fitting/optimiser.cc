@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <nlopt.hpp>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/annealing.h"
 #include "fitting/evaluation_counter.h"
 #include "fitting/levenberg_marquardt.h"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "fitting/evaluation_counter.h"
 
 namespace clothfit {

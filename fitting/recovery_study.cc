@@ -6,7 +6,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/parameter_table.h"
 
 namespace clothfit {

@@ -4,7 +4,7 @@
 // Where a fit stands, as checkpoint.json. Numbers are written so that the same doubles come back.
 #include <nlohmann/json.hpp>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/run_folder.h"
 #include "fitting/whole_file.h"
 #include "tracking/text.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/run_pictures.h"
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/tracking_folder.h"
 
 namespace clothfit {

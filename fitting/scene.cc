@@ -12,8 +12,8 @@
 
 #include <ceres/cubic_interpolation.h>
 
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/contact/obstacle_body.h"
-#include "autodiff_sim/error.h"
 #include "autodiff_sim/obj_file.h"
 #include "tracking/initial_placement.h"
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/frame_by_frame.h"
 #include "fitting/free_parameters.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "tracking/images.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/prediction.h"
 #include "fitting/surface_truth.h"

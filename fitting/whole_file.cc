@@ -9,7 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 
 namespace clothfit {
 namespace {

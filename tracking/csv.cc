@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/text.h"
 
 namespace clothfit {

@@ -12,7 +12,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/mask_correction.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/colmap_text.h"
 #include "tracking/text.h"
 

@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 #include <opencv2/core.hpp>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/text.h"
 
 namespace clothfit {

@@ -7,7 +7,7 @@
 #include <random>
 #include <utility>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/text.h"
 
 namespace clothfit {

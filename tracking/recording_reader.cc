@@ -4,7 +4,7 @@
 // Reading a recording from its folder.
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/camera_file.h"
 #include "tracking/picture_files.h"
 #include "tracking/recording.h"

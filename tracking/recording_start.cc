@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/camera_file.h"
 #include "tracking/picture_files.h"
 #include "tracking/recording_tables.h"

@@ -9,7 +9,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/text.h"
 
 namespace clothfit {

@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 
 namespace clothfit {
 namespace {

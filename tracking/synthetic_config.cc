@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/synthetic_keys.h"
 #include "tracking/synthetic_presets.h"
 #include "tracking/text.h"

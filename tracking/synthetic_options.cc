@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "tracking/synthetic_recording.h"
 #include "tracking/text.h"

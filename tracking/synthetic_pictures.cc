@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 
-#include "autodiff_sim/error.h"
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/parallel.h"
 #include "tracking/cloth_surface.h"
 #include "tracking/picture_writer.h"
 #include "tracking/renderer.h"

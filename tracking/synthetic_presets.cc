@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/synthetic_presets.h"
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/text.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "autodiff_sim/scenes/cloth_scene.h"
 #include "tracking/picture_writer.h"

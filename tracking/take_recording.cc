@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/marker_layout.h"
 #include "tracking/take_layout.h"
 

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 
 namespace clothfit {
 namespace {

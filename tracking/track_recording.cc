@@ -10,8 +10,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "autodiff_sim/error.h"
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/parallel.h"
 #include "tracking/images.h"
 
 namespace clothfit {

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 
 namespace clothfit {
 

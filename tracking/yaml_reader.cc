@@ -6,7 +6,7 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "tracking/text.h"
 
 namespace clothfit {

@@ -9,9 +9,9 @@
 
 #include <array>
 
+#include "autodiff_sim/base/scalar.h"
 #include "autodiff_sim/contact/closest_points.h"
 #include "autodiff_sim/contact/feature_pair.h"
-#include "autodiff_sim/scalar.h"
 
 namespace clothfit {
 

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <variant>
 
+#include "autodiff_sim/base/scalar.h"
 #include "autodiff_sim/contact/rigid_pose.h"
-#include "autodiff_sim/scalar.h"
 
 namespace clothfit {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/contact/contact_clock.h"
-#include "autodiff_sim/error.h"
 
 namespace clothfit {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/modelling.h"
 
 namespace clothfit {

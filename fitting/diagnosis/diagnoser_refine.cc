@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/modelling.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/fit_runner.h"
 #include "fitting/npy_file.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/kept_fit.h"
 #include "fitting/diagnosis/sha256.h"
 #include "fitting/whole_file.h"

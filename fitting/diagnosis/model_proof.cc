@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/named_parameter.h"
 #include "fitting/diagnosis/null_residuals.h"

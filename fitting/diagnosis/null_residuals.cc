@@ -13,7 +13,7 @@
 #include <Eigen/Eigenvalues>
 #include <ceres/ceres.h>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/diagnosis/held_out.h"
 #include "fitting/levenberg_marquardt.h"

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/trial_recording.h"
 
 namespace clothfit {

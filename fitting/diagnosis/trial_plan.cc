@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/finite_elements/fem_laws.h"
 #include "tracking/normal_numbers.h"
 #include "tracking/text.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/trial_summary.h"
 #include "tracking/text.h"
 

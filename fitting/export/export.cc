@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/export/gltf.h"
 #include "fitting/export/mesh_files.h"
 #include "fitting/export/point_cache.h"

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/npy_file.h"
 
 namespace clothfit {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/jobs/job_ledger.h"
 #include "fitting/whole_file.h"
 #include "tracking/text.h"

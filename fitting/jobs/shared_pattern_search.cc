@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/jobs/job_ledger.h"
 #include "fitting/pattern_search.h"
 

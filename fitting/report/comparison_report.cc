@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/comparison.h"
 #include "fitting/report/record_file.h"
 #include "fitting/report/report_kinds.h"

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/npy_file.h"
 #include "fitting/report/record_file.h"
 #include "tracking/text.h"

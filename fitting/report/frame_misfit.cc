@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "fitting/hard_silhouette.h"
 #include "tracking/camera.h"
 

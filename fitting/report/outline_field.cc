@@ -7,7 +7,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "fitting/report/scalar_field.h"
 #include "fitting/report/spread_values.h"
 #include "tracking/silhouette_outline.h"

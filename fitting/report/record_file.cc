@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/version.h"
 #include "tracking/text.h"
 

@@ -4,7 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "tracking/images.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/npy_file.h"
 #include "tracking/text.h"
 

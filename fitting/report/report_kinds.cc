@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/report/report_blobs.h"
 
 namespace clothfit {

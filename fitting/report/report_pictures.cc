@@ -9,7 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "fitting/report/report_cameras.h"
 #include "tracking/images.h"
 

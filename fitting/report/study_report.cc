@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/report/markdown_blocks.h"
 #include "fitting/report/report_kinds.h"
 #include "fitting/report/scene_page.h"

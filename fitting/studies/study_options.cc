@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/comparison.h"
 #include "tracking/synthetic_presets.h"

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/gradient_check.h"
+#include "autodiff_sim/base/gradient_check.h"
 #include "autodiff_sim/terms.h"
 #include "tests/autodiff_sim/term_sample.h"
 

@@ -3,7 +3,7 @@
 //
 // The gradient checker: it must accept right Jacobians, reject wrong ones, and know when it cannot
 // tell.
-#include "autodiff_sim/gradient_check.h"
+#include "autodiff_sim/base/gradient_check.h"
 
 #include <cmath>
 #include <cstdint>

@@ -10,9 +10,9 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/base/dual.h"
 #include "autodiff_sim/block_sparse_matrix.h"
 #include "autodiff_sim/cloth_mesh.h"
-#include "autodiff_sim/dual.h"
 #include "autodiff_sim/gmres.h"
 #include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/sparse_cholesky.h"

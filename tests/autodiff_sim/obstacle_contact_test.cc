@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/contact/obstacle_contacts.h"
 #include "autodiff_sim/contact/proximity.h"
-#include "autodiff_sim/error.h"
 #include "autodiff_sim/scenes/contact_scenes.h"
 #include "tests/autodiff_sim/motion.h"
 #include "tests/autodiff_sim/rollout.h"

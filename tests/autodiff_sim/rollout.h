@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "autodiff_sim/gradient_check.h"
+#include "autodiff_sim/base/gradient_check.h"
 #include "autodiff_sim/simulation.h"
 #include "tests/support/scenes.h"
 

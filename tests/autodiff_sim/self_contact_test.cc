@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/scenes/contact_scenes.h"
 #include "autodiff_sim/terms.h"
 #include "tests/autodiff_sim/motion.h"

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

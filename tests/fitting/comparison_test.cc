@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/line_chart.h"
 #include "tests/support/silhouette_scene.h"
 #include "tests/tracking/test_folder.h"

@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 
 namespace clothfit {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/scenes/cloth_scene.h"
 #include "fitting/diagnosis/finite_elements/fem_cloth.h"
 

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/diagnosis_folder.h"
 #include "fitting/whole_file.h"
 #include "tests/support/small_recording.h"

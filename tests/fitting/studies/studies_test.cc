@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "autodiff_sim/error.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/studies/run_study.h"
 #include "fitting/studies/study.h"
 #include "tests/tracking/test_folder.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "autodiff_sim/parallel.h"
+#include "autodiff_sim/base/parallel.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Ridders' tableau for vectors.
-#include "autodiff_sim/gradient_check.h"
+#include "autodiff_sim/base/gradient_check.h"
 
 #include <algorithm>
 #include <cmath>
