@@ -16,11 +16,11 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/block_sparse_matrix.h"
 #include "autodiff_sim/contact/obstacle_contacts.h"
 #include "autodiff_sim/contact/self_contacts.h"
 #include "autodiff_sim/force_batch.h"
 #include "autodiff_sim/handle_constraints.h"
+#include "autodiff_sim/linear/block_sparse_matrix.h"
 #include "autodiff_sim/parameter_table.h"
 #include "autodiff_sim/state.h"
 

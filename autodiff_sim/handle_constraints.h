@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/block_sparse_matrix.h"
+#include "autodiff_sim/linear/block_sparse_matrix.h"
 #include "autodiff_sim/step_inputs.h"
 
 namespace clothfit {

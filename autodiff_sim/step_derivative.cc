@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "autodiff_sim/base/parallel.h"
-#include "autodiff_sim/direct_solve.h"
+#include "autodiff_sim/linear/direct_solve.h"
 #include "autodiff_sim/step_solver.h"
 
 namespace clothfit {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "autodiff_sim/cloth_model.h"
-#include "autodiff_sim/gmres.h"
+#include "autodiff_sim/linear/gmres.h"
+#include "autodiff_sim/linear/sparse_cholesky.h"
+#include "autodiff_sim/linear/sparse_lu.h"
 #include "autodiff_sim/simulation.h"
-#include "autodiff_sim/sparse_cholesky.h"
-#include "autodiff_sim/sparse_lu.h"
 
 namespace clothfit {
 

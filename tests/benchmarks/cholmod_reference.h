@@ -9,7 +9,7 @@
 
 #include <cholmod.h>
 
-#include "autodiff_sim/block_sparse_matrix.h"
+#include "autodiff_sim/linear/block_sparse_matrix.h"
 
 namespace clothfit {
 

@@ -4,10 +4,10 @@
 // The parts of a step, on a square metre of n x n particles at rest on the ground.
 #include <benchmark/benchmark.h>
 
-#include "autodiff_sim/gmres.h"
+#include "autodiff_sim/linear/gmres.h"
+#include "autodiff_sim/linear/sparse_cholesky.h"
+#include "autodiff_sim/linear/sparse_lu.h"
 #include "autodiff_sim/simulation.h"
-#include "autodiff_sim/sparse_cholesky.h"
-#include "autodiff_sim/sparse_lu.h"
 #include "tests/benchmarks/cholmod_reference.h"
 #include "tests/support/scenes.h"
 

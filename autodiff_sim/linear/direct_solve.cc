@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Eigen's SparseLU on a copy of the matrix: slow, and rarely called.
-#include "autodiff_sim/direct_solve.h"
+#include "autodiff_sim/linear/direct_solve.h"
 
 #include <vector>
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // As sparse_cholesky.cc, with two panels for each of its one.
-#include "autodiff_sim/sparse_lu.h"
+#include "autodiff_sim/linear/sparse_lu.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "autodiff_sim/base/flush_denormals.h"
-#include "autodiff_sim/dense_panel.h"
+#include "autodiff_sim/linear/dense_panel.h"
 
 namespace clothfit {
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The symmetric part gathered, then factored panel by panel.
-#include "autodiff_sim/sparse_cholesky.h"
+#include "autodiff_sim/linear/sparse_cholesky.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "autodiff_sim/base/flush_denormals.h"
-#include "autodiff_sim/dense_panel.h"
+#include "autodiff_sim/linear/dense_panel.h"
 
 namespace clothfit {
 namespace {

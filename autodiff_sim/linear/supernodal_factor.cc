@@ -3,13 +3,13 @@
 //
 // What both factorisations share. They look right: a panel is factored, then its product is
 // subtracted from the panels after it.
-#include "autodiff_sim/supernodal_factor.h"
+#include "autodiff_sim/linear/supernodal_factor.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "autodiff_sim/base/flush_denormals.h"
-#include "autodiff_sim/dense_panel.h"
+#include "autodiff_sim/linear/dense_panel.h"
 
 namespace clothfit {
 

@@ -5,7 +5,7 @@
 // preconditioner, never the last word.
 #pragma once
 
-#include "autodiff_sim/supernodal_factor.h"
+#include "autodiff_sim/linear/supernodal_factor.h"
 
 namespace clothfit {
 

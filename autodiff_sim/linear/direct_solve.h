@@ -4,7 +4,7 @@
 // The last resort where GMRES stalls, near a buckling point: an unsymmetric factorisation.
 #pragma once
 
-#include "autodiff_sim/block_sparse_matrix.h"
+#include "autodiff_sim/linear/block_sparse_matrix.h"
 
 namespace clothfit {
 

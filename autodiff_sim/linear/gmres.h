@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "autodiff_sim/block_sparse_matrix.h"
-#include "autodiff_sim/supernodal_factor.h"
+#include "autodiff_sim/linear/block_sparse_matrix.h"
+#include "autodiff_sim/linear/supernodal_factor.h"
 
 namespace clothfit {
 

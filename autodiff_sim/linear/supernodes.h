@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "autodiff_sim/block_sparse_matrix.h"
+#include "autodiff_sim/linear/block_sparse_matrix.h"
 
 namespace clothfit {
 

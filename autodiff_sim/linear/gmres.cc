@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // GMRES (Saad and Schultz 1986) with Givens rotations, one Hessenberg matrix a column.
-#include "autodiff_sim/gmres.h"
+#include "autodiff_sim/linear/gmres.h"
 
 #include <algorithm>
 #include <cmath>

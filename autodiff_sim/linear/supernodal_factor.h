@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "autodiff_sim/block_sparse_matrix.h"
-#include "autodiff_sim/supernodes.h"
+#include "autodiff_sim/linear/block_sparse_matrix.h"
+#include "autodiff_sim/linear/supernodes.h"
 
 namespace clothfit {
 

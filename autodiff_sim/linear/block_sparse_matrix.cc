@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Pattern and product of block-sparse matrices.
-#include "autodiff_sim/block_sparse_matrix.h"
+#include "autodiff_sim/linear/block_sparse_matrix.h"
 
 #include <algorithm>
 #include <iterator>

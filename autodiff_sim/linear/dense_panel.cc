@@ -3,7 +3,7 @@
 //
 // Register-blocked loops. The vector types are GCC's and Clang's: whatever the machine has, the
 // compiler splits or fuses them to.
-#include "autodiff_sim/dense_panel.h"
+#include "autodiff_sim/linear/dense_panel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // CHOLMOD analyses the pattern of blocks, which is nine times smaller than that of numbers.
-#include "autodiff_sim/supernodes.h"
+#include "autodiff_sim/linear/supernodes.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -8,7 +8,7 @@
 
 #include <memory>
 
-#include "autodiff_sim/supernodal_factor.h"
+#include "autodiff_sim/linear/supernodal_factor.h"
 
 namespace clothfit {
 
