@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "autodiff_sim/cloth_box.h"
+#include "autodiff_sim/mesh/cloth_box.h"
 #include "autodiff_sim/term.h"
 
 namespace clothfit {

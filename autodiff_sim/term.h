@@ -47,7 +47,7 @@
 #include <Eigen/Geometry>
 
 #include "autodiff_sim/base/scalar.h"
-#include "autodiff_sim/cloth_mesh.h"
+#include "autodiff_sim/mesh/cloth_mesh.h"
 #include "autodiff_sim/parameter.h"
 #include "autodiff_sim/step_inputs.h"
 

@@ -14,7 +14,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/contact/obstacle_body.h"
-#include "autodiff_sim/obj_file.h"
+#include "autodiff_sim/mesh/obj_file.h"
 #include "tracking/initial_placement.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/cloth_mesh.h"
+#include "autodiff_sim/mesh/cloth_mesh.h"
 #include "fitting/point_residual.h"
 #include "fitting/silhouettes.h"
 #include "tracking/camera.h"

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/cloth_mesh.h"
+#include "autodiff_sim/mesh/cloth_mesh.h"
 #include "tracking/camera.h"
 #include "tracking/surface_rays.h"
 

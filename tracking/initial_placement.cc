@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "autodiff_sim/obj_file.h"
+#include "autodiff_sim/mesh/obj_file.h"
 #include "tracking/thin_plate_spline.h"
 
 namespace clothfit {

@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/surface_point.h"
+#include "autodiff_sim/mesh/surface_point.h"
 
 namespace clothfit {
 

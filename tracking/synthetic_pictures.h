@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/cloth_mesh.h"
+#include "autodiff_sim/mesh/cloth_mesh.h"
 #include "tracking/procedural_texture.h"
 #include "tracking/recording.h"
 #include "tracking/sensor.h"

@@ -9,9 +9,9 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/cloth_mesh.h"
 #include "autodiff_sim/contact/dop_tree.h"
 #include "autodiff_sim/contact/mesh_features.h"
+#include "autodiff_sim/mesh/cloth_mesh.h"
 
 namespace clothfit {
 

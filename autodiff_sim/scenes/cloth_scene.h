@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/cloth_mesh.h"
+#include "autodiff_sim/mesh/cloth_mesh.h"
 #include "autodiff_sim/simulation.h"
 
 namespace clothfit {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "autodiff_sim/cloth_box.h"
+#include "autodiff_sim/mesh/cloth_box.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/window_simulator.h"
 

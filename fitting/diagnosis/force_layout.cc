@@ -7,7 +7,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "autodiff_sim/cloth_box.h"
+#include "autodiff_sim/mesh/cloth_box.h"
 #include "autodiff_sim/terms/residual_force.h"
 
 namespace clothfit {

@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/cloth_mesh.h"
+#include "autodiff_sim/mesh/cloth_mesh.h"
 #include "autodiff_sim/step_inputs.h"
 
 namespace clothfit {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/cloth_box.h"
+#include "autodiff_sim/mesh/cloth_box.h"
 
 namespace clothfit {
 

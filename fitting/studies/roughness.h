@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/cloth_mesh.h"
+#include "autodiff_sim/mesh/cloth_mesh.h"
 
 namespace clothfit {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Grids and triangle meshes: areas, springs, hinges, and what is refused.
-#include "autodiff_sim/cloth_mesh.h"
+#include "autodiff_sim/mesh/cloth_mesh.h"
 
 #include <cmath>
 #include <functional>

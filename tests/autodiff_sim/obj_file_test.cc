@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // OBJ files: there and back, and every way of getting one wrong.
-#include "autodiff_sim/obj_file.h"
+#include "autodiff_sim/mesh/obj_file.h"
 
 #include <cstdio>
 #include <fstream>

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/force_batch_impl.h"
-#include "autodiff_sim/obj_file.h"
+#include "autodiff_sim/mesh/obj_file.h"
 #include "autodiff_sim/terms.h"
 #include "tests/autodiff_sim/rollout.h"
 #include "tests/support/scenes.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Points of the surface, and handles at them.
-#include "autodiff_sim/surface_point.h"
+#include "autodiff_sim/mesh/surface_point.h"
 
 #include <random>
 #include <string>

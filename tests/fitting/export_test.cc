@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "autodiff_sim/obj_file.h"
+#include "autodiff_sim/mesh/obj_file.h"
 #include "fitting/export/gltf.h"
 #include "fitting/export/mesh_files.h"
 #include "fitting/export/point_cache.h"

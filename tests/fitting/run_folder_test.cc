@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "autodiff_sim/obj_file.h"
+#include "autodiff_sim/mesh/obj_file.h"
 #include "autodiff_sim/parameter_table.h"
 #include "fitting/fit_run.h"
 #include "fitting/npy_file.h"

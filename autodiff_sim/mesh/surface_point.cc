@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Locating (u, v) in the mesh.
-#include "autodiff_sim/surface_point.h"
+#include "autodiff_sim/mesh/surface_point.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reading OBJ: only what a cloth needs.
-#include "autodiff_sim/obj_file.h"
+#include "autodiff_sim/mesh/obj_file.h"
 
 #include <algorithm>
 #include <charconv>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Grids, validation, and the springs and hinges of a mesh.
-#include "autodiff_sim/cloth_mesh.h"
+#include "autodiff_sim/mesh/cloth_mesh.h"
 
 #include <cmath>
 #include <map>
