@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/linear/block_sparse_matrix.h"
-#include "autodiff_sim/step_inputs.h"
+#include "autodiff_sim/term/step_inputs.h"
 
 namespace clothfit {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "autodiff_sim/force_batch.h"
+#include "autodiff_sim/term/force_batch.h"
 
 namespace clothfit {
 

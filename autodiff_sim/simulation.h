@@ -13,7 +13,7 @@
 
 #include "autodiff_sim/cloth_model.h"
 #include "autodiff_sim/state.h"
-#include "autodiff_sim/step_inputs.h"
+#include "autodiff_sim/term/step_inputs.h"
 
 namespace clothfit {
 

@@ -4,7 +4,7 @@
 // The one list of force terms. A term is added by writing its file and naming it here.
 #pragma once
 
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 #include "autodiff_sim/terms/added_mass.h"
 #include "autodiff_sim/terms/adhesion.h"
 #include "autodiff_sim/terms/air_drag.h"

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "autodiff_sim/step_inputs.h"
+#include "autodiff_sim/term/step_inputs.h"
 #include "fitting/scene.h"
 
 namespace clothfit {

@@ -9,7 +9,7 @@
 //   f_i = -d/dt (dT/dv_i) + dT/dx_i = -m A ((ds/dt n + s dn/dt) / 3 - s ds/dx_i).
 #pragma once
 
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 

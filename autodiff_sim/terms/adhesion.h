@@ -11,8 +11,8 @@
 
 #include <cmath>
 
-#include "autodiff_sim/cloth_region.h"
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/cloth_region.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "autodiff_sim/contact/feature_pair.h"
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 

@@ -12,8 +12,8 @@
 
 #include <cmath>
 
-#include "autodiff_sim/fold_angle.h"
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/fold_angle.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 

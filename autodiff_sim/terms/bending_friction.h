@@ -9,8 +9,8 @@
 
 #include <cmath>
 
-#include "autodiff_sim/dahl_friction.h"
-#include "autodiff_sim/fold_angle.h"
+#include "autodiff_sim/term/dahl_friction.h"
+#include "autodiff_sim/term/fold_angle.h"
 
 namespace clothfit {
 

@@ -12,8 +12,8 @@
 
 #include <cmath>
 
-#include "autodiff_sim/cloth_region.h"
-#include "autodiff_sim/fold_angle.h"
+#include "autodiff_sim/term/cloth_region.h"
+#include "autodiff_sim/term/fold_angle.h"
 
 namespace clothfit {
 

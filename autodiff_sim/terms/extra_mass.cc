@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "autodiff_sim/force_batch_impl.h"
+#include "autodiff_sim/term/force_batch_impl.h"
 
 namespace clothfit {
 

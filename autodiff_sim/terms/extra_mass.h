@@ -8,9 +8,9 @@
 // integrator's own formula: the step is that of a cloth of which m is a part.
 #pragma once
 
-#include "autodiff_sim/cloth_region.h"
-#include "autodiff_sim/term.h"
-#include "autodiff_sim/tilted_down.h"
+#include "autodiff_sim/term/cloth_region.h"
+#include "autodiff_sim/term/term.h"
+#include "autodiff_sim/term/tilted_down.h"
 
 namespace clothfit {
 

@@ -4,7 +4,7 @@
 // Weight: f = s m g, with the particle's lumped mass m = areal density times area.
 #pragma once
 
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 

@@ -5,8 +5,8 @@
 // x and y where it is along -z. The term is the difference that makes, f = s m (R g - g).
 #pragma once
 
-#include "autodiff_sim/term.h"
-#include "autodiff_sim/tilted_down.h"
+#include "autodiff_sim/term/term.h"
+#include "autodiff_sim/term/tilted_down.h"
 
 namespace clothfit {
 

@@ -15,7 +15,7 @@
 // and the term is the difference that it makes; where it is rigid, it moves the place.
 #pragma once
 
-#include "autodiff_sim/cloth_region.h"
+#include "autodiff_sim/term/cloth_region.h"
 #include "autodiff_sim/terms/attraction.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 // wind.h: the term is the difference that it makes to the air drag in the even wind.
 #pragma once
 
-#include "autodiff_sim/cloth_region.h"
+#include "autodiff_sim/term/cloth_region.h"
 #include "autodiff_sim/terms/air_drag.h"
 
 namespace clothfit {

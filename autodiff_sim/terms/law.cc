@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "autodiff_sim/force_batch_impl.h"
 #include "autodiff_sim/mesh/cloth_box.h"
+#include "autodiff_sim/term/force_batch_impl.h"
 
 namespace clothfit {
 

@@ -9,8 +9,8 @@
 
 #include <cmath>
 
-#include "autodiff_sim/term.h"
-#include "autodiff_sim/tilted_down.h"
+#include "autodiff_sim/term/term.h"
+#include "autodiff_sim/term/tilted_down.h"
 
 namespace clothfit {
 

@@ -14,7 +14,7 @@
 
 #include "autodiff_sim/contact/closest_offset.h"
 #include "autodiff_sim/contact/obstacle_contact.h"
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 #include "autodiff_sim/terms/barrier.h"
 
 namespace clothfit {

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-#include "autodiff_sim/fold_angle.h"
+#include "autodiff_sim/term/fold_angle.h"
 #include "autodiff_sim/terms/spring.h"
 
 namespace clothfit {

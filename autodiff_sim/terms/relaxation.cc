@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "autodiff_sim/terms/relaxation.h"
 
-#include "autodiff_sim/force_batch_impl.h"
+#include "autodiff_sim/term/force_batch_impl.h"
 
 namespace clothfit {
 

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 

@@ -6,8 +6,8 @@
 //   shear stress = limit * z,  dz = (d gamma - z |d gamma|) / onset.
 #pragma once
 
-#include "autodiff_sim/dahl_friction.h"
-#include "autodiff_sim/shear_strain.h"
+#include "autodiff_sim/term/dahl_friction.h"
+#include "autodiff_sim/term/shear_strain.h"
 
 namespace clothfit {
 

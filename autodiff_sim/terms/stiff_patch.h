@@ -8,8 +8,8 @@
 
 #include <cmath>
 
-#include "autodiff_sim/fold_angle.h"
-#include "autodiff_sim/stiff_region.h"
+#include "autodiff_sim/term/fold_angle.h"
+#include "autodiff_sim/term/stiff_region.h"
 #include "autodiff_sim/terms/spring.h"
 
 namespace clothfit {

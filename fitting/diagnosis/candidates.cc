@@ -9,7 +9,7 @@
 #include <set>
 
 #include "autodiff_sim/parameter_table.h"
-#include "autodiff_sim/tilted_down.h"
+#include "autodiff_sim/term/tilted_down.h"
 
 namespace clothfit {
 namespace {

@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
-#include "autodiff_sim/step_inputs.h"
+#include "autodiff_sim/term/step_inputs.h"
 
 namespace clothfit {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "autodiff_sim/force_batch.h"
+#include "autodiff_sim/term/force_batch.h"
 #include "tracking/synthetic_motion.h"
 
 namespace clothfit {

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/force_batch_impl.h"
 #include "autodiff_sim/mesh/obj_file.h"
+#include "autodiff_sim/term/force_batch_impl.h"
 #include "autodiff_sim/terms.h"
 #include "tests/autodiff_sim/rollout.h"
 #include "tests/support/scenes.h"

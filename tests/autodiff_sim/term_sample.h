@@ -15,7 +15,7 @@
 
 #include "autodiff_sim/contact/contact_pair.h"
 #include "autodiff_sim/contact/obstacle_contact.h"
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 
-#include "autodiff_sim/force_batch_impl.h"
+#include "autodiff_sim/term/force_batch_impl.h"
 #include "autodiff_sim/terms.h"
 #include "fitting/simulation_cost.h"
 #include "fitting/uncertainty.h"

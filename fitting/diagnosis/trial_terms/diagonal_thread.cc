@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "autodiff_sim/force_batch_impl.h"
+#include "autodiff_sim/term/force_batch_impl.h"
 
 namespace clothfit {
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/parameter_table.h"
-#include "autodiff_sim/tilted_down.h"
+#include "autodiff_sim/term/tilted_down.h"
 #include "fitting/diagnosis/candidates.h"
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/diagnosis_words.h"

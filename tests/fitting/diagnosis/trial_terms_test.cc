@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The terms of trials keep the contract of autodiff_sim/term.h, as clothfit's own do.
+// The terms of trials keep the contract of autodiff_sim/term/term.h, as clothfit's own do.
 #include "fitting/diagnosis/trial_terms/trial_terms.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The triangles' shape functions.
-#include "autodiff_sim/shear_strain.h"
+#include "autodiff_sim/term/shear_strain.h"
 
 namespace clothfit {
 

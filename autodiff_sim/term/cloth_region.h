@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "autodiff_sim/mesh/cloth_box.h"
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 

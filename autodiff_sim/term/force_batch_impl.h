@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "autodiff_sim/base/dual.h"
-#include "autodiff_sim/force_batch.h"
+#include "autodiff_sim/term/force_batch.h"
 
 namespace clothfit {
 

@@ -13,7 +13,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/linear/block_sparse_matrix.h"
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 

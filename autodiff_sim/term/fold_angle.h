@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 

@@ -6,8 +6,8 @@
 // middle.
 #pragma once
 
-#include "autodiff_sim/cloth_region.h"
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/cloth_region.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 

@@ -48,8 +48,8 @@
 
 #include "autodiff_sim/base/scalar.h"
 #include "autodiff_sim/mesh/cloth_mesh.h"
-#include "autodiff_sim/parameter.h"
-#include "autodiff_sim/step_inputs.h"
+#include "autodiff_sim/term/parameter.h"
+#include "autodiff_sim/term/step_inputs.h"
 
 namespace clothfit {
 

@@ -7,7 +7,7 @@
 // moving leave it alone, and so does stretching along the threads.
 #pragma once
 
-#include "autodiff_sim/term.h"
+#include "autodiff_sim/term/term.h"
 
 namespace clothfit {
 
