@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 
 namespace clothfit {
 namespace {

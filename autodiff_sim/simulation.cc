@@ -12,7 +12,7 @@
 #include "autodiff_sim/contact/intersections.h"
 #include "autodiff_sim/grips.h"
 #include "autodiff_sim/step_solver.h"
-#include "autodiff_sim/terms.h"
+#include "autodiff_sim/terms/terms.h"
 
 namespace clothfit {
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/free_parameters.h"
 #include "fitting/surface_truth.h"
 #include "tracking/text.h"

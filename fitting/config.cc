@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/config_keys.h"
 #include "tracking/text.h"
 

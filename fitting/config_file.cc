@@ -4,7 +4,7 @@
 // A config as a YAML file.
 #include <fmt/format.h>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/config.h"
 #include "fitting/config_keys.h"
 #include "tracking/text.h"

@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/handle_constraints.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/run_obstacles.h"
 #include "fitting/search.h"
 #include "fitting/surface_evaluation.h"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/window_cost.h"
 
 namespace clothfit {

@@ -15,7 +15,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/whole_file.h"
 #include "tracking/recording_validation.h"
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/whole_file.h"
 #include "tracking/csv.h"
 #include "tracking/recording_validation.h"

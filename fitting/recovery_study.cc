@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "autodiff_sim/base/parallel.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 
 namespace clothfit {
 namespace {

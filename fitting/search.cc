@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/frame_by_frame.h"
 #include "fitting/free_parameters.h"
 #include "fitting/search_ledger.h"

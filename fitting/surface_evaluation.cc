@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/prediction.h"
 #include "fitting/surface_truth.h"
 

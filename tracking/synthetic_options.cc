@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "tracking/synthetic_recording.h"
 #include "tracking/text.h"
 

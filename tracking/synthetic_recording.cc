@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
 #include "autodiff_sim/scenes/cloth_scene.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "tracking/picture_writer.h"
 #include "tracking/synthetic_keys.h"
 #include "tracking/synthetic_observations.h"

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "autodiff_sim/mesh/cloth_box.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/window_simulator.h"
 
 namespace clothfit {

@@ -8,8 +8,8 @@
 #include <random>
 #include <set>
 
-#include "autodiff_sim/parameter_table.h"
 #include "autodiff_sim/term/tilted_down.h"
+#include "autodiff_sim/terms/parameter_table.h"
 
 namespace clothfit {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/diagnosis_motions.h"
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/residual_force.h"
 #include "fitting/diagnosis/rows.h"
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/seen_cloth.h"
 #include "fitting/hard_silhouette.h"

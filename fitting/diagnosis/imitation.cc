@@ -9,7 +9,7 @@
 #include <Eigen/QR>
 
 #include "autodiff_sim/base/parallel.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/acting_force.h"
 #include "fitting/diagnosis/named_parameter.h"
 #include "fitting/window_simulator.h"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/named_parameter.h"

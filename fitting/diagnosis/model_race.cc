@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/fault_estimate.h"
 #include "fitting/diagnosis/imitation.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/named_parameter.h"
 #include "fitting/diagnosis/rows.h"

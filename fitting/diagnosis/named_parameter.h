@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 
 namespace clothfit {
 

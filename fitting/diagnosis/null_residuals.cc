@@ -14,7 +14,7 @@
 #include <ceres/ceres.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/held_out.h"
 #include "fitting/levenberg_marquardt.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/candidates.h"
 #include "fitting/diagnosis/trial_terms/trial_terms.h"
 

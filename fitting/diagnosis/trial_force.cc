@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 
 namespace clothfit {
 

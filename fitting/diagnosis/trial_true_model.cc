@@ -6,7 +6,7 @@
 #include <cmath>
 #include <exception>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/trial_score.h"
 #include "fitting/diagnosis/trial_terms/trial_terms.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/held_out.h"
 
 namespace clothfit {

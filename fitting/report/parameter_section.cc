@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/report/report_sections.h"
 #include "tracking/truth.h"
 

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/gradient_report.h"
 #include "fitting/line_chart.h"
 #include "fitting/recovery_study.h"

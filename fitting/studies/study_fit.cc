@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/comparison.h"
 #include "fitting/jobs/shared_pattern_search.h"
 #include "fitting/studies/roughness.h"

@@ -4,7 +4,7 @@
 // The command line itself, and the commands that need no fit.
 #include <nlohmann/json.hpp>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "tests/apps/command.h"
 #include "tests/support/small_recording.h"
 #include "tracking/text.h"

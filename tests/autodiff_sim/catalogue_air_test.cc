@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/terms.h"
+#include "autodiff_sim/terms/terms.h"
 #include "tests/autodiff_sim/term_sample.h"
 
 namespace clothfit {

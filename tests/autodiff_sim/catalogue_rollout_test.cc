@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/terms.h"
+#include "autodiff_sim/terms/terms.h"
 #include "tests/autodiff_sim/catalogue_cases.h"
 #include "tests/autodiff_sim/rollout.h"
 

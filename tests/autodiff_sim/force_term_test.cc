@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/gradient_check.h"
-#include "autodiff_sim/terms.h"
+#include "autodiff_sim/terms/terms.h"
 #include "tests/autodiff_sim/term_sample.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/terms.h"
+#include "autodiff_sim/terms/terms.h"
 #include "tests/autodiff_sim/catalogue_cases.h"
 #include "tests/autodiff_sim/rollout.h"
 #include "tests/support/scenes.h"

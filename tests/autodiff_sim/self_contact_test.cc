@@ -11,7 +11,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/scenes/contact_scenes.h"
-#include "autodiff_sim/terms.h"
+#include "autodiff_sim/terms/terms.h"
 #include "tests/autodiff_sim/motion.h"
 #include "tests/support/scenes.h"
 

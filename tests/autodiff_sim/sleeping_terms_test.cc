@@ -4,7 +4,7 @@
 // Terms that are off cost nothing and change nothing, and may be switched on at any time.
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/terms.h"
+#include "autodiff_sim/terms/terms.h"
 #include "tests/autodiff_sim/catalogue_cases.h"
 #include "tests/autodiff_sim/motion.h"
 #include "tests/support/scenes.h"

@@ -10,7 +10,7 @@
 #include "autodiff_sim/contact/closest_offset.h"
 #include "autodiff_sim/contact/obstacle_contacts.h"
 #include "autodiff_sim/contact/self_contacts.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 
 namespace clothfit {
 namespace {

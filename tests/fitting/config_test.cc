@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/config_keys.h"
 #include "tests/tracking/test_folder.h"
 

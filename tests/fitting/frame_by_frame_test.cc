@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit.h"
 #include "tests/support/silhouette_scene.h"
 

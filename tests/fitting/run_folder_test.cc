@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/mesh/obj_file.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit_run.h"
 #include "fitting/npy_file.h"
 #include "fitting/whole_file.h"

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/synthesis_error.h"
 #include "tests/support/silhouette_scene.h"
 

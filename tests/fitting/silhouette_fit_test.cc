@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit.h"
 #include "fitting/fit_run.h"
 #include "fitting/hard_silhouette.h"

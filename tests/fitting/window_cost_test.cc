@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "tests/support/silhouette_scene.h"
 #include "tests/support/small_recording.h"
 

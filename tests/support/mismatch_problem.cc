@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/forced_motion.h"
 #include "fitting/diagnosis/modelling.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/small_recording.h"

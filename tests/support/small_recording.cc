@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit.h"
 
 namespace clothfit {

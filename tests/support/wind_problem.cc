@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/term/force_batch_impl.h"
-#include "autodiff_sim/terms.h"
+#include "autodiff_sim/terms/terms.h"
 #include "fitting/simulation_cost.h"
 #include "fitting/uncertainty.h"
 #include "fitting/window_cost.h"

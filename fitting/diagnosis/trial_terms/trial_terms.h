@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "autodiff_sim/simulation.h"
-#include "autodiff_sim/terms.h"
+#include "autodiff_sim/terms/terms.h"
 #include "fitting/diagnosis/trial_terms/diagonal_thread.h"
 #include "fitting/diagnosis/trial_terms/sticky_point.h"
 #include "fitting/diagnosis/trial_terms/vortex.h"

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/parameter_table.h"
 #include "autodiff_sim/term/tilted_down.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/candidates.h"
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/diagnosis_words.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/guided_ranking.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/window_simulator.h"

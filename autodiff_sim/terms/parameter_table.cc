@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The table of parameters.
-#include "autodiff_sim/parameter_table.h"
+#include "autodiff_sim/terms/parameter_table.h"
 
-#include "autodiff_sim/terms.h"
+#include "autodiff_sim/terms/terms.h"
 
 namespace clothfit {
 
