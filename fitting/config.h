@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "autodiff_sim/cloth_model.h"
+#include "autodiff_sim/step/cloth_model.h"
 #include "tracking/recording.h"
 
 namespace clothfit {

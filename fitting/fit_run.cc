@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/handle_constraints.h"
+#include "autodiff_sim/step/handle_constraints.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/run_obstacles.h"
 #include "fitting/search.h"

@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 #include "fitting/free_parameters.h"
 #include "fitting/observation_residuals.h"
 #include "fitting/optimiser.h"

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "autodiff_sim/state.h"
+#include "autodiff_sim/step/state.h"
 #include "fitting/point_residual.h"
 
 namespace clothfit {

@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 #include "fitting/config.h"
 #include "fitting/silhouettes.h"
 #include "tracking/plucker_ray.h"

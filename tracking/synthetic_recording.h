@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 #include "tracking/recording.h"
 #include "tracking/synthetic_motion.h"
 #include "tracking/synthetic_pictures.h"

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 
 namespace clothfit {
 

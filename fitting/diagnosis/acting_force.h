@@ -11,8 +11,8 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/cloth_model.h"
 #include "autodiff_sim/mesh/cloth_mesh.h"
+#include "autodiff_sim/step/cloth_model.h"
 #include "fitting/diagnosis/rows.h"
 
 namespace clothfit {

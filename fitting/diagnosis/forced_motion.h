@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 #include "fitting/attraction_targets.h"
 #include "fitting/diagnosis/force_layout.h"
 #include "fitting/free_parameters.h"

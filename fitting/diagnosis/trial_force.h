@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 #include "fitting/diagnosis/trial_recording.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 
 namespace clothfit {
 

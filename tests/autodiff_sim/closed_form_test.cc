@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 #include "tests/autodiff_sim/motion.h"
 #include "tests/support/scenes.h"
 

@@ -11,12 +11,12 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/dual.h"
-#include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/linear/block_sparse_matrix.h"
 #include "autodiff_sim/linear/gmres.h"
 #include "autodiff_sim/linear/sparse_cholesky.h"
 #include "autodiff_sim/linear/sparse_lu.h"
 #include "autodiff_sim/mesh/cloth_mesh.h"
+#include "autodiff_sim/step/handle_constraints.h"
 
 namespace clothfit {
 namespace {

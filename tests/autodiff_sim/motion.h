@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 
 namespace clothfit {
 

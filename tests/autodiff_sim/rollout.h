@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "autodiff_sim/base/gradient_check.h"
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

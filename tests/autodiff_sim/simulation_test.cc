@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a simulation promises its callers, whatever the physics.
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 
 #include <atomic>
 #include <cmath>

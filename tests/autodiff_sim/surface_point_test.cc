@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/handle_constraints.h"
+#include "autodiff_sim/step/handle_constraints.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

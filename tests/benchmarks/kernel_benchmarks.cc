@@ -7,7 +7,7 @@
 #include "autodiff_sim/linear/gmres.h"
 #include "autodiff_sim/linear/sparse_cholesky.h"
 #include "autodiff_sim/linear/sparse_lu.h"
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 #include "tests/benchmarks/cholmod_reference.h"
 #include "tests/support/scenes.h"
 

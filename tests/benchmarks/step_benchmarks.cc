@@ -10,7 +10,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 #include "tests/benchmarks/cholmod_reference.h"
 #include "tests/support/scenes.h"
 

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 #include "autodiff_sim/terms/terms.h"
 #include "fitting/diagnosis/trial_terms/diagonal_thread.h"
 #include "fitting/diagnosis/trial_terms/sticky_point.h"

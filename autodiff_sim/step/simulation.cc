@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Steps, and the shorter ones that a failed step is tried as.
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/simulation.h"
 
 #include <cmath>
 #include <string>
@@ -10,8 +10,8 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/contact/intersections.h"
-#include "autodiff_sim/grips.h"
-#include "autodiff_sim/step_solver.h"
+#include "autodiff_sim/step/grips.h"
+#include "autodiff_sim/step/step_solver.h"
 #include "autodiff_sim/terms/terms.h"
 
 namespace clothfit {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/cloth_model.h"
+#include "autodiff_sim/step/cloth_model.h"
 #include "autodiff_sim/term/step_inputs.h"
 
 namespace clothfit {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Derivatives in blocks of lanes.
-#include "autodiff_sim/state.h"
+#include "autodiff_sim/step/state.h"
 
 #include <algorithm>
 

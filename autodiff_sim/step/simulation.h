@@ -11,8 +11,8 @@
 
 #include <Eigen/Core>
 
-#include "autodiff_sim/cloth_model.h"
-#include "autodiff_sim/state.h"
+#include "autodiff_sim/step/cloth_model.h"
+#include "autodiff_sim/step/state.h"
 #include "autodiff_sim/term/step_inputs.h"
 
 namespace clothfit {

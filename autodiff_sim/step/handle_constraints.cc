@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The substitution that holds points of the cloth.
-#include "autodiff_sim/handle_constraints.h"
+#include "autodiff_sim/step/handle_constraints.h"
 
 #include <algorithm>
 #include <string>

@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "autodiff_sim/cloth_model.h"
 #include "autodiff_sim/linear/gmres.h"
 #include "autodiff_sim/linear/sparse_cholesky.h"
 #include "autodiff_sim/linear/sparse_lu.h"
-#include "autodiff_sim/simulation.h"
+#include "autodiff_sim/step/cloth_model.h"
+#include "autodiff_sim/step/simulation.h"
 
 namespace clothfit {
 

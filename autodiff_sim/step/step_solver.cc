@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Newton's method for one step.
-#include "autodiff_sim/step_solver.h"
+#include "autodiff_sim/step/step_solver.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Assembly over all terms.
-#include "autodiff_sim/cloth_model.h"
+#include "autodiff_sim/step/cloth_model.h"
 
 #include <utility>
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/cloth_model.h"
 #include "autodiff_sim/contact/contact_clock.h"
+#include "autodiff_sim/step/cloth_model.h"
 #include "autodiff_sim/terms/barrier.h"
 #include "autodiff_sim/terms/obstacle_contact.h"
 #include "autodiff_sim/terms/self_contact.h"

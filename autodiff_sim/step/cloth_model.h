@@ -18,9 +18,9 @@
 
 #include "autodiff_sim/contact/obstacle_contacts.h"
 #include "autodiff_sim/contact/self_contacts.h"
-#include "autodiff_sim/handle_constraints.h"
 #include "autodiff_sim/linear/block_sparse_matrix.h"
-#include "autodiff_sim/state.h"
+#include "autodiff_sim/step/handle_constraints.h"
+#include "autodiff_sim/step/state.h"
 #include "autodiff_sim/term/force_batch.h"
 #include "autodiff_sim/terms/parameter_table.h"
 

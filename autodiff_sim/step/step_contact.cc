@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "autodiff_sim/contact/contact_clock.h"
-#include "autodiff_sim/step_solver.h"
+#include "autodiff_sim/step/step_solver.h"
 
 namespace clothfit {
 

@@ -7,7 +7,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/linear/direct_solve.h"
-#include "autodiff_sim/step_solver.h"
+#include "autodiff_sim/step/step_solver.h"
 
 namespace clothfit {
 namespace {

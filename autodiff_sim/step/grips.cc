@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "autodiff_sim/grips.h"
+#include "autodiff_sim/step/grips.h"
 
 #include <algorithm>
 
