@@ -8,7 +8,7 @@
 #include "apps/progress_display.h"
 #include "apps/study_commands.h"
 #include "fitting/batch/batch.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

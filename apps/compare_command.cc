@@ -17,7 +17,7 @@
 #include "fitting/comparison.h"
 #include "fitting/fit_run.h"
 #include "fitting/whole_file.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -10,7 +10,7 @@
 #include "apps/commands.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/surface_evaluation.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

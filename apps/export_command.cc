@@ -11,7 +11,7 @@
 #include "apps/commands.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/export/export.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

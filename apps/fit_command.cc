@@ -17,7 +17,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/fit_run.h"
 #include "fitting/optimiser.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "apps/commands.h"
 #include "apps/import_commands.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 

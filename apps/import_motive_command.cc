@@ -11,7 +11,7 @@
 #include "tracking/import_motive.h"
 #include "tracking/recording_start.h"
 #include "tracking/take_recording.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

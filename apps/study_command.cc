@@ -15,7 +15,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/chaos_study.h"
 #include "fitting/recovery_study.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 #include "tracking/tracking_evaluation.h"
 
 namespace clothfit {

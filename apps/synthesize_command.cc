@@ -16,7 +16,7 @@
 #include "autodiff_sim/base/error.h"
 #include "tracking/synthetic_keys.h"
 #include "tracking/synthetic_presets.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -23,7 +23,7 @@
 #include "fitting/diagnosis/trial_summary.h"
 #include "fitting/version.h"
 #include "fitting/whole_file.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -10,7 +10,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/free_parameters.h"
 #include "fitting/surface_truth.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -13,7 +13,7 @@
 #include "fitting/comparison.h"
 #include "fitting/line_chart.h"
 #include "fitting/whole_file.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -12,7 +12,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/config_keys.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/optimiser.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

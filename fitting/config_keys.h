@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fitting/config.h"
-#include "tracking/yaml_reader.h"
+#include "tracking/text/yaml_reader.h"
 
 namespace clothfit {
 

@@ -17,7 +17,7 @@
 #include "fitting/levenberg_marquardt.h"
 #include "fitting/pattern_search.h"
 #include "fitting/simulation_cost.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

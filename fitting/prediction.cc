@@ -10,9 +10,9 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/whole_file.h"
-#include "tracking/csv.h"
 #include "tracking/recording_validation.h"
-#include "tracking/text.h"
+#include "tracking/text/csv.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -13,7 +13,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/version.h"
 #include "fitting/whole_file.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

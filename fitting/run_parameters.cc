@@ -8,8 +8,8 @@
 
 #include "fitting/run_folder.h"
 #include "fitting/whole_file.h"
-#include "tracking/text.h"
-#include "tracking/yaml_reader.h"
+#include "tracking/text/text.h"
+#include "tracking/text/yaml_reader.h"
 
 namespace clothfit {
 namespace {

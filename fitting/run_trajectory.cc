@@ -8,7 +8,7 @@
 #include "fitting/run_folder.h"
 #include "fitting/whole_file.h"
 #include "tracking/camera.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/csv.h"
+#include "tracking/text/csv.h"
 
 namespace clothfit {
 namespace {

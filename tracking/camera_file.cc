@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "tracking/yaml_reader.h"
+#include "tracking/text/yaml_reader.h"
 
 namespace clothfit {
 namespace {

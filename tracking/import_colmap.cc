@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "tracking/colmap_text.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

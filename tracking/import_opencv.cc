@@ -12,7 +12,7 @@
 #include <opencv2/core.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

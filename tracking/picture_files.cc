@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -10,8 +10,8 @@
 #include "tracking/recording.h"
 #include "tracking/recording_tables.h"
 #include "tracking/recording_validation.h"
-#include "tracking/text.h"
-#include "tracking/yaml_reader.h"
+#include "tracking/text/text.h"
+#include "tracking/text/yaml_reader.h"
 
 namespace clothfit {
 namespace {

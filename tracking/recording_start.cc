@@ -11,7 +11,7 @@
 #include "tracking/picture_files.h"
 #include "tracking/recording_tables.h"
 #include "tracking/recording_validation.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

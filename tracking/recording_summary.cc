@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

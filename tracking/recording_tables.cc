@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/csv.h"
-#include "tracking/text.h"
+#include "tracking/text/csv.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

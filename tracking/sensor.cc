@@ -7,7 +7,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "tracking/normal_numbers.h"
+#include "tracking/text/normal_numbers.h"
 
 namespace clothfit {
 namespace {

@@ -8,8 +8,8 @@
 #include "autodiff_sim/base/error.h"
 #include "tracking/synthetic_keys.h"
 #include "tracking/synthetic_presets.h"
-#include "tracking/text.h"
-#include "tracking/yaml_reader.h"
+#include "tracking/text/text.h"
+#include "tracking/text/yaml_reader.h"
 
 namespace clothfit {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tracking/synthetic_keys.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit::synthetic_key_kinds {
 

@@ -5,7 +5,7 @@
 #include "tracking/synthetic_keys.h"
 
 #include "tracking/synthetic_key_kinds.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracking/normal_numbers.h"
 #include "tracking/room.h"
 #include "tracking/synthetic_cameras.h"
+#include "tracking/text/normal_numbers.h"
 
 namespace clothfit {
 namespace {

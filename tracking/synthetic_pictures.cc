@@ -14,7 +14,7 @@
 #include "tracking/cloth_surface.h"
 #include "tracking/picture_writer.h"
 #include "tracking/renderer.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -3,7 +3,7 @@
 #include "tracking/synthetic_presets.h"
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 

@@ -16,7 +16,7 @@
 #include "tracking/picture_writer.h"
 #include "tracking/synthetic_keys.h"
 #include "tracking/synthetic_observations.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

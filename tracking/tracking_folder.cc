@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

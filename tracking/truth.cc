@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "tracking/csv.h"
-#include "tracking/text.h"
-#include "tracking/yaml_reader.h"
+#include "tracking/text/csv.h"
+#include "tracking/text/text.h"
+#include "tracking/text/yaml_reader.h"
 
 namespace clothfit {
 namespace {

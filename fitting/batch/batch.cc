@@ -9,7 +9,7 @@
 
 #include "fitting/fit_run.h"
 #include "fitting/whole_file.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 #include "tracking/tracking_folder.h"
 
 namespace clothfit {

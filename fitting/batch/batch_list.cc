@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "tracking/text.h"
-#include "tracking/yaml_reader.h"
+#include "tracking/text/text.h"
+#include "tracking/text/yaml_reader.h"
 
 namespace clothfit {
 namespace {

@@ -16,7 +16,7 @@
 #include "fitting/diagnosis/mismatch_pictures.h"
 #include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/modelling.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

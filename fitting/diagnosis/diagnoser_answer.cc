@@ -13,7 +13,7 @@
 #include "fitting/diagnosis/learn_law.h"
 #include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/undetermined.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fitting/version.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -10,7 +10,7 @@
 #include "fitting/diagnosis/kept_fit.h"
 #include "fitting/diagnosis/sha256.h"
 #include "fitting/whole_file.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace fs = std::filesystem;

@@ -16,7 +16,7 @@
 #include "fitting/diagnosis/imitation.h"
 #include "fitting/diagnosis/ordinary_physics.h"
 #include "fitting/diagnosis/verdict.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

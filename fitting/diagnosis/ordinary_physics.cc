@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "fitting/diagnosis/named_parameter.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 

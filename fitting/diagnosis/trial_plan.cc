@@ -11,8 +11,8 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/finite_elements/fem_laws.h"
-#include "tracking/normal_numbers.h"
-#include "tracking/text.h"
+#include "tracking/text/normal_numbers.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

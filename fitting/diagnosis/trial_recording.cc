@@ -17,7 +17,7 @@
 #include "tracking/picture_writer.h"
 #include "tracking/silhouette_raster.h"
 #include "tracking/synthetic_observations.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/trial_summary.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 #include "fitting/run_pictures.h"
 #include "tracking/images.h"
 #include "tracking/silhouette_raster.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -8,7 +8,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/job_ledger.h"
 #include "fitting/whole_file.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

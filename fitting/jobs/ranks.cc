@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

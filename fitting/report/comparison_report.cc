@@ -13,7 +13,7 @@
 #include "fitting/report/record_file.h"
 #include "fitting/report/report_kinds.h"
 #include "fitting/report/scene_page.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

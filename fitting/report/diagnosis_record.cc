@@ -7,7 +7,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/npy_file.h"
 #include "fitting/report/record_file.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

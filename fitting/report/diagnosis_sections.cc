@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/report/verdict.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

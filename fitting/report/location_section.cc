@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "fitting/report/diagnosis_sections.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

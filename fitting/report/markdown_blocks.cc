@@ -7,7 +7,7 @@
 #include <optional>
 #include <sstream>
 
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/version.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 

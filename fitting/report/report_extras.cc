@@ -10,7 +10,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/npy_file.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

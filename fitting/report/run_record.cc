@@ -10,8 +10,8 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/npy_file.h"
 #include "fitting/report/record_file.h"
-#include "tracking/csv.h"
-#include "tracking/text.h"
+#include "tracking/text/csv.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -19,7 +19,7 @@
 #include "fitting/studies/study.h"
 #include "fitting/whole_file.h"
 #include "fitting/window_cost.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

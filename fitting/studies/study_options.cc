@@ -10,7 +10,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/comparison.h"
 #include "tracking/synthetic_presets.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

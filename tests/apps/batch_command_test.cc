@@ -4,7 +4,7 @@
 // Many recordings, one table.
 #include "tests/apps/command.h"
 #include "tests/support/small_recording.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

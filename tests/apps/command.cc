@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

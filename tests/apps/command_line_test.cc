@@ -7,7 +7,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "tests/apps/command.h"
 #include "tests/support/small_recording.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -11,8 +11,8 @@
 #include "fitting/run_folder.h"
 #include "tests/apps/command.h"
 #include "tests/support/small_recording.h"
-#include "tracking/csv.h"
-#include "tracking/text.h"
+#include "tracking/text/csv.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

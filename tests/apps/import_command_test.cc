@@ -8,7 +8,7 @@
 
 #include "tests/apps/command.h"
 #include "tests/support/motive_file.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "tests/apps/command.h"
 #include "tests/support/small_recording.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/command.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -4,7 +4,7 @@
 // clothfit report and clothfit export, as a user calls them.
 #include "tests/apps/command.h"
 #include "tests/support/small_run.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

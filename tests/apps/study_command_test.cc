@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "tests/apps/command.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -18,8 +18,8 @@
 #include "fitting/whole_file.h"
 #include "tests/support/small_run.h"
 #include "tests/tracking/test_folder.h"
-#include "tracking/csv.h"
-#include "tracking/text.h"
+#include "tracking/text/csv.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -15,8 +15,8 @@
 #include "fitting/whole_file.h"
 #include "tests/support/small_recording.h"
 #include "tests/tracking/test_folder.h"
-#include "tracking/csv.h"
-#include "tracking/text.h"
+#include "tracking/text/csv.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "test_folder.h"
 #include "tracking/images.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

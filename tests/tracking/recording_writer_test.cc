@@ -6,7 +6,7 @@
 
 #include "test_folder.h"
 #include "tracking/recording.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

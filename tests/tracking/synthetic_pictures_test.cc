@@ -10,7 +10,7 @@
 #include "tests/tracking/test_folder.h"
 #include "tracking/images.h"
 #include "tracking/synthetic_recording.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 #include "tracking/truth_surface.h"
 
 namespace clothfit {

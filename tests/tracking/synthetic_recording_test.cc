@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tests/tracking/test_folder.h"
-#include "tracking/normal_numbers.h"
+#include "tracking/text/normal_numbers.h"
 
 namespace clothfit {
 namespace {

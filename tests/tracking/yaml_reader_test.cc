@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/yaml_reader.h"
+#include "tracking/text/yaml_reader.h"
 
 #include <gtest/gtest.h>
 

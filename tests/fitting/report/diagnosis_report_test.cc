@@ -9,7 +9,7 @@
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_diagnosis.h"
 #include "tests/tracking/test_folder.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -11,7 +11,7 @@
 #include "fitting/studies/run_study.h"
 #include "fitting/studies/study.h"
 #include "tests/tracking/test_folder.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

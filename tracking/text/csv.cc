@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/csv.h"
+#include "tracking/text/csv.h"
 
 #include <algorithm>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/yaml_reader.h"
+#include "tracking/text/yaml_reader.h"
 
 #include <algorithm>
 
 #include <yaml-cpp/yaml.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/text.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 
