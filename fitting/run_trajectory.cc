@@ -7,7 +7,7 @@
 #include "fitting/npy_file.h"
 #include "fitting/run_folder.h"
 #include "fitting/whole_file.h"
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

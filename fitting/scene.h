@@ -16,7 +16,7 @@
 #include "autodiff_sim/step/simulation.h"
 #include "fitting/config.h"
 #include "fitting/silhouettes.h"
-#include "tracking/plucker_ray.h"
+#include "tracking/camera/plucker_ray.h"
 #include "tracking/recording.h"
 
 namespace clothfit {

@@ -13,7 +13,7 @@
 #include "autodiff_sim/mesh/cloth_mesh.h"
 #include "fitting/point_residual.h"
 #include "fitting/silhouettes.h"
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 #include "tracking/silhouette_outline.h"
 #include "tracking/silhouette_raster.h"
 

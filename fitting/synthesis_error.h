@@ -10,7 +10,7 @@
 
 #include "fitting/hard_silhouette.h"
 #include "fitting/scene.h"
-#include "tracking/plucker_ray.h"
+#include "tracking/camera/plucker_ray.h"
 
 namespace clothfit {
 

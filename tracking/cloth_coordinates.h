@@ -8,9 +8,9 @@
 
 #include <Eigen/Core>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
+#include "tracking/camera/surface_rays.h"
 #include "tracking/initial_placement.h"
-#include "tracking/surface_rays.h"
 
 namespace clothfit {
 

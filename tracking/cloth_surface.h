@@ -9,8 +9,8 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
-#include "tracking/camera.h"
-#include "tracking/surface_rays.h"
+#include "tracking/camera/camera.h"
+#include "tracking/camera/surface_rays.h"
 
 namespace clothfit {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 
 namespace clothfit {
 

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 
 namespace clothfit {
 

@@ -10,7 +10,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/camera_file.h"
+#include "tracking/camera/camera_file.h"
 #include "tracking/text/text.h"
 #include "tracking/text/yaml_reader.h"
 

@@ -15,9 +15,9 @@
 
 #include <Eigen/Core>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
+#include "tracking/camera/triangulation.h"
 #include "tracking/features.h"
-#include "tracking/triangulation.h"
 
 namespace clothfit {
 

@@ -11,7 +11,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 
 namespace cv {
 class VideoWriter;

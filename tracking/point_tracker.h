@@ -18,7 +18,7 @@
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 #include "tracking/cloth_coordinates.h"
 #include "tracking/patch_search.h"
 

@@ -17,7 +17,7 @@
 
 #include <Eigen/Core>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 
 namespace clothfit {
 

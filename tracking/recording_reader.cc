@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/camera_file.h"
+#include "tracking/camera/camera_file.h"
 #include "tracking/picture_files.h"
 #include "tracking/recording.h"
 #include "tracking/recording_tables.h"

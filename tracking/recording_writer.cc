@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/camera_file.h"
+#include "tracking/camera/camera_file.h"
 #include "tracking/recording.h"
 #include "tracking/recording_tables.h"
 #include "tracking/recording_validation.h"

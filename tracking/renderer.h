@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 #include "tracking/cloth_surface.h"
 #include "tracking/procedural_texture.h"
 #include "tracking/room.h"

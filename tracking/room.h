@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 #include "tracking/plane_texture.h"
 
 namespace clothfit {

@@ -13,7 +13,7 @@
 
 #include "autodiff_sim/mesh/surface_point.h"
 #include "tracking/bit_mask.h"
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 
 namespace clothfit {
 

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "tracking/bit_mask.h"
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 
 namespace clothfit {
 

@@ -6,7 +6,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/hard_silhouette.h"
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 #include <Eigen/Dense>
 
 #include "fitting/report/spread_values.h"
-#include "tracking/plucker_ray.h"
+#include "tracking/camera/plucker_ray.h"
 
 namespace clothfit {
 namespace {

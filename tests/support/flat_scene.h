@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 #include "tracking/initial_placement.h"
 #include "tracking/recording.h"
 

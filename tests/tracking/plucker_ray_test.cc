@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/plucker_ray.h"
+#include "tracking/camera/plucker_ray.h"
 
 #include <functional>
 #include <random>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/triangulation.h"
+#include "tracking/camera/triangulation.h"
 
 #include <cmath>
 #include <random>

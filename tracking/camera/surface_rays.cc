@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/surface_rays.h"
+#include "tracking/camera/surface_rays.h"
 
 #include <limits>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/world_change.h"
+#include "tracking/camera/world_change.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/camera_file.h"
+#include "tracking/camera/camera_file.h"
 
 #include <algorithm>
 

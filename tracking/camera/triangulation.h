@@ -9,8 +9,8 @@
 
 #include <Eigen/Core>
 
-#include "tracking/camera.h"
-#include "tracking/plucker_ray.h"
+#include "tracking/camera/camera.h"
+#include "tracking/camera/plucker_ray.h"
 
 namespace clothfit {
 

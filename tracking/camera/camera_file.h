@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/camera.h"
+#include "tracking/camera/camera.h"
 
 namespace clothfit {
 
