@@ -9,7 +9,7 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "fitting/fit_run.h"
-#include "tracking/recording_summary.h"
+#include "tracking/recording/summary.h"
 
 namespace clothfit {
 namespace {

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/recording_summary.h"
+#include "tracking/recording/summary.h"
 
 namespace clothfit {
 namespace {

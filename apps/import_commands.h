@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/commands.h"
-#include "tracking/recording_start.h"
+#include "tracking/recording/start.h"
 
 namespace clothfit {
 

@@ -9,7 +9,7 @@
 #include "apps/commands.h"
 #include "apps/import_commands.h"
 #include "tracking/import_motive.h"
-#include "tracking/recording_start.h"
+#include "tracking/recording/start.h"
 #include "tracking/take_recording.h"
 #include "tracking/text/text.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "autodiff_sim/step/cloth_model.h"
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

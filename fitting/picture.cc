@@ -17,7 +17,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/whole_file.h"
-#include "tracking/recording_validation.h"
+#include "tracking/recording/validation.h"
 
 namespace clothfit {
 namespace {

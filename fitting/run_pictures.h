@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

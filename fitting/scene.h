@@ -17,7 +17,7 @@
 #include "fitting/config.h"
 #include "fitting/silhouettes.h"
 #include "tracking/camera/plucker_ray.h"
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

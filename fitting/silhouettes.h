@@ -12,8 +12,8 @@
 #include <Eigen/Core>
 
 #include "tracking/bit_mask.h"
-#include "tracking/recording.h"
-#include "tracking/signed_distance.h"
+#include "tracking/recording/recording.h"
+#include "tracking/recording/signed_distance.h"
 
 namespace clothfit {
 

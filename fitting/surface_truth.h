@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 
 #include "fitting/scene.h"
-#include "tracking/truth.h"
+#include "tracking/recording/truth.h"
 
 namespace clothfit {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/recording_start.h"
+#include "tracking/recording/start.h"
 
 namespace clothfit {
 

@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

@@ -12,8 +12,8 @@
 #include <opencv2/core/mat.hpp>
 
 #include "tracking/camera/camera.h"
-#include "tracking/cloth_surface.h"
 #include "tracking/procedural_texture.h"
+#include "tracking/recording/cloth_surface.h"
 #include "tracking/room.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

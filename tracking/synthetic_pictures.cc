@@ -11,8 +11,8 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
-#include "tracking/cloth_surface.h"
 #include "tracking/picture_writer.h"
+#include "tracking/recording/cloth_surface.h"
 #include "tracking/renderer.h"
 #include "tracking/text/text.h"
 

@@ -15,7 +15,7 @@
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
 #include "tracking/procedural_texture.h"
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 #include "tracking/sensor.h"
 
 namespace clothfit {

@@ -14,10 +14,10 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/step/simulation.h"
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
+#include "tracking/recording/truth.h"
 #include "tracking/synthetic_motion.h"
 #include "tracking/synthetic_pictures.h"
-#include "tracking/truth.h"
 
 namespace clothfit {
 

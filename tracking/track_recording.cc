@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
-#include "tracking/images.h"
+#include "tracking/recording/images.h"
 
 namespace clothfit {
 namespace {

@@ -14,7 +14,7 @@
 #include "tracking/features.h"
 #include "tracking/marker_tracker.h"
 #include "tracking/point_tracker.h"
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 #include "tracking/silhouette.h"
 
 namespace clothfit {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tracking/recording/truth_surface.h"
 #include "tracking/track_recording.h"
-#include "tracking/truth_surface.h"
 
 namespace clothfit {
 

@@ -7,7 +7,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/run_pictures.h"
-#include "tracking/images.h"
+#include "tracking/recording/images.h"
 #include "tracking/silhouette_raster.h"
 #include "tracking/text/text.h"
 

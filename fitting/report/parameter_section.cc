@@ -10,7 +10,7 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/report/report_sections.h"
-#include "tracking/truth.h"
+#include "tracking/recording/truth.h"
 
 namespace clothfit {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/report/report_cameras.h"
-#include "tracking/images.h"
+#include "tracking/recording/images.h"
 
 namespace clothfit {
 namespace {

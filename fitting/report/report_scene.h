@@ -14,7 +14,7 @@
 
 #include "fitting/prediction.h"
 #include "fitting/report/run_record.h"
-#include "tracking/truth.h"
+#include "tracking/recording/truth.h"
 
 namespace clothfit {
 

@@ -9,7 +9,7 @@
 
 #include "fitting/jobs/job.h"
 #include "fitting/studies/study_options.h"
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

@@ -11,8 +11,8 @@
 #include <opencv2/core/mat.hpp>
 
 #include "tracking/camera/camera.h"
-#include "tracking/initial_placement.h"
-#include "tracking/recording.h"
+#include "tracking/recording/initial_placement.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

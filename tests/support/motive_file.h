@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tracking/marker_take.h"
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

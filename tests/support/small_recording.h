@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "fitting/diagnosis/rows.h"
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

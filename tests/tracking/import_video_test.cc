@@ -9,7 +9,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "test_folder.h"
-#include "tracking/images.h"
+#include "tracking/recording/images.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "tracking/images.h"
-#include "tracking/initial_placement.h"
-#include "tracking/recording_summary.h"
+#include "tracking/recording/images.h"
+#include "tracking/recording/initial_placement.h"
+#include "tracking/recording/summary.h"
 
 namespace clothfit {
 namespace {

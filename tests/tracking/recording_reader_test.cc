@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "test_folder.h"
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 namespace {

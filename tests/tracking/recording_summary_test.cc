@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/recording_summary.h"
-
 #include <gtest/gtest.h>
 
 #include "test_folder.h"
+#include "tracking/recording/summary.h"
 
 namespace clothfit {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "test_folder.h"
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

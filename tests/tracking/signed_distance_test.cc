@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/signed_distance.h"
+#include "tracking/recording/signed_distance.h"
 
 #include <cmath>
 #include <random>

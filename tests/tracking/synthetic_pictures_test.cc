@@ -8,10 +8,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tests/tracking/test_folder.h"
-#include "tracking/images.h"
+#include "tracking/recording/images.h"
+#include "tracking/recording/truth_surface.h"
 #include "tracking/synthetic_recording.h"
 #include "tracking/text/text.h"
-#include "tracking/truth_surface.h"
 
 namespace clothfit {
 namespace {

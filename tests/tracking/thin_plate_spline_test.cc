@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/thin_plate_spline.h"
+#include "tracking/recording/thin_plate_spline.h"
 
 #include <cmath>
 #include <random>

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/recording_validation.h"
+#include "tracking/recording/validation.h"
 
 namespace clothfit {
 namespace {

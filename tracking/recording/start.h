@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

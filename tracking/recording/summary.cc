@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/recording_summary.h"
+#include "tracking/recording/summary.h"
 
 #include <array>
 #include <set>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/point_warnings.h"
+#include "tracking/recording/point_warnings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "tracking/initial_placement.h"
+#include "tracking/recording/initial_placement.h"
 
 namespace clothfit {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/recording_start.h"
+#include "tracking/recording/start.h"
 
 #include <limits>
 
@@ -8,9 +8,9 @@
 
 #include "autodiff_sim/base/error.h"
 #include "tracking/camera/camera_file.h"
-#include "tracking/picture_files.h"
-#include "tracking/recording_tables.h"
-#include "tracking/recording_validation.h"
+#include "tracking/recording/picture_files.h"
+#include "tracking/recording/tables.h"
+#include "tracking/recording/validation.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The truth of a recording as a surface: which point of the cloth each pixel shows, and where any
-// point of it is. For evaluation only, as tracking/truth.h.
+// point of it is. For evaluation only, as tracking/recording/truth.h.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
-#include "tracking/cloth_surface.h"
-#include "tracking/truth.h"
+#include "tracking/recording/cloth_surface.h"
+#include "tracking/recording/truth.h"
 
 namespace clothfit {
 

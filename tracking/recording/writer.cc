@@ -7,9 +7,9 @@
 
 #include "autodiff_sim/base/error.h"
 #include "tracking/camera/camera_file.h"
-#include "tracking/recording.h"
-#include "tracking/recording_tables.h"
-#include "tracking/recording_validation.h"
+#include "tracking/recording/recording.h"
+#include "tracking/recording/tables.h"
+#include "tracking/recording/validation.h"
 #include "tracking/text/text.h"
 #include "tracking/text/yaml_reader.h"
 

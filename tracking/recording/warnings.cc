@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "tracking/point_warnings.h"
-#include "tracking/recording_summary.h"
+#include "tracking/recording/point_warnings.h"
+#include "tracking/recording/summary.h"
 
 namespace clothfit {
 namespace {

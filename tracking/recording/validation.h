@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "tracking/recording.h"
-#include "tracking/recording_tables.h"
+#include "tracking/recording/recording.h"
+#include "tracking/recording/tables.h"
 
 namespace clothfit {
 

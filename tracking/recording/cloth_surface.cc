@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/cloth_surface.h"
+#include "tracking/recording/cloth_surface.h"
 
 #include <Eigen/Geometry>
 

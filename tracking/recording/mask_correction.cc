@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/mask_correction.h"
+#include "tracking/recording/mask_correction.h"
 
 #include <opencv2/core.hpp>
 
-#include "tracking/signed_distance.h"
+#include "tracking/recording/signed_distance.h"
 
 namespace clothfit {
 

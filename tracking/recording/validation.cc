@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/recording_validation.h"
+#include "tracking/recording/validation.h"
 
 #include <algorithm>
 #include <cmath>

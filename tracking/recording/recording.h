@@ -5,7 +5,7 @@
 //
 // Units are metres, seconds, kilograms and pixels. (u, v) are cloth coordinates in metres, pixels
 // are OpenCV's. Frames are numbered from 0. What is not known is an empty optional. Truth that may
-// lie beside a recording is no part of it: see tracking/truth.h.
+// lie beside a recording is no part of it: see tracking/recording/truth.h.
 #pragma once
 
 #include <filesystem>
@@ -138,7 +138,8 @@ struct MaskFaults {
   }
 };
 
-// Where the pictures of one camera are. Nothing is opened before tracking/images.h is asked.
+// Where the pictures of one camera are. Nothing is opened before tracking/recording/images.h is
+// asked.
 struct CameraFiles {
   std::map<int, std::filesystem::path> images;  // by frame; a frame may lack
   std::map<int, std::filesystem::path> masks;   // by frame; 0 = background, 255 = cloth

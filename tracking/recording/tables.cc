@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/recording_tables.h"
+#include "tracking/recording/tables.h"
 
 #include <fmt/format.h>
 

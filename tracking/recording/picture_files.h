@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/images.h"
+#include "tracking/recording/images.h"
 
 #include <cmath>
 #include <fstream>
@@ -13,7 +13,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/mask_correction.h"
+#include "tracking/recording/mask_correction.h"
 
 namespace clothfit {
 namespace {

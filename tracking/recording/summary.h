@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace clothfit {
 

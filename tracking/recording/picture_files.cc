@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/picture_files.h"
+#include "tracking/recording/picture_files.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/initial_placement.h"
+#include "tracking/recording/initial_placement.h"
 
 #include <stdexcept>
 #include <utility>
 
 #include "autodiff_sim/mesh/obj_file.h"
-#include "tracking/thin_plate_spline.h"
+#include "tracking/recording/thin_plate_spline.h"
 
 namespace clothfit {
 namespace {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The truth that may lie beside a recording, in truth/. For evaluation only: a fit that includes
-// this header is a defect. It is apart from tracking/recording.h so that none does by accident.
+// this header is a defect. It is apart from tracking/recording/recording.h so that none does by
+// accident.
 #pragma once
 
 #include <filesystem>

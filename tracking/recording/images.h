@@ -11,7 +11,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "tracking/recording.h"
+#include "tracking/recording/recording.h"
 
 namespace cv {
 class VideoCapture;
