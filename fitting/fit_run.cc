@@ -17,7 +17,7 @@
 #include "fitting/search.h"
 #include "fitting/surface_evaluation.h"
 #include "fitting/window_simulator.h"
-#include "tracking/silhouette_raster.h"
+#include "tracking/silhouette/raster.h"
 
 namespace clothfit {
 namespace {

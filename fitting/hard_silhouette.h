@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 
 #include "fitting/scene.h"
-#include "tracking/silhouette_raster.h"
+#include "tracking/silhouette/raster.h"
 
 namespace clothfit {
 

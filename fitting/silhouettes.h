@@ -11,9 +11,9 @@
 
 #include <Eigen/Core>
 
-#include "tracking/bit_mask.h"
 #include "tracking/recording/recording.h"
 #include "tracking/recording/signed_distance.h"
+#include "tracking/silhouette/bit_mask.h"
 
 namespace clothfit {
 

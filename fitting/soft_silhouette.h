@@ -14,8 +14,8 @@
 #include "fitting/point_residual.h"
 #include "fitting/silhouettes.h"
 #include "tracking/camera/camera.h"
-#include "tracking/silhouette_outline.h"
-#include "tracking/silhouette_raster.h"
+#include "tracking/silhouette/outline.h"
+#include "tracking/silhouette/raster.h"
 
 namespace clothfit {
 

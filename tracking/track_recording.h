@@ -15,7 +15,7 @@
 #include "tracking/marker_tracker.h"
 #include "tracking/point_tracker.h"
 #include "tracking/recording/recording.h"
-#include "tracking/silhouette.h"
+#include "tracking/silhouette/silhouette.h"
 
 namespace clothfit {
 

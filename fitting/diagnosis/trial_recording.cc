@@ -15,7 +15,7 @@
 #include "fitting/diagnosis/trial_force.h"
 #include "fitting/diagnosis/trial_terms/trial_terms.h"
 #include "tracking/picture_writer.h"
-#include "tracking/silhouette_raster.h"
+#include "tracking/silhouette/raster.h"
 #include "tracking/synthetic_observations.h"
 #include "tracking/text/text.h"
 

@@ -8,7 +8,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/run_pictures.h"
 #include "tracking/recording/images.h"
-#include "tracking/silhouette_raster.h"
+#include "tracking/silhouette/raster.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

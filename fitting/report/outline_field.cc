@@ -10,8 +10,8 @@
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/report/scalar_field.h"
 #include "fitting/report/spread_values.h"
-#include "tracking/silhouette_outline.h"
-#include "tracking/silhouette_raster.h"
+#include "tracking/silhouette/outline.h"
+#include "tracking/silhouette/raster.h"
 
 namespace clothfit {
 namespace {

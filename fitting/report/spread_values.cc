@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tracking/silhouette_outline.h"
+#include "tracking/silhouette/outline.h"
 
 namespace clothfit {
 namespace {

@@ -9,8 +9,8 @@
 #include "tests/support/crumpled_cloth.h"
 #include "tests/support/flat_scene.h"
 #include "tracking/recording/cloth_surface.h"
-#include "tracking/silhouette_outline.h"
-#include "tracking/silhouette_raster.h"
+#include "tracking/silhouette/outline.h"
+#include "tracking/silhouette/raster.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 #include "fitting/fit.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/small_recording.h"
-#include "tracking/silhouette_raster.h"
+#include "tracking/silhouette/raster.h"
 
 namespace clothfit {
 namespace {

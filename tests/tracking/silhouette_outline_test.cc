@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/silhouette_outline.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -10,7 +8,8 @@
 
 #include "tests/support/crumpled_cloth.h"
 #include "tests/support/flat_scene.h"
-#include "tracking/silhouette_raster.h"
+#include "tracking/silhouette/outline.h"
+#include "tracking/silhouette/raster.h"
 
 namespace clothfit {
 namespace {

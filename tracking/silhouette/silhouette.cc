@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/silhouette.h"
+#include "tracking/silhouette/silhouette.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/imgproc/detail/gcgraph.hpp>
 
-#include "tracking/silhouette_likelihood.h"
+#include "tracking/silhouette/likelihood.h"
 
 namespace clothfit {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/bit_mask.h"
+#include "tracking/silhouette/bit_mask.h"
 
 #include <cmath>
 

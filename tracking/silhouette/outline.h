@@ -12,8 +12,8 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/mesh/surface_point.h"
-#include "tracking/bit_mask.h"
 #include "tracking/camera/camera.h"
+#include "tracking/silhouette/bit_mask.h"
 
 namespace clothfit {
 

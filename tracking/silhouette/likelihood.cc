@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/silhouette_likelihood.h"
+#include "tracking/silhouette/likelihood.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 
 #include <Eigen/Core>
 
-#include "tracking/bit_mask.h"
 #include "tracking/camera/camera.h"
+#include "tracking/silhouette/bit_mask.h"
 
 namespace clothfit {
 
