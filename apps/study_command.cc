@@ -15,8 +15,8 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/chaos_study.h"
 #include "fitting/recovery_study.h"
+#include "tracking/features/tracking_evaluation.h"
 #include "tracking/text/text.h"
-#include "tracking/tracking_evaluation.h"
 
 namespace clothfit {
 namespace {

@@ -12,7 +12,7 @@
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
 #include "apps/tracking_options.h"
-#include "tracking/tracking_folder.h"
+#include "tracking/features/tracking_folder.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tracking/track_recording.h"
+#include "tracking/features/track_recording.h"
 
 namespace clothfit {
 

@@ -3,7 +3,7 @@
 #include "fitting/run_pictures.h"
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/tracking_folder.h"
+#include "tracking/features/tracking_folder.h"
 
 namespace clothfit {
 

@@ -9,8 +9,8 @@
 
 #include "fitting/fit_run.h"
 #include "fitting/whole_file.h"
+#include "tracking/features/tracking_folder.h"
 #include "tracking/text/text.h"
-#include "tracking/tracking_folder.h"
 
 namespace clothfit {
 namespace {

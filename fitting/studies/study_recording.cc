@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "tracking/features/tracking_folder.h"
 #include "tracking/synthetic_presets.h"
-#include "tracking/tracking_folder.h"
 
 namespace clothfit {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/marker_tracker.h"
+#include "tracking/features/marker_tracker.h"
 
 #include <cmath>
 #include <random>
@@ -10,7 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tests/support/flat_scene.h"
-#include "tracking/cloth_coordinates.h"
+#include "tracking/features/cloth_coordinates.h"
 
 namespace clothfit {
 namespace {

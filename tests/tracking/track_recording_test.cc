@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // From pictures on disk to observations on disk.
-#include "tracking/track_recording.h"
+#include "tracking/features/track_recording.h"
 
 #include <algorithm>
 #include <fstream>
@@ -12,7 +12,7 @@
 
 #include "tests/support/flat_scene.h"
 #include "tests/tracking/test_folder.h"
-#include "tracking/tracking_folder.h"
+#include "tracking/features/tracking_folder.h"
 
 namespace clothfit {
 namespace {

@@ -19,8 +19,8 @@
 #include <opencv2/core/types.hpp>
 
 #include "tracking/camera/camera.h"
-#include "tracking/cloth_coordinates.h"
-#include "tracking/patch_search.h"
+#include "tracking/features/cloth_coordinates.h"
+#include "tracking/features/patch_search.h"
 
 namespace clothfit {
 

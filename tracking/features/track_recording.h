@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "tracking/features.h"
-#include "tracking/marker_tracker.h"
-#include "tracking/point_tracker.h"
+#include "tracking/features/features.h"
+#include "tracking/features/marker_tracker.h"
+#include "tracking/features/point_tracker.h"
 #include "tracking/recording/recording.h"
 #include "tracking/silhouette/silhouette.h"
 

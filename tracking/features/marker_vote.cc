@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tracking/marker_tracker.h"
+#include "tracking/features/marker_tracker.h"
 
 namespace clothfit {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tracking/features/track_recording.h"
 #include "tracking/recording/truth_surface.h"
-#include "tracking/track_recording.h"
 
 namespace clothfit {
 

@@ -17,7 +17,7 @@
 
 #include "tracking/camera/camera.h"
 #include "tracking/camera/triangulation.h"
-#include "tracking/features.h"
+#include "tracking/features/features.h"
 
 namespace clothfit {
 

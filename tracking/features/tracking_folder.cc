@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/tracking_folder.h"
+#include "tracking/features/tracking_folder.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>

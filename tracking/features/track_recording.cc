@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/track_recording.h"
+#include "tracking/features/track_recording.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/marker_tracker.h"
+#include "tracking/features/marker_tracker.h"
 
 #include <algorithm>
 #include <limits>

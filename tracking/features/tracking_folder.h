@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "tracking/track_recording.h"
+#include "tracking/features/track_recording.h"
 
 namespace clothfit {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/patch_search.h"
+#include "tracking/features/patch_search.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/point_tracker.h"
+#include "tracking/features/point_tracker.h"
 
 #include <algorithm>
 #include <cmath>
