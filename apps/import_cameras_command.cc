@@ -9,8 +9,8 @@
 #include "apps/import_commands.h"
 #include "autodiff_sim/base/error.h"
 #include "tracking/camera/world_change.h"
-#include "tracking/import_colmap.h"
-#include "tracking/import_opencv.h"
+#include "tracking/import/colmap.h"
+#include "tracking/import/opencv.h"
 
 namespace clothfit {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "apps/commands.h"
 #include "apps/import_commands.h"
-#include "tracking/import_motive.h"
+#include "tracking/import/motive.h"
+#include "tracking/import/take_recording.h"
 #include "tracking/recording/start.h"
-#include "tracking/take_recording.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 
 #include "apps/import_commands.h"
 #include "autodiff_sim/base/error.h"
-#include "tracking/import_video.h"
+#include "tracking/import/video.h"
 
 namespace clothfit {
 namespace {

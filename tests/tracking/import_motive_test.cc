@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/import_motive.h"
-
 #include <gtest/gtest.h>
 
 #include "test_folder.h"
 #include "tests/support/motive_file.h"
+#include "tracking/import/motive.h"
 
 namespace clothfit {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/take_recording.h"
+#include "tracking/import/take_recording.h"
 
 #include <iostream>
 
@@ -8,7 +8,7 @@
 
 #include "test_folder.h"
 #include "tests/support/motive_file.h"
-#include "tracking/import_motive.h"
+#include "tracking/import/motive.h"
 
 namespace clothfit {
 namespace {

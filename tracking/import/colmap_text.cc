@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/colmap_text.h"
+#include "tracking/import/colmap_text.h"
 
 #include <algorithm>
 #include <optional>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/take_recording.h"
+#include "tracking/import/take_recording.h"
 
 namespace clothfit {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/take_recording.h"
+#include "tracking/import/take_recording.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/marker_layout.h"
-#include "tracking/take_layout.h"
+#include "tracking/import/marker_layout.h"
+#include "tracking/import/take_layout.h"
 
 namespace clothfit {
 namespace {

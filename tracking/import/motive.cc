@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/import_motive.h"
+#include "tracking/import/motive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "tracking/motive_header.h"
+#include "tracking/import/motive_header.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 
 #include <Eigen/Dense>
 
-#include "tracking/marker_layout.h"
+#include "tracking/import/marker_layout.h"
 
 namespace clothfit {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/marker_layout.h"
+#include "tracking/import/marker_layout.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/take_layout.h"
+#include "tracking/import/take_layout.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/marker_layout.h"
+#include "tracking/import/marker_layout.h"
 
 namespace clothfit {
 namespace {

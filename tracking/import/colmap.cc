@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/import_colmap.h"
+#include "tracking/import/colmap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/colmap_text.h"
+#include "tracking/import/colmap_text.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/import_opencv.h"
+#include "tracking/import/opencv.h"
 
 #include <cmath>
 #include <string>

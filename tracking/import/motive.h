@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "tracking/marker_take.h"
+#include "tracking/import/marker_take.h"
 
 namespace clothfit {
 

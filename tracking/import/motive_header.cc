@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/motive_header.h"
+#include "tracking/import/motive_header.h"
 
 #include <algorithm>
 #include <map>
