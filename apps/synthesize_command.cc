@@ -14,8 +14,8 @@
 #include "apps/commands.h"
 #include "apps/share_display.h"
 #include "autodiff_sim/base/error.h"
-#include "tracking/synthetic_keys.h"
-#include "tracking/synthetic_presets.h"
+#include "tracking/synthetic/keys.h"
+#include "tracking/synthetic/presets.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fitting/fit.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 

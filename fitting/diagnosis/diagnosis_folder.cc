@@ -9,7 +9,7 @@
 #include "fitting/diagnosis/fit_runner.h"
 #include "fitting/npy_file.h"
 #include "fitting/whole_file.h"
-#include "tracking/picture_writer.h"
+#include "tracking/synthetic/picture_writer.h"
 
 namespace clothfit {
 namespace fs = std::filesystem;

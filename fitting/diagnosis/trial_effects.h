@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "autodiff_sim/term/force_batch.h"
-#include "tracking/synthetic_motion.h"
+#include "tracking/synthetic/motion.h"
 
 namespace clothfit {
 

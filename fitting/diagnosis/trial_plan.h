@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 
 #include "fitting/diagnosis/trial_effects.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 

@@ -14,9 +14,9 @@
 #include "fitting/diagnosis/sha256.h"
 #include "fitting/diagnosis/trial_force.h"
 #include "fitting/diagnosis/trial_terms/trial_terms.h"
-#include "tracking/picture_writer.h"
 #include "tracking/silhouette/raster.h"
-#include "tracking/synthetic_observations.h"
+#include "tracking/synthetic/observations.h"
+#include "tracking/synthetic/picture_writer.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -13,7 +13,7 @@
 
 #include "fitting/diagnosis/acting_force.h"
 #include "fitting/diagnosis/trial_plan.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 

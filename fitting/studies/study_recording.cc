@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "tracking/features/tracking_folder.h"
-#include "tracking/synthetic_presets.h"
+#include "tracking/synthetic/presets.h"
 
 namespace clothfit {
 namespace {

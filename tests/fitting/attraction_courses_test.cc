@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "fitting/attraction_targets.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 namespace {

@@ -11,7 +11,7 @@
 #include "fitting/diagnosis/residual_force.h"
 #include "fitting/free_parameters.h"
 #include "fitting/scene.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 

@@ -9,8 +9,8 @@
 
 #include <Eigen/Geometry>
 
-#include "tracking/renderer.h"
-#include "tracking/synthetic_cameras.h"
+#include "tracking/synthetic/cameras.h"
+#include "tracking/synthetic/renderer.h"
 
 namespace clothfit {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/renderer.h"
+#include "tracking/synthetic/renderer.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/sensor.h"
+#include "tracking/synthetic/sensor.h"
 
 #include <cmath>
 

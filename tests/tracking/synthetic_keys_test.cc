@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/synthetic_keys.h"
-
 #include "tests/tracking/test_folder.h"
-#include "tracking/synthetic_presets.h"
+#include "tracking/synthetic/keys.h"
+#include "tracking/synthetic/presets.h"
 
 namespace clothfit {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/synthetic_pictures.h"
-
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -10,7 +8,8 @@
 #include "tests/tracking/test_folder.h"
 #include "tracking/recording/images.h"
 #include "tracking/recording/truth_surface.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/pictures.h"
+#include "tracking/synthetic/recording.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/synthetic_recording.h"
-
 #include <cmath>
 
 #include "tests/tracking/test_folder.h"
+#include "tracking/synthetic/recording.h"
 #include "tracking/text/normal_numbers.h"
 
 namespace clothfit {

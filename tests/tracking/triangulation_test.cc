@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tracking/synthetic_cameras.h"
+#include "tracking/synthetic/cameras.h"
 
 namespace clothfit {
 namespace {

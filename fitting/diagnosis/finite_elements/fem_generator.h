@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fitting/diagnosis/acting_force.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 

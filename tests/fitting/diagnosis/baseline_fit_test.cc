@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 namespace {

@@ -10,7 +10,7 @@
 #include "fitting/diagnosis/guided_ranking.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/window_simulator.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 namespace {

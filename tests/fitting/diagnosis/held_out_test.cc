@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/unfitted_scene.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 namespace {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "fitting/diagnosis/null_residuals.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 namespace {

@@ -10,7 +10,7 @@
 #include "fitting/diagnosis/fit_runner.h"
 #include "fitting/diagnosis/held_out.h"
 #include "fitting/diagnosis/modelling.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 namespace {

@@ -12,7 +12,7 @@
 #include "fitting/diagnosis/fault_estimate.h"
 #include "fitting/diagnosis/modelling.h"
 #include "tests/support/small_recording.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/contact/obstacle_body.h"
 #include "tests/support/unfitted_scene.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 namespace {

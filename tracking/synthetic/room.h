@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "tracking/camera/camera.h"
-#include "tracking/plane_texture.h"
+#include "tracking/synthetic/plane_texture.h"
 
 namespace clothfit {
 

@@ -14,9 +14,9 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
-#include "tracking/procedural_texture.h"
 #include "tracking/recording/recording.h"
-#include "tracking/sensor.h"
+#include "tracking/synthetic/procedural_texture.h"
+#include "tracking/synthetic/sensor.h"
 
 namespace clothfit {
 

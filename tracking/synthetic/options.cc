@@ -9,7 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Simulates a scenario and observes it.
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/scenes/cloth_scene.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "tracking/picture_writer.h"
-#include "tracking/synthetic_keys.h"
-#include "tracking/synthetic_observations.h"
+#include "tracking/synthetic/keys.h"
+#include "tracking/synthetic/observations.h"
+#include "tracking/synthetic/picture_writer.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/plane_texture.h"
+#include "tracking/synthetic/plane_texture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "tracking/plane_texture.h"
+#include "tracking/synthetic/plane_texture.h"
 
 namespace clothfit {
 

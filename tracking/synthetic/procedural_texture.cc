@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/procedural_texture.h"
+#include "tracking/synthetic/procedural_texture.h"
 
 #include <algorithm>
 #include <cmath>

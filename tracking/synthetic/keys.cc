@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Ranges are checked by SyntheticOptions::Check; here it is only decided what a word means.
-#include "tracking/synthetic_keys.h"
+#include "tracking/synthetic/keys.h"
 
-#include "tracking/synthetic_key_kinds.h"
+#include "tracking/synthetic/key_kinds.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

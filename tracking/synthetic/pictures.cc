@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/synthetic_pictures.h"
+#include "tracking/synthetic/pictures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
-#include "tracking/picture_writer.h"
 #include "tracking/recording/cloth_surface.h"
-#include "tracking/renderer.h"
+#include "tracking/synthetic/picture_writer.h"
+#include "tracking/synthetic/renderer.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

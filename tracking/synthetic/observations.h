@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 

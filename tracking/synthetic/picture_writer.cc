@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/picture_writer.h"
+#include "tracking/synthetic/picture_writer.h"
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>

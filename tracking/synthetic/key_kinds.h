@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "tracking/synthetic_keys.h"
+#include "tracking/synthetic/keys.h"
 #include "tracking/text/text.h"
 
 namespace clothfit::synthetic_key_kinds {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/synthetic_recording.h"
+#include "tracking/synthetic/recording.h"
 
 namespace clothfit {
 

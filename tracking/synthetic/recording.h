@@ -16,8 +16,8 @@
 #include "autodiff_sim/step/simulation.h"
 #include "tracking/recording/recording.h"
 #include "tracking/recording/truth.h"
-#include "tracking/synthetic_motion.h"
-#include "tracking/synthetic_pictures.h"
+#include "tracking/synthetic/motion.h"
+#include "tracking/synthetic/pictures.h"
 
 namespace clothfit {
 

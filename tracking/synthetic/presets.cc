@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/synthetic_presets.h"
+#include "tracking/synthetic/presets.h"
 
 #include "autodiff_sim/base/error.h"
 #include "tracking/text/text.h"

@@ -3,7 +3,7 @@
 //
 // The empty room is rendered once, with the lamp's light and without. A picture with the cloth
 // casts rays only where the cloth or its shadow may be.
-#include "tracking/renderer.h"
+#include "tracking/synthetic/renderer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/synthetic_cameras.h"
+#include "tracking/synthetic/cameras.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <fmt/ranges.h>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/synthetic_keys.h"
-#include "tracking/synthetic_presets.h"
+#include "tracking/synthetic/keys.h"
+#include "tracking/synthetic/presets.h"
 #include "tracking/text/text.h"
 #include "tracking/text/yaml_reader.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The formulae of the synthetic motions.
-#include "tracking/synthetic_motion.h"
+#include "tracking/synthetic/motion.h"
 
 #include <algorithm>
 #include <cmath>

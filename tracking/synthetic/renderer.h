@@ -12,9 +12,9 @@
 #include <opencv2/core/mat.hpp>
 
 #include "tracking/camera/camera.h"
-#include "tracking/procedural_texture.h"
 #include "tracking/recording/cloth_surface.h"
-#include "tracking/room.h"
+#include "tracking/synthetic/procedural_texture.h"
+#include "tracking/synthetic/room.h"
 
 namespace clothfit {
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/synthetic_observations.h"
+#include "tracking/synthetic/observations.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "tracking/room.h"
-#include "tracking/synthetic_cameras.h"
+#include "tracking/synthetic/cameras.h"
+#include "tracking/synthetic/room.h"
 #include "tracking/text/normal_numbers.h"
 
 namespace clothfit {
