@@ -16,7 +16,7 @@
 
 #include "apps/commands.h"
 #include "autodiff_sim/base/error.h"
-#include "fitting/version.h"
+#include "fitting/files/version.h"
 #include "tracking/text/text.h"
 
 extern "C" void openblas_set_num_threads(int num_threads);

@@ -15,8 +15,8 @@
 #include "apps/progress_display.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/comparison.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/fit_run.h"
-#include "fitting/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -21,8 +21,8 @@
 #include "fitting/diagnosis/trial_plan.h"
 #include "fitting/diagnosis/trial_run.h"
 #include "fitting/diagnosis/trial_summary.h"
-#include "fitting/version.h"
-#include "fitting/whole_file.h"
+#include "fitting/files/version.h"
+#include "fitting/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

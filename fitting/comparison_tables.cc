@@ -11,8 +11,8 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/comparison.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/line_chart.h"
-#include "fitting/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

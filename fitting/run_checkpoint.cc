@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/base/error.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/run_folder.h"
-#include "fitting/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/version.h"
-#include "fitting/whole_file.h"
+#include "fitting/files/version.h"
+#include "fitting/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

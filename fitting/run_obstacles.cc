@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/contact/obstacle_body.h"
-#include "fitting/npy_file.h"
-#include "fitting/whole_file.h"
+#include "fitting/files/npy_file.h"
+#include "fitting/files/whole_file.h"
 
 namespace clothfit {
 namespace {

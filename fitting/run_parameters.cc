@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "fitting/files/whole_file.h"
 #include "fitting/run_folder.h"
-#include "fitting/whole_file.h"
 #include "tracking/text/text.h"
 #include "tracking/text/yaml_reader.h"
 

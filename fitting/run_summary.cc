@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fitting/files/version.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/run_folder.h"
-#include "fitting/version.h"
-#include "fitting/whole_file.h"
 
 namespace clothfit {
 namespace {

@@ -4,9 +4,9 @@
 // One simulation of a recording, as trajectory.npy, mesh.obj and residuals.csv.
 #include <fmt/format.h>
 
-#include "fitting/npy_file.h"
+#include "fitting/files/npy_file.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/run_folder.h"
-#include "fitting/whole_file.h"
 #include "tracking/camera/camera.h"
 #include "tracking/text/text.h"
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "fitting/files/whole_file.h"
 #include "fitting/fit_run.h"
-#include "fitting/whole_file.h"
 #include "tracking/features/tracking_folder.h"
 #include "tracking/text/text.h"
 

@@ -7,8 +7,8 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/fit_runner.h"
-#include "fitting/npy_file.h"
-#include "fitting/whole_file.h"
+#include "fitting/files/npy_file.h"
+#include "fitting/files/whole_file.h"
 #include "tracking/synthetic/picture_writer.h"
 
 namespace clothfit {

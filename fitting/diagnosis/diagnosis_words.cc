@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "fitting/version.h"
+#include "fitting/files/version.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

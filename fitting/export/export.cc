@@ -8,8 +8,8 @@
 #include "fitting/export/gltf.h"
 #include "fitting/export/mesh_files.h"
 #include "fitting/export/point_cache.h"
-#include "fitting/npy_file.h"
-#include "fitting/whole_file.h"
+#include "fitting/files/npy_file.h"
+#include "fitting/files/whole_file.h"
 
 namespace clothfit {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "fitting/version.h"
+#include "fitting/files/version.h"
 
 namespace clothfit {
 namespace {

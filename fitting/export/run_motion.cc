@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/npy_file.h"
+#include "fitting/files/npy_file.h"
 
 namespace clothfit {
 namespace {

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "autodiff_sim/base/error.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/jobs/job_ledger.h"
-#include "fitting/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

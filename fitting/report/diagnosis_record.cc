@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/npy_file.h"
+#include "fitting/files/npy_file.h"
 #include "fitting/report/record_file.h"
 #include "tracking/text/text.h"
 

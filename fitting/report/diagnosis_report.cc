@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/npy_file.h"
+#include "fitting/files/npy_file.h"
 #include "fitting/report/diagnosis_record.h"
 #include "fitting/report/diagnosis_sections.h"
 #include "fitting/report/report_kinds.h"

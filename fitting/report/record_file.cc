@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/version.h"
+#include "fitting/files/version.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

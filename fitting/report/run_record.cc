@@ -8,7 +8,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/npy_file.h"
+#include "fitting/files/npy_file.h"
 #include "fitting/report/record_file.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"

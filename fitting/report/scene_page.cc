@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting/files/version.h"
 #include "fitting/report/report_html.h"
 #include "fitting/report/report_observations.h"
-#include "fitting/version.h"
 
 namespace clothfit {
 namespace {

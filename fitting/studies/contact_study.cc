@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/scenes/hard_scenes.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/line_chart.h"
 #include "fitting/picture.h"
 #include "fitting/studies/study.h"
-#include "fitting/whole_file.h"
 
 namespace clothfit {
 namespace {

@@ -13,11 +13,11 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/gradient_report.h"
 #include "fitting/line_chart.h"
 #include "fitting/recovery_study.h"
 #include "fitting/studies/study.h"
-#include "fitting/whole_file.h"
 #include "fitting/window_cost.h"
 #include "tracking/text/text.h"
 

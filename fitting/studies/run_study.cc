@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/studies/run_study.h"
 
+#include "fitting/files/version.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/jobs/job_ledger.h"
 #include "fitting/studies/study_recording.h"
-#include "fitting/version.h"
-#include "fitting/whole_file.h"
 
 namespace clothfit {
 namespace {

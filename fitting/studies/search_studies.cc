@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "fitting/files/whole_file.h"
 #include "fitting/line_chart.h"
 #include "fitting/studies/study.h"
-#include "fitting/whole_file.h"
 
 namespace clothfit {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "autodiff_sim/mesh/obj_file.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/files/npy_file.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/fit_run.h"
-#include "fitting/npy_file.h"
-#include "fitting/whole_file.h"
 #include "tests/support/small_recording.h"
 #include "tests/tracking/test_folder.h"
 #include "tracking/text/csv.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fitting/diagnosis/diagnosis_folder.h"
-#include "fitting/npy_file.h"
+#include "fitting/files/npy_file.h"
 #include "tests/support/small_run.h"
 
 namespace clothfit {

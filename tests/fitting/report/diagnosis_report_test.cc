@@ -4,8 +4,8 @@
 // A diagnosis becomes a page: the baseline beside the model, and every step of the answer.
 #include <cmath>
 
+#include "fitting/files/whole_file.h"
 #include "fitting/report/report.h"
-#include "fitting/whole_file.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_diagnosis.h"
 #include "tests/tracking/test_folder.h"

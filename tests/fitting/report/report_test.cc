@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "fitting/npy_file.h"
+#include "fitting/files/npy_file.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/report/report_html.h"
-#include "fitting/whole_file.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_run.h"
 #include "tests/tracking/test_folder.h"

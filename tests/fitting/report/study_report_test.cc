@@ -3,9 +3,9 @@
 //
 // Comparisons and studies become pages, and what is neither is told so.
 #include "fitting/comparison.h"
+#include "fitting/files/whole_file.h"
 #include "fitting/report/markdown_blocks.h"
 #include "fitting/report/report_kinds.h"
-#include "fitting/whole_file.h"
 #include "tests/support/report_blocks.h"
 #include "tests/tracking/test_folder.h"
 

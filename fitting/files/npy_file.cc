@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/npy_file.h"
+#include "fitting/files/npy_file.h"
 
 #include <cstring>
 #include <regex>
