@@ -16,7 +16,7 @@
 #include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/fit_run.h"
-#include "fitting/optimiser.h"
+#include "fitting/optimise/optimiser.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/optimiser.h"
+#include "fitting/optimise/optimiser.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "fitting/evaluation.h"
-#include "fitting/levenberg_marquardt.h"
-#include "fitting/simulation_cost.h"
+#include "fitting/optimise/levenberg_marquardt.h"
+#include "fitting/optimise/simulation_cost.h"
 
 namespace clothfit {
 namespace {

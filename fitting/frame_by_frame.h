@@ -16,7 +16,7 @@
 #include "autodiff_sim/step/simulation.h"
 #include "fitting/free_parameters.h"
 #include "fitting/observation_residuals.h"
-#include "fitting/optimiser.h"
+#include "fitting/optimise/optimiser.h"
 #include "fitting/path_guess.h"
 #include "fitting/scene.h"
 #include "fitting/synthesis_error.h"

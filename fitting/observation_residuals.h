@@ -10,8 +10,8 @@
 
 #include <ceres/loss_function.h>
 
+#include "fitting/optimise/row_major_matrix.h"
 #include "fitting/point_residual.h"
-#include "fitting/row_major_matrix.h"
 #include "fitting/scene.h"
 #include "fitting/soft_silhouette.h"
 

@@ -13,7 +13,7 @@
 #include <Eigen/Core>
 
 #include "fitting/fit.h"
-#include "fitting/optimiser.h"
+#include "fitting/optimise/optimiser.h"
 #include "fitting/scene.h"
 
 namespace clothfit {

@@ -14,7 +14,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/job_ledger.h"
-#include "fitting/pattern_search.h"
+#include "fitting/optimise/pattern_search.h"
 
 namespace clothfit {
 namespace {

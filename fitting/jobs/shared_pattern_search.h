@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "fitting/optimiser.h"
+#include "fitting/optimise/optimiser.h"
 
 namespace clothfit {
 

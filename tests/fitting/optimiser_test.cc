@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/optimiser.h"
+#include "fitting/optimise/optimiser.h"
 
 #include <atomic>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/pattern_search.h"
+#include "fitting/optimise/pattern_search.h"
 
 namespace clothfit {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/term/force_batch_impl.h"
 #include "autodiff_sim/terms/terms.h"
-#include "fitting/simulation_cost.h"
+#include "fitting/optimise/simulation_cost.h"
 #include "fitting/uncertainty.h"
 #include "fitting/window_cost.h"
 #include "tests/support/scenes.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/optimiser.h"
+#include "fitting/optimise/optimiser.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@
 #include <nlopt.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/annealing.h"
-#include "fitting/evaluation_counter.h"
-#include "fitting/levenberg_marquardt.h"
-#include "fitting/pattern_search.h"
-#include "fitting/simulation_cost.h"
+#include "fitting/optimise/annealing.h"
+#include "fitting/optimise/evaluation_counter.h"
+#include "fitting/optimise/levenberg_marquardt.h"
+#include "fitting/optimise/pattern_search.h"
+#include "fitting/optimise/simulation_cost.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

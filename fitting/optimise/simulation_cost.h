@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <ceres/cost_function.h>
 
-#include "fitting/row_major_matrix.h"
+#include "fitting/optimise/row_major_matrix.h"
 
 namespace clothfit {
 

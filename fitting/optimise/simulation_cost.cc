@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/simulation_cost.h"
+#include "fitting/optimise/simulation_cost.h"
 
 #include <utility>
 

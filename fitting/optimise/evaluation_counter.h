@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "fitting/optimiser.h"
+#include "fitting/optimise/optimiser.h"
 
 namespace clothfit {
 

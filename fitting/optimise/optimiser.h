@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/row_major_matrix.h"
+#include "fitting/optimise/row_major_matrix.h"
 
 namespace clothfit {
 

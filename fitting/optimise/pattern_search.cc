@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/pattern_search.h"
+#include "fitting/optimise/pattern_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/evaluation_counter.h"
+#include "fitting/optimise/evaluation_counter.h"
 
 namespace clothfit {
 

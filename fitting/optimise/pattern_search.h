@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/optimiser.h"
+#include "fitting/optimise/optimiser.h"
 
 namespace clothfit {
 

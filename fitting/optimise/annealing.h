@@ -5,7 +5,7 @@
 // 1987, ACM TOMS 13(3)), as Bhat et al. 2003 and, at first, Hasler et al. 2007 used.
 #pragma once
 
-#include "fitting/optimiser.h"
+#include "fitting/optimise/optimiser.h"
 
 namespace clothfit {
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/annealing.h"
+#include "fitting/optimise/annealing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <random>
 
-#include "fitting/evaluation_counter.h"
+#include "fitting/optimise/evaluation_counter.h"
 
 namespace clothfit {
 namespace {

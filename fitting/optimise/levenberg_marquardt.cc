@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/levenberg_marquardt.h"
+#include "fitting/optimise/levenberg_marquardt.h"
 
 #include <cmath>
 
