@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/config.h"
+#include "fitting/config/config.h"
 #include "fitting/free_parameters.h"
 #include "fitting/scene.h"
 

@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/step/simulation.h"
-#include "fitting/config.h"
+#include "fitting/config/config.h"
 #include "fitting/silhouettes.h"
 #include "tracking/camera/plucker_ray.h"
 #include "tracking/recording/recording.h"

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/config.h"
+#include "fitting/config/config.h"
 
 namespace clothfit {
 

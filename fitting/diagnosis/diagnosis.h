@@ -16,7 +16,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "fitting/config.h"
+#include "fitting/config/config.h"
 #include "fitting/diagnosis/acting_force.h"
 #include "fitting/diagnosis/diagnosis_motions.h"
 #include "fitting/diagnosis/separating_motion.h"

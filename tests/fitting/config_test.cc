@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/config.h"
+#include "fitting/config/config.h"
 
 #include <cmath>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/config_keys.h"
+#include "fitting/config/keys.h"
 #include "tests/tracking/test_folder.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/config.h"
+#include "fitting/config/config.h"
 #include "fitting/scene.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/config.h"
+#include "fitting/config/config.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/config.h"
-#include "fitting/config_keys.h"
+#include "fitting/config/config.h"
+#include "fitting/config/keys.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The defaults of a fit, and what makes a config usable.
-#include "fitting/config.h"
+#include "fitting/config/config.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/config_keys.h"
+#include "fitting/config/keys.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/config.h"
+#include "fitting/config/config.h"
 #include "tracking/text/yaml_reader.h"
 
 namespace clothfit {

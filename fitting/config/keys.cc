@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/config_keys.h"
+#include "fitting/config/keys.h"
 
 #include <algorithm>
 #include <utility>
