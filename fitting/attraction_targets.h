@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "autodiff_sim/term/step_inputs.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

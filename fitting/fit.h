@@ -15,7 +15,7 @@
 
 #include "fitting/config/config.h"
 #include "fitting/free_parameters.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

@@ -17,8 +17,8 @@
 #include "fitting/free_parameters.h"
 #include "fitting/observation_residuals.h"
 #include "fitting/optimise/optimiser.h"
-#include "fitting/path_guess.h"
-#include "fitting/scene.h"
+#include "fitting/scene/path_guess.h"
+#include "fitting/scene/scene.h"
 #include "fitting/synthesis_error.h"
 
 namespace clothfit {

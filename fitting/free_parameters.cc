@@ -11,7 +11,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
-#include "fitting/path_guess.h"
+#include "fitting/scene/path_guess.h"
 
 namespace clothfit {
 namespace {

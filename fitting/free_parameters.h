@@ -11,8 +11,8 @@
 #include <Eigen/Core>
 
 #include "fitting/config/config.h"
-#include "fitting/path_guess.h"
-#include "fitting/scene.h"
+#include "fitting/scene/path_guess.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 #include "tracking/silhouette/raster.h"
 
 namespace clothfit {

@@ -12,7 +12,7 @@
 
 #include "fitting/optimise/row_major_matrix.h"
 #include "fitting/point_residual.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 #include "fitting/soft_silhouette.h"
 
 namespace clothfit {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fitting/run_folder.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

@@ -14,7 +14,7 @@
 
 #include "fitting/fit.h"
 #include "fitting/optimise/optimiser.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
 #include "fitting/point_residual.h"
-#include "fitting/silhouettes.h"
+#include "fitting/scene/silhouettes.h"
 #include "tracking/camera/camera.h"
 #include "tracking/silhouette/outline.h"
 #include "tracking/silhouette/raster.h"

@@ -13,7 +13,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/prediction.h"
-#include "fitting/surface_truth.h"
+#include "fitting/scene/surface_truth.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "fitting/hard_silhouette.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 #include "tracking/camera/plucker_ray.h"
 
 namespace clothfit {

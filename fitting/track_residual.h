@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

@@ -11,7 +11,7 @@
 #include "autodiff_sim/step/simulation.h"
 #include "fitting/attraction_targets.h"
 #include "fitting/free_parameters.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fitting/config/config.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

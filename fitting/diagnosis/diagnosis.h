@@ -21,7 +21,7 @@
 #include "fitting/diagnosis/diagnosis_motions.h"
 #include "fitting/diagnosis/separating_motion.h"
 #include "fitting/fit.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 
 #include "fitting/observation_residuals.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

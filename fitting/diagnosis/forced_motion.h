@@ -12,7 +12,7 @@
 #include "fitting/attraction_targets.h"
 #include "fitting/diagnosis/force_layout.h"
 #include "fitting/free_parameters.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

@@ -8,7 +8,7 @@
 
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/force_layout.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

@@ -10,7 +10,7 @@
 
 #include "fitting/diagnosis/residual_force.h"
 #include "fitting/free_parameters.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "fitting/config/config.h"
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 namespace clothfit {
 

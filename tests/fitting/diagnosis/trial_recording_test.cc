@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fitting/silhouettes.h"
+#include "fitting/scene/silhouettes.h"
 #include "tests/tracking/test_folder.h"
 
 namespace clothfit {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // From a recording to a scene.
-#include "fitting/scene.h"
+#include "fitting/scene/scene.h"
 
 #include <algorithm>
 #include <cmath>

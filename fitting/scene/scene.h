@@ -15,7 +15,7 @@
 
 #include "autodiff_sim/step/simulation.h"
 #include "fitting/config/config.h"
-#include "fitting/silhouettes.h"
+#include "fitting/scene/silhouettes.h"
 #include "tracking/camera/plucker_ray.h"
 #include "tracking/recording/recording.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/path_guess.h"
+#include "fitting/scene/path_guess.h"
 
 #include <optional>
 #include <stdexcept>

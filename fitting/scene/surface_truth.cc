@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/surface_truth.h"
+#include "fitting/scene/surface_truth.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/silhouettes.h"
+#include "fitting/scene/silhouettes.h"
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
