@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "fitting/hard_silhouette.h"
+#include "fitting/residuals/hard_silhouette.h"
 
 namespace clothfit {
 namespace {

@@ -15,11 +15,11 @@
 
 #include "autodiff_sim/step/simulation.h"
 #include "fitting/free_parameters.h"
-#include "fitting/observation_residuals.h"
 #include "fitting/optimise/optimiser.h"
+#include "fitting/residuals/observation_residuals.h"
+#include "fitting/residuals/synthesis_error.h"
 #include "fitting/scene/path_guess.h"
 #include "fitting/scene/scene.h"
-#include "fitting/synthesis_error.h"
 
 namespace clothfit {
 

@@ -12,8 +12,8 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/frame_by_frame.h"
 #include "fitting/free_parameters.h"
+#include "fitting/residuals/synthesis_error.h"
 #include "fitting/search_ledger.h"
-#include "fitting/synthesis_error.h"
 #include "fitting/window_simulator.h"
 
 namespace clothfit {

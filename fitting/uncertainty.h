@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fitting/free_parameters.h"
-#include "fitting/observation_residuals.h"
+#include "fitting/residuals/observation_residuals.h"
 
 namespace clothfit {
 

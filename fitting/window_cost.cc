@@ -8,7 +8,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "fitting/node_sums.h"
+#include "fitting/residuals/node_sums.h"
 
 namespace clothfit {
 

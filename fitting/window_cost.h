@@ -6,7 +6,7 @@
 
 #include <ceres/cost_function.h>
 
-#include "fitting/observation_residuals.h"
+#include "fitting/residuals/observation_residuals.h"
 #include "fitting/window_simulator.h"
 
 namespace clothfit {

@@ -69,7 +69,7 @@ struct FitConfig {
   // observations
   bool use_markers = true;
   bool use_tracks = true;
-  bool use_silhouettes = false;  // by the soft error, see fitting/soft_silhouette.h
+  bool use_silhouettes = false;  // by the soft error, see fitting/residuals/soft_silhouette.h
   // E = alpha E_s + beta E_a (Hasler 2007, sec. 6.2): weights of the silhouettes' squared residuals
   // and of those of markers and tracks. 0 leaves them out.
   double alpha = 1.0;

@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/observation_residuals.h"
+#include "fitting/residuals/observation_residuals.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {

@@ -11,7 +11,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/seen_cloth.h"
-#include "fitting/hard_silhouette.h"
+#include "fitting/residuals/hard_silhouette.h"
 #include "fitting/window_simulator.h"
 
 namespace clothfit {

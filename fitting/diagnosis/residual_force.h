@@ -16,7 +16,7 @@
 
 #include "fitting/diagnosis/force_layout.h"
 #include "fitting/free_parameters.h"
-#include "fitting/observation_residuals.h"
+#include "fitting/residuals/observation_residuals.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {

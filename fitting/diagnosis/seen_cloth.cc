@@ -7,7 +7,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "fitting/track_residual.h"
+#include "fitting/residuals/track_residual.h"
 
 namespace clothfit {
 namespace {

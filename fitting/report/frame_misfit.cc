@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/hard_silhouette.h"
+#include "fitting/residuals/hard_silhouette.h"
 #include "tracking/camera/camera.h"
 
 namespace clothfit {

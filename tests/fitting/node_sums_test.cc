@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/node_sums.h"
+#include "fitting/residuals/node_sums.h"
 
 #include <random>
 #include <stdexcept>

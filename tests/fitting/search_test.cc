@@ -11,7 +11,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/synthesis_error.h"
+#include "fitting/residuals/synthesis_error.h"
 #include "tests/support/silhouette_scene.h"
 
 namespace clothfit {

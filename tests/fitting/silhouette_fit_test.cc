@@ -13,7 +13,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit.h"
 #include "fitting/fit_run.h"
-#include "fitting/hard_silhouette.h"
+#include "fitting/residuals/hard_silhouette.h"
 #include "fitting/window_cost.h"
 #include "tests/support/silhouette_scene.h"
 

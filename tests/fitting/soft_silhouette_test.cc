@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/soft_silhouette.h"
+#include "fitting/residuals/soft_silhouette.h"
 
 #include <cmath>
 #include <limits>

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/hard_silhouette.h"
+#include "fitting/residuals/hard_silhouette.h"
 #include "fitting/scene/scene.h"
 #include "tracking/camera/plucker_ray.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/synthesis_error.h"
+#include "fitting/residuals/synthesis_error.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Residuals of one frame.
-#include "fitting/observation_residuals.h"
+#include "fitting/residuals/observation_residuals.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/track_residual.h"
+#include "fitting/residuals/track_residual.h"
 
 namespace clothfit {
 namespace {

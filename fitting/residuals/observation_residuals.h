@@ -11,9 +11,9 @@
 #include <ceres/loss_function.h>
 
 #include "fitting/optimise/row_major_matrix.h"
-#include "fitting/point_residual.h"
+#include "fitting/residuals/point_residual.h"
+#include "fitting/residuals/soft_silhouette.h"
 #include "fitting/scene/scene.h"
-#include "fitting/soft_silhouette.h"
 
 namespace clothfit {
 

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
-#include "fitting/point_residual.h"
+#include "fitting/residuals/point_residual.h"
 #include "fitting/scene/silhouettes.h"
 #include "tracking/camera/camera.h"
 #include "tracking/silhouette/outline.h"

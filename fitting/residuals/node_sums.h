@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "autodiff_sim/step/state.h"
-#include "fitting/point_residual.h"
+#include "fitting/residuals/point_residual.h"
 
 namespace clothfit {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/track_residual.h"
+#include "fitting/residuals/track_residual.h"
 
 #include <ceres/jet.h>
 
