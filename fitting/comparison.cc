@@ -8,7 +8,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/free_parameters.h"
+#include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/surface_truth.h"
 #include "tracking/text/text.h"
 

@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 
 #include "fitting/config/config.h"
-#include "fitting/free_parameters.h"
+#include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {

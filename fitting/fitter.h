@@ -12,8 +12,8 @@
 
 #include "fitting/fit.h"
 #include "fitting/frame_by_frame.h"
+#include "fitting/rollout/window_cost.h"
 #include "fitting/uncertainty.h"
-#include "fitting/window_cost.h"
 
 namespace clothfit {
 

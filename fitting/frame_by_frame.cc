@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fitting/attraction_targets.h"
-#include "fitting/window_simulator.h"
+#include "fitting/rollout/attraction_targets.h"
+#include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {
 namespace {

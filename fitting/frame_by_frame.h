@@ -14,10 +14,10 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/step/simulation.h"
-#include "fitting/free_parameters.h"
 #include "fitting/optimise/optimiser.h"
 #include "fitting/residuals/observation_residuals.h"
 #include "fitting/residuals/synthesis_error.h"
+#include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/path_guess.h"
 #include "fitting/scene/scene.h"
 

@@ -8,7 +8,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/window_cost.h"
+#include "fitting/rollout/window_cost.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "autodiff_sim/base/gradient_check.h"
-#include "fitting/free_parameters.h"
+#include "fitting/rollout/free_parameters.h"
 
 namespace clothfit {
 

@@ -11,10 +11,10 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/frame_by_frame.h"
-#include "fitting/free_parameters.h"
 #include "fitting/residuals/synthesis_error.h"
+#include "fitting/rollout/free_parameters.h"
+#include "fitting/rollout/window_simulator.h"
 #include "fitting/search_ledger.h"
-#include "fitting/window_simulator.h"
 
 namespace clothfit {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fitter.h"
+#include "fitting/rollout/window_simulator.h"
 #include "fitting/search.h"
-#include "fitting/window_simulator.h"
 
 namespace clothfit {
 namespace {

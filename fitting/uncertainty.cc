@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "fitting/profile_interval.h"
-#include "fitting/window_cost.h"
+#include "fitting/rollout/window_cost.h"
 
 namespace clothfit {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/free_parameters.h"
 #include "fitting/residuals/observation_residuals.h"
+#include "fitting/rollout/free_parameters.h"
 
 namespace clothfit {
 

@@ -9,7 +9,7 @@
 
 #include "autodiff_sim/mesh/cloth_box.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/window_simulator.h"
+#include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {
 namespace {

@@ -3,7 +3,7 @@
 #include "fitting/diagnosis/forced_motion.h"
 
 #include "fitting/diagnosis/rows.h"
-#include "fitting/window_simulator.h"
+#include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {
 

@@ -12,7 +12,7 @@
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/seen_cloth.h"
 #include "fitting/residuals/hard_silhouette.h"
-#include "fitting/window_simulator.h"
+#include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {
 namespace {

@@ -12,7 +12,7 @@
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/named_parameter.h"
 #include "fitting/diagnosis/rows.h"
-#include "fitting/window_cost.h"
+#include "fitting/rollout/window_cost.h"
 
 namespace clothfit {
 namespace {

@@ -15,8 +15,8 @@
 #include <Eigen/Core>
 
 #include "fitting/diagnosis/force_layout.h"
-#include "fitting/free_parameters.h"
 #include "fitting/residuals/observation_residuals.h"
+#include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/window_simulator.h"
+#include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {
 namespace {

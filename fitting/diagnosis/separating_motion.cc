@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/rows.h"
-#include "fitting/window_simulator.h"
+#include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {
 namespace {

@@ -17,8 +17,8 @@
 #include "fitting/gradient_report.h"
 #include "fitting/line_chart.h"
 #include "fitting/recovery_study.h"
+#include "fitting/rollout/window_cost.h"
 #include "fitting/studies/study.h"
-#include "fitting/window_cost.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

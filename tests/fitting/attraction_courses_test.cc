@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fitting/attraction_targets.h"
+#include "fitting/rollout/attraction_targets.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {

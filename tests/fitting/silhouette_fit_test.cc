@@ -14,7 +14,7 @@
 #include "fitting/fit.h"
 #include "fitting/fit_run.h"
 #include "fitting/residuals/hard_silhouette.h"
-#include "fitting/window_cost.h"
+#include "fitting/rollout/window_cost.h"
 #include "tests/support/silhouette_scene.h"
 
 namespace clothfit {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/window_cost.h"
+#include "fitting/rollout/window_cost.h"
 
 #include <gtest/gtest.h>
 

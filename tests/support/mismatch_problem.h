@@ -9,7 +9,7 @@
 #include <string>
 
 #include "fitting/diagnosis/residual_force.h"
-#include "fitting/free_parameters.h"
+#include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/scene.h"
 #include "tracking/synthetic/recording.h"
 

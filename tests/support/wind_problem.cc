@@ -13,8 +13,8 @@
 #include "autodiff_sim/term/force_batch_impl.h"
 #include "autodiff_sim/terms/terms.h"
 #include "fitting/optimise/simulation_cost.h"
+#include "fitting/rollout/window_cost.h"
 #include "fitting/uncertainty.h"
-#include "fitting/window_cost.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

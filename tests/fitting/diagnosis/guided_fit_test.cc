@@ -9,7 +9,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/guided_ranking.h"
 #include "fitting/diagnosis/modelling.h"
-#include "fitting/window_simulator.h"
+#include "fitting/rollout/window_simulator.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {

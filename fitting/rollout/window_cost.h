@@ -7,7 +7,7 @@
 #include <ceres/cost_function.h>
 
 #include "fitting/residuals/observation_residuals.h"
-#include "fitting/window_simulator.h"
+#include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The free vector: what its entries are and what they move.
-#include "fitting/free_parameters.h"
+#include "fitting/rollout/free_parameters.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "autodiff_sim/step/simulation.h"
-#include "fitting/attraction_targets.h"
-#include "fitting/free_parameters.h"
+#include "fitting/rollout/attraction_targets.h"
+#include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Evaluation of a window.
-#include "fitting/window_cost.h"
+#include "fitting/rollout/window_cost.h"
 
 #include <cmath>
 

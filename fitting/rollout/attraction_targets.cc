@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/attraction_targets.h"
+#include "fitting/rollout/attraction_targets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One stretch of simulation.
-#include "fitting/window_simulator.h"
+#include "fitting/rollout/window_simulator.h"
 
 #include <algorithm>
 
