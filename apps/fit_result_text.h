@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 
 namespace clothfit {
 

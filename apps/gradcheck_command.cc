@@ -10,8 +10,8 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "autodiff_sim/base/error.h"
+#include "fitting/fit/gradient_report.h"
 #include "fitting/fit_run.h"
-#include "fitting/gradient_report.h"
 
 namespace clothfit {
 namespace {

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <string>
 
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 
 namespace clothfit {
 

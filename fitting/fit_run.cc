@@ -13,9 +13,9 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/step/handle_constraints.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/fit/search.h"
 #include "fitting/rollout/window_simulator.h"
 #include "fitting/run_obstacles.h"
-#include "fitting/search.h"
 #include "fitting/surface_evaluation.h"
 #include "tracking/silhouette/raster.h"
 

@@ -4,7 +4,7 @@
 // Fits and simulations that leave a run folder.
 #pragma once
 
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 #include "fitting/run_folder.h"
 
 namespace clothfit {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {

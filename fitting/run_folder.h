@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 
 namespace clothfit {
 

@@ -20,7 +20,7 @@
 #include "fitting/diagnosis/acting_force.h"
 #include "fitting/diagnosis/diagnosis_motions.h"
 #include "fitting/diagnosis/separating_motion.h"
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {

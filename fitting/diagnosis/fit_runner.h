@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "fitting/diagnosis/diagnosis.h"
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 
 namespace clothfit {
 

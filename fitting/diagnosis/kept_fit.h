@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 
 namespace clothfit {
 

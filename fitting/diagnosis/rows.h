@@ -13,7 +13,7 @@
 #include <Eigen/Core>
 
 #include "fitting/diagnosis/faults.h"
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 
 namespace clothfit {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "fitting/fit/search.h"
 #include "fitting/jobs/job.h"
-#include "fitting/search.h"
 #include "fitting/studies/study_options.h"
 
 namespace clothfit {

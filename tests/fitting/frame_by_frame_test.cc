@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/frame_by_frame.h"
+#include "fitting/fit/frame_by_frame.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 #include "tests/support/silhouette_scene.h"
 
 namespace clothfit {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 
 namespace clothfit {
 namespace {

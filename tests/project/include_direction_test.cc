@@ -64,10 +64,10 @@ TEST(IncludeDirection, AcceptsOwnLowerAndForeignHeaders) {
 TEST(IncludeDirection, ReportsEveryWrongInclude) {
   const SourceFile file{
       "tracking/rays.cc",
-      {"#include \"fitting/fit.h\"", "#include \"autodiff_sim/mesh.h\"",
+      {"#include \"fitting/fit/fit.h\"", "#include \"autodiff_sim/mesh.h\"",
        "  #  include <apps/command.h>", "#include \"../fitting/fit.h\"", "#include \"rays.h\""}};
   EXPECT_THAT(WrongIncludes(file),
-              testing::ElementsAre("tracking/rays.cc:1: #include \"fitting/fit.h\"",
+              testing::ElementsAre("tracking/rays.cc:1: #include \"fitting/fit/fit.h\"",
                                    "tracking/rays.cc:3:   #  include <apps/command.h>",
                                    "tracking/rays.cc:4: #include \"../fitting/fit.h\"",
                                    "tracking/rays.cc:5: #include \"rays.h\""));

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/small_recording.h"
 #include "tracking/silhouette/raster.h"

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 
 namespace clothfit {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "autodiff_sim/term/force_batch_impl.h"
 #include "autodiff_sim/terms/terms.h"
+#include "fitting/fit/uncertainty.h"
 #include "fitting/optimise/simulation_cost.h"
 #include "fitting/rollout/window_cost.h"
-#include "fitting/uncertainty.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {

@@ -9,8 +9,8 @@
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
 
-#include "fitting/evaluation.h"
-#include "fitting/fitter.h"
+#include "fitting/fit/evaluation.h"
+#include "fitting/fit/fitter.h"
 
 namespace clothfit {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The fit as a whole: coarse, then fine.
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "fitting/fitter.h"
+#include "fitting/fit/fitter.h"
 
 namespace clothfit {
 namespace {

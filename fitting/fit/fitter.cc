@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/fitter.h"
+#include "fitting/fit/fitter.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +11,7 @@
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 
-#include "fitting/evaluation.h"
+#include "fitting/fit/evaluation.h"
 #include "fitting/optimise/levenberg_marquardt.h"
 #include "fitting/optimise/simulation_cost.h"
 

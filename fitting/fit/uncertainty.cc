@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Covariance, and undetermined directions in words.
-#include "fitting/uncertainty.h"
+#include "fitting/fit/uncertainty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include <ceres/problem.h>
 #include <fmt/format.h>
 
-#include "fitting/profile_interval.h"
+#include "fitting/fit/profile_interval.h"
 #include "fitting/rollout/window_cost.h"
 
 namespace clothfit {

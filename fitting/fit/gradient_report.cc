@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/gradient_report.h"
+#include "fitting/fit/gradient_report.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // How well one open-loop simulation explains a scene's observations.
 #pragma once
 
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 
 namespace clothfit {
 

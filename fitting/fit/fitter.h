@@ -10,10 +10,10 @@
 
 #include <ceres/solver.h>
 
-#include "fitting/fit.h"
-#include "fitting/frame_by_frame.h"
+#include "fitting/fit/fit.h"
+#include "fitting/fit/frame_by_frame.h"
+#include "fitting/fit/uncertainty.h"
 #include "fitting/rollout/window_cost.h"
-#include "fitting/uncertainty.h"
 
 namespace clothfit {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/search.h"
+#include "fitting/fit/search.h"
 
 #include <algorithm>
 #include <memory>
@@ -10,11 +10,11 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/frame_by_frame.h"
+#include "fitting/fit/frame_by_frame.h"
+#include "fitting/fit/search_ledger.h"
 #include "fitting/residuals/synthesis_error.h"
 #include "fitting/rollout/free_parameters.h"
 #include "fitting/rollout/window_simulator.h"
-#include "fitting/search_ledger.h"
 
 namespace clothfit {
 namespace {

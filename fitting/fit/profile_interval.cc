@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/profile_interval.h"
+#include "fitting/fit/profile_interval.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Errors over fitted and held-out observations.
-#include "fitting/evaluation.h"
+#include "fitting/fit/evaluation.h"
 
 #include <cmath>
 

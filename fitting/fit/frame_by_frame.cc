@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/frame_by_frame.h"
+#include "fitting/fit/frame_by_frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <vector>
 
-#include "fitting/search.h"
+#include "fitting/fit/search.h"
 
 namespace clothfit {
 

@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/fitter.h"
+#include "fitting/fit/fitter.h"
+#include "fitting/fit/search.h"
 #include "fitting/rollout/window_simulator.h"
-#include "fitting/search.h"
 
 namespace clothfit {
 namespace {

@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/fit.h"
+#include "fitting/fit/fit.h"
 #include "fitting/optimise/optimiser.h"
 #include "fitting/scene/scene.h"
 

@@ -15,7 +15,7 @@ namespace clothfit {
 struct Uncertainty {
   Eigen::VectorXd sigma;  // one a free entry, in the free vector's scale
   // Ends of the 95 % interval, as offsets from the solution in the free vector's scale: a physical
-  // parameter's are the profile's (fitting/profile_interval.h), others 1.96 sigmas.
+  // parameter's are the profile's (fitting/fit/profile_interval.h), others 1.96 sigmas.
   Eigen::VectorXd lower95, upper95;
   std::vector<bool> determined;  // by the data: the posterior variance is below half of the prior's
   double noise_factor = 1.0;  // residuals over stated sigmas, at least 1; the intervals contain it
