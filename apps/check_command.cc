@@ -8,7 +8,7 @@
 
 #include "apps/commands.h"
 #include "apps/config_options.h"
-#include "fitting/fit_run.h"
+#include "fitting/runs/fit_run.h"
 #include "tracking/recording/summary.h"
 
 namespace clothfit {

@@ -16,7 +16,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/comparison.h"
 #include "fitting/files/whole_file.h"
-#include "fitting/fit_run.h"
+#include "fitting/runs/fit_run.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -14,7 +14,7 @@
 #include "apps/share_display.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/diagnosis_folder.h"
-#include "fitting/fit_run.h"
+#include "fitting/runs/fit_run.h"
 
 namespace clothfit {
 namespace {

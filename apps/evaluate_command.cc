@@ -9,7 +9,7 @@
 
 #include "apps/commands.h"
 #include "autodiff_sim/base/error.h"
-#include "fitting/surface_evaluation.h"
+#include "fitting/runs/surface_evaluation.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

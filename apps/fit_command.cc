@@ -15,8 +15,8 @@
 #include "apps/progress_display.h"
 #include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
-#include "fitting/fit_run.h"
 #include "fitting/optimise/optimiser.h"
+#include "fitting/runs/fit_run.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -11,7 +11,7 @@
 #include "apps/config_options.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/fit/gradient_report.h"
-#include "fitting/fit_run.h"
+#include "fitting/runs/fit_run.h"
 
 namespace clothfit {
 namespace {

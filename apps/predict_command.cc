@@ -9,7 +9,7 @@
 
 #include "apps/commands.h"
 #include "autodiff_sim/base/error.h"
-#include "fitting/prediction.h"
+#include "fitting/runs/prediction.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "autodiff_sim/base/error.h"
-#include "fitting/fit_run.h"
+#include "fitting/runs/fit_run.h"
 
 namespace clothfit {
 namespace {

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
-#include "fitting/prediction.h"
+#include "fitting/runs/prediction.h"
 
 namespace clothfit {
 

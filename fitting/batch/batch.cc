@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "fitting/files/whole_file.h"
-#include "fitting/fit_run.h"
+#include "fitting/runs/fit_run.h"
 #include "tracking/features/tracking_folder.h"
 #include "tracking/text/text.h"
 

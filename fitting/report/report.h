@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "fitting/report/report_cameras.h"
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 
 namespace clothfit {
 

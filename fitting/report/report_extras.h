@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fitting/report/report_sections.h"
-#include "fitting/run_obstacles.h"
+#include "fitting/runs/obstacles.h"
 
 namespace clothfit {
 

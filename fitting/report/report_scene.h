@@ -12,8 +12,8 @@
 
 #include <Eigen/Core>
 
-#include "fitting/prediction.h"
 #include "fitting/report/run_record.h"
+#include "fitting/runs/prediction.h"
 #include "tracking/recording/truth.h"
 
 namespace clothfit {

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fitting/report/verdict.h"
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 
 namespace clothfit {
 

@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 #include "tests/apps/command.h"
 #include "tests/support/small_recording.h"
 #include "tracking/text/csv.h"

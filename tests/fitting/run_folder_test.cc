@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 
 #include <cmath>
 #include <cstring>
@@ -12,7 +12,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/files/npy_file.h"
 #include "fitting/files/whole_file.h"
-#include "fitting/fit_run.h"
+#include "fitting/runs/fit_run.h"
 #include "tests/support/small_recording.h"
 #include "tests/tracking/test_folder.h"
 #include "tracking/text/csv.h"

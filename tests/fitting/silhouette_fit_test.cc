@@ -12,9 +12,9 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit/fit.h"
-#include "fitting/fit_run.h"
 #include "fitting/residuals/hard_silhouette.h"
 #include "fitting/rollout/window_cost.h"
+#include "fitting/runs/fit_run.h"
 #include "tests/support/silhouette_scene.h"
 
 namespace clothfit {

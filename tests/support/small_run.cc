@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "fitting/fit_run.h"
+#include "fitting/runs/fit_run.h"
 #include "tests/support/small_recording.h"
 
 namespace clothfit {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/run_obstacles.h"
+#include "fitting/runs/obstacles.h"
 
 #include <array>
 #include <cmath>

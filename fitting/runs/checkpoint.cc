@@ -6,7 +6,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/files/whole_file.h"
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -6,7 +6,7 @@
 
 #include "fitting/files/npy_file.h"
 #include "fitting/files/whole_file.h"
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 #include "tracking/camera/camera.h"
 #include "tracking/text/text.h"
 

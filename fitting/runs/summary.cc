@@ -9,7 +9,7 @@
 
 #include "fitting/files/version.h"
 #include "fitting/files/whole_file.h"
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 
 namespace clothfit {
 namespace {

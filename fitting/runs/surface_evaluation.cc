@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/surface_evaluation.h"
+#include "fitting/runs/surface_evaluation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/prediction.h"
+#include "fitting/runs/prediction.h"
 #include "fitting/scene/surface_truth.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 
 namespace clothfit {
 

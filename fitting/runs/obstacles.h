@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {

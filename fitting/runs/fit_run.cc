@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/fit_run.h"
+#include "fitting/runs/fit_run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -15,8 +15,8 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit/search.h"
 #include "fitting/rollout/window_simulator.h"
-#include "fitting/run_obstacles.h"
-#include "fitting/surface_evaluation.h"
+#include "fitting/runs/obstacles.h"
+#include "fitting/runs/surface_evaluation.h"
 #include "tracking/silhouette/raster.h"
 
 namespace clothfit {

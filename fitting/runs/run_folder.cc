@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Making, replacing and opening run folders, and their short files.
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 
 #include <algorithm>
 #include <fstream>

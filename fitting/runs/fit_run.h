@@ -5,7 +5,7 @@
 #pragma once
 
 #include "fitting/fit/fit.h"
-#include "fitting/run_folder.h"
+#include "fitting/runs/run_folder.h"
 
 namespace clothfit {
 
