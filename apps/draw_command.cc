@@ -9,7 +9,7 @@
 
 #include "apps/commands.h"
 #include "autodiff_sim/base/error.h"
-#include "fitting/picture.h"
+#include "fitting/pictures/picture.h"
 
 namespace clothfit {
 namespace {

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/scenes/contact_scenes.h"
-#include "fitting/line_chart.h"
-#include "fitting/picture.h"
+#include "fitting/pictures/line_chart.h"
+#include "fitting/pictures/picture.h"
 
 namespace clothfit {
 namespace {

@@ -12,7 +12,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/comparison.h"
 #include "fitting/files/whole_file.h"
-#include "fitting/line_chart.h"
+#include "fitting/pictures/line_chart.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

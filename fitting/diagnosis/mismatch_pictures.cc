@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
-#include "fitting/line_chart.h"
+#include "fitting/pictures/line_chart.h"
 
 namespace clothfit {
 namespace {

@@ -6,7 +6,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/run_pictures.h"
+#include "fitting/pictures/run_pictures.h"
 #include "tracking/recording/images.h"
 #include "tracking/silhouette/raster.h"
 #include "tracking/text/text.h"

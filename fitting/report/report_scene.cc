@@ -9,7 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/run_pictures.h"
+#include "fitting/pictures/run_pictures.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "fitting/files/whole_file.h"
-#include "fitting/line_chart.h"
+#include "fitting/pictures/line_chart.h"
 #include "fitting/studies/study.h"
 
 namespace clothfit {

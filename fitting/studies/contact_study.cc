@@ -10,8 +10,8 @@
 
 #include "autodiff_sim/scenes/hard_scenes.h"
 #include "fitting/files/whole_file.h"
-#include "fitting/line_chart.h"
-#include "fitting/picture.h"
+#include "fitting/pictures/line_chart.h"
+#include "fitting/pictures/picture.h"
 #include "fitting/studies/study.h"
 
 namespace clothfit {

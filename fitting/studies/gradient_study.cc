@@ -15,7 +15,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/files/whole_file.h"
 #include "fitting/fit/gradient_report.h"
-#include "fitting/line_chart.h"
+#include "fitting/pictures/line_chart.h"
 #include "fitting/recovery_study.h"
 #include "fitting/rollout/window_cost.h"
 #include "fitting/studies/study.h"

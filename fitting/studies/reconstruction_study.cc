@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "fitting/files/whole_file.h"
-#include "fitting/picture.h"
+#include "fitting/pictures/picture.h"
 #include "fitting/studies/study.h"
 #include "fitting/studies/study_recording.h"
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/line_chart.h"
+#include "fitting/pictures/line_chart.h"
 #include "tests/support/silhouette_scene.h"
 #include "tests/tracking/test_folder.h"
 

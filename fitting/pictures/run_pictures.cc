@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/run_pictures.h"
+#include "fitting/pictures/run_pictures.h"
 
 #include "autodiff_sim/base/error.h"
 #include "tracking/features/tracking_folder.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/line_chart.h"
+#include "fitting/pictures/line_chart.h"
 
 #include <algorithm>
 #include <array>
