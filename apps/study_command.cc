@@ -13,8 +13,8 @@
 #include "apps/study_commands.h"
 #include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
-#include "fitting/chaos_study.h"
-#include "fitting/recovery_study.h"
+#include "fitting/studies/chaos_study.h"
+#include "fitting/studies/recovery_study.h"
 #include "tracking/features/tracking_evaluation.h"
 #include "tracking/text/text.h"
 

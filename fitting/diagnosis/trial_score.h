@@ -10,7 +10,7 @@
 
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/trial_recording.h"
-#include "fitting/recovery_study.h"
+#include "fitting/studies/recovery_study.h"
 
 namespace clothfit {
 

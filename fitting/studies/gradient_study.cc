@@ -16,8 +16,8 @@
 #include "fitting/files/whole_file.h"
 #include "fitting/fit/gradient_report.h"
 #include "fitting/pictures/line_chart.h"
-#include "fitting/recovery_study.h"
 #include "fitting/rollout/window_cost.h"
+#include "fitting/studies/recovery_study.h"
 #include "fitting/studies/study.h"
 #include "tracking/text/text.h"
 

@@ -10,10 +10,10 @@
 #include <tuple>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/comparison.h"
 #include "fitting/jobs/shared_pattern_search.h"
 #include "fitting/residuals/synthesis_error.h"
 #include "fitting/scene/surface_truth.h"
+#include "fitting/studies/comparison.h"
 #include "fitting/studies/roughness.h"
 #include "fitting/studies/study_recording.h"
 

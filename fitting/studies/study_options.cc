@@ -8,7 +8,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/comparison.h"
+#include "fitting/studies/comparison.h"
 #include "tracking/synthetic/presets.h"
 #include "tracking/text/text.h"
 

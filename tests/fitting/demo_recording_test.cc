@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/recovery_study.h"
+#include "fitting/studies/recovery_study.h"
 
 namespace clothfit {
 namespace {

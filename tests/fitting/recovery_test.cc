@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fitting/recovery_study.h"
+#include "fitting/studies/recovery_study.h"
 
 namespace clothfit {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/chaos_study.h"
+#include "fitting/studies/chaos_study.h"
 
 #include <algorithm>
 #include <cmath>

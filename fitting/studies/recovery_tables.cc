@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "fitting/recovery_study.h"
+#include "fitting/studies/recovery_study.h"
 
 namespace clothfit {
 namespace {
