@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "fitting/diagnosis/trial_summary.h"
-#include "fitting/jobs/job_ledger.h"
+#include "fitting/jobs/ledger.h"
 
 namespace clothfit {
 namespace {

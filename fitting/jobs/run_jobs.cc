@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/jobs/job_ledger.h"
+#include "fitting/jobs/ledger.h"
 
 namespace clothfit {
 namespace {

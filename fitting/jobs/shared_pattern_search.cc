@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/jobs/job_ledger.h"
+#include "fitting/jobs/ledger.h"
 #include "fitting/optimise/pattern_search.h"
 
 namespace clothfit {

@@ -4,7 +4,7 @@
 
 #include "fitting/files/version.h"
 #include "fitting/files/whole_file.h"
-#include "fitting/jobs/job_ledger.h"
+#include "fitting/jobs/ledger.h"
 #include "fitting/studies/study_recording.h"
 
 namespace clothfit {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "fitting/jobs/job_folder.h"
+#include "fitting/jobs/folder.h"
 #include "fitting/jobs/run_jobs.h"
 #include "fitting/studies/study.h"
 

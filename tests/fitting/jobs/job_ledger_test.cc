@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/jobs/job_ledger.h"
-
 #include <chrono>
 #include <thread>
 
@@ -10,6 +8,7 @@
 #include <unistd.h>
 
 #include "autodiff_sim/base/error.h"
+#include "fitting/jobs/ledger.h"
 #include "tests/tracking/test_folder.h"
 
 namespace clothfit {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/jobs/job_folder.h"
+#include "fitting/jobs/folder.h"
 
 #include <chrono>
 #include <thread>
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/files/whole_file.h"
-#include "fitting/jobs/job_ledger.h"
+#include "fitting/jobs/ledger.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

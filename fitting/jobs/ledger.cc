@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/jobs/job_ledger.h"
+#include "fitting/jobs/ledger.h"
 
 #include <array>
 #include <atomic>
