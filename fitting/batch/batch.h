@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/batch/batch_list.h"
+#include "fitting/batch/list.h"
 #include "fitting/jobs/job.h"
 
 namespace clothfit {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/batch/batch_list.h"
+#include "fitting/batch/list.h"
 
 #include <algorithm>
 #include <cctype>
