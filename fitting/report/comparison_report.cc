@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "fitting/report/kinds.h"
 #include "fitting/report/record_file.h"
-#include "fitting/report/report_kinds.h"
 #include "fitting/report/scene_page.h"
 #include "fitting/studies/comparison.h"
 #include "tracking/text/text.h"

@@ -12,7 +12,7 @@
 #include "fitting/files/npy_file.h"
 #include "fitting/report/diagnosis_record.h"
 #include "fitting/report/diagnosis_sections.h"
-#include "fitting/report/report_kinds.h"
+#include "fitting/report/kinds.h"
 #include "fitting/report/scene_page.h"
 #include "tracking/text/text.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "fitting/report/report_scene.h"
+#include "fitting/report/scene.h"
 
 namespace clothfit {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "fitting/report/report_cameras.h"
+#include "fitting/report/cameras.h"
 #include "fitting/runs/run_folder.h"
 
 namespace clothfit {

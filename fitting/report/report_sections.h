@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "fitting/report/blobs.h"
 #include "fitting/report/frame_misfit.h"
-#include "fitting/report/report_blobs.h"
 #include "fitting/report/scalar_field.h"
 
 namespace clothfit {

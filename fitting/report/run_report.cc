@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The page of a fit.
-#include "fitting/report/report_kinds.h"
+#include "fitting/report/kinds.h"
 #include "fitting/report/scene_page.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/report/report_scene.h"
+#include "fitting/report/scene.h"
 
 namespace clothfit {
 

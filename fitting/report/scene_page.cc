@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "fitting/files/version.h"
-#include "fitting/report/report_html.h"
-#include "fitting/report/report_observations.h"
+#include "fitting/report/html.h"
+#include "fitting/report/observations.h"
 
 namespace clothfit {
 namespace {

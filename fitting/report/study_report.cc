@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "fitting/report/kinds.h"
 #include "fitting/report/markdown_blocks.h"
-#include "fitting/report/report_kinds.h"
 #include "fitting/report/scene_page.h"
 #include "tracking/text/text.h"
 

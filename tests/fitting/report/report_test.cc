@@ -8,7 +8,7 @@
 
 #include "fitting/files/npy_file.h"
 #include "fitting/files/whole_file.h"
-#include "fitting/report/report_html.h"
+#include "fitting/report/html.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_run.h"
 #include "tests/tracking/test_folder.h"

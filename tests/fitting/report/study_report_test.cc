@@ -3,8 +3,8 @@
 //
 // Comparisons and studies become pages, and what is neither is told so.
 #include "fitting/files/whole_file.h"
+#include "fitting/report/kinds.h"
 #include "fitting/report/markdown_blocks.h"
-#include "fitting/report/report_kinds.h"
 #include "fitting/studies/comparison.h"
 #include "tests/support/report_blocks.h"
 #include "tests/tracking/test_folder.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/report/report_cameras.h"
+#include "fitting/report/cameras.h"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/report/report_observations.h"
+#include "fitting/report/observations.h"
 
 #include <cmath>
 #include <map>

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "fitting/report/blobs.h"
 #include "fitting/report/report.h"
-#include "fitting/report/report_blobs.h"
 #include "fitting/report/verdict.h"
 
 namespace clothfit {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/report/report_scene.h"
+#include "fitting/report/scene.h"
 
 #include <algorithm>
 #include <utility>

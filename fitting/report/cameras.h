@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/report/report_blobs.h"
-#include "fitting/report/report_scene.h"
+#include "fitting/report/blobs.h"
+#include "fitting/report/scene.h"
 
 namespace clothfit {
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/report/report_kinds.h"
+#include "fitting/report/kinds.h"
 
 #include <fstream>
 #include <string>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/report/report_blobs.h"
+#include "fitting/report/blobs.h"
 
 namespace clothfit {
 namespace {

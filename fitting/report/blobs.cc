@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/report/report_blobs.h"
+#include "fitting/report/blobs.h"
 
 #include <utility>
 

@@ -10,7 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/report/report_cameras.h"
+#include "fitting/report/cameras.h"
 #include "tracking/recording/images.h"
 
 namespace clothfit {

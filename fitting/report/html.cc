@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/report/report_html.h"
+#include "fitting/report/html.h"
 
 #include <algorithm>
 
