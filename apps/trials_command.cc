@@ -17,12 +17,12 @@
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/diagnosis_folder.h"
 #include "fitting/diagnosis/sha256.h"
-#include "fitting/diagnosis/trial_effect_table.h"
-#include "fitting/diagnosis/trial_plan.h"
-#include "fitting/diagnosis/trial_run.h"
-#include "fitting/diagnosis/trial_summary.h"
 #include "fitting/files/version.h"
 #include "fitting/files/whole_file.h"
+#include "fitting/trials/effect_table.h"
+#include "fitting/trials/plan.h"
+#include "fitting/trials/run.h"
+#include "fitting/trials/summary.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

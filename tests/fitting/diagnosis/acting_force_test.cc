@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fitting/diagnosis/trial_score.h"
+#include "fitting/trials/score.h"
 
 namespace clothfit {
 namespace {

@@ -9,9 +9,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "fitting/diagnosis/finite_elements/fem_cloth.h"
-#include "fitting/diagnosis/finite_elements/fem_generator.h"
-#include "fitting/diagnosis/trial_recording.h"
+#include "fitting/trials/finite_elements/cloth.h"
+#include "fitting/trials/finite_elements/generator.h"
+#include "fitting/trials/recording.h"
 
 namespace clothfit {
 namespace {

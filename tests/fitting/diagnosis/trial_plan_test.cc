@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/trial_plan.h"
-
 #include <map>
 #include <set>
 
@@ -10,7 +8,8 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/sha256.h"
-#include "fitting/diagnosis/trial_recording.h"
+#include "fitting/trials/plan.h"
+#include "fitting/trials/recording.h"
 
 namespace clothfit {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The terms of trials keep the contract of autodiff_sim/term/term.h, as clothfit's own do.
-#include "fitting/diagnosis/trial_terms/trial_terms.h"
+#include "fitting/trials/terms/trial_terms.h"
 
 #include <algorithm>
 #include <cmath>

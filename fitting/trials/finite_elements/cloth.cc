@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/finite_elements/fem_cloth.h"
+#include "fitting/trials/finite_elements/cloth.h"
 
 #include <algorithm>
 #include <cmath>

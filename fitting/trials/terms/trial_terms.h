@@ -9,9 +9,9 @@
 
 #include "autodiff_sim/step/simulation.h"
 #include "autodiff_sim/terms/terms.h"
-#include "fitting/diagnosis/trial_terms/diagonal_thread.h"
-#include "fitting/diagnosis/trial_terms/sticky_point.h"
-#include "fitting/diagnosis/trial_terms/vortex.h"
+#include "fitting/trials/terms/diagonal_thread.h"
+#include "fitting/trials/terms/sticky_point.h"
+#include "fitting/trials/terms/vortex.h"
 
 namespace clothfit {
 

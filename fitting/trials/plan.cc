@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/trial_plan.h"
+#include "fitting/trials/plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/finite_elements/fem_laws.h"
+#include "fitting/trials/finite_elements/laws.h"
 #include "tracking/text/normal_numbers.h"
 #include "tracking/text/text.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/trial_score.h"
+#include "fitting/trials/score.h"
 
 namespace clothfit {
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/trial_run.h"
+#include "fitting/trials/run.h"
 
 #include <chrono>
 #include <exception>
 #include <stdexcept>
 
-#include "fitting/diagnosis/trial_summary.h"
 #include "fitting/jobs/ledger.h"
+#include "fitting/trials/summary.h"
 
 namespace clothfit {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/finite_elements/fem_generator.h"
+#include "fitting/trials/finite_elements/generator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/scenes/cloth_scene.h"
-#include "fitting/diagnosis/finite_elements/fem_cloth.h"
+#include "fitting/trials/finite_elements/cloth.h"
 
 namespace clothfit {
 namespace {

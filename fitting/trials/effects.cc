@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/trial_effects.h"
+#include "fitting/trials/effects.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/candidates.h"
-#include "fitting/diagnosis/trial_terms/trial_terms.h"
+#include "fitting/trials/terms/trial_terms.h"
 
 namespace clothfit {
 namespace {

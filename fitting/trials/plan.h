@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/diagnosis/trial_effects.h"
+#include "fitting/trials/effects.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/trial_score.h"
 #include "fitting/jobs/run_jobs.h"
+#include "fitting/trials/score.h"
 
 namespace clothfit {
 

@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/step/simulation.h"
-#include "fitting/diagnosis/trial_recording.h"
+#include "fitting/trials/recording.h"
 
 namespace clothfit {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fitting/diagnosis/diagnosis.h"
-#include "fitting/diagnosis/trial_recording.h"
 #include "fitting/studies/recovery_study.h"
+#include "fitting/trials/recording.h"
 
 namespace clothfit {
 

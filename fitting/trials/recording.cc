@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/trial_recording.h"
+#include "fitting/trials/recording.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "fitting/diagnosis/finite_elements/fem_generator.h"
 #include "fitting/diagnosis/sha256.h"
-#include "fitting/diagnosis/trial_force.h"
-#include "fitting/diagnosis/trial_terms/trial_terms.h"
+#include "fitting/trials/finite_elements/generator.h"
+#include "fitting/trials/force.h"
+#include "fitting/trials/terms/trial_terms.h"
 #include "tracking/silhouette/raster.h"
 #include "tracking/synthetic/observations.h"
 #include "tracking/synthetic/picture_writer.h"

@@ -17,8 +17,8 @@
 
 #include <Eigen/Core>
 
-#include "fitting/diagnosis/finite_elements/fem_laws.h"
-#include "fitting/diagnosis/finite_elements/fem_mesh.h"
+#include "fitting/trials/finite_elements/laws.h"
+#include "fitting/trials/finite_elements/mesh.h"
 
 namespace clothfit {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/finite_elements/fem_laws.h"
+#include "fitting/trials/finite_elements/laws.h"
 
 #include <algorithm>
 #include <array>

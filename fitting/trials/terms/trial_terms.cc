@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/trial_terms/trial_terms.h"
+#include "fitting/trials/terms/trial_terms.h"
 
 #include <utility>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/trial_terms/vortex.h"
+#include "fitting/trials/terms/vortex.h"
 
 #include "autodiff_sim/term/force_batch_impl.h"
 

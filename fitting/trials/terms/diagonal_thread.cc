@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/trial_terms/diagonal_thread.h"
+#include "fitting/trials/terms/diagonal_thread.h"
 
 #include <algorithm>
 #include <cmath>

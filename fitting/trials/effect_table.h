@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/trial_plan.h"
+#include "fitting/trials/plan.h"
 
 namespace clothfit {
 

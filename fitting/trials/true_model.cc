@@ -7,8 +7,8 @@
 #include <exception>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/trial_score.h"
-#include "fitting/diagnosis/trial_terms/trial_terms.h"
+#include "fitting/trials/score.h"
+#include "fitting/trials/terms/trial_terms.h"
 
 namespace clothfit {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/trial_effect_table.h"
+#include "fitting/trials/effect_table.h"
 
 #include <exception>
 #include <map>
@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/diagnosis/trial_recording.h"
+#include "fitting/trials/recording.h"
 
 namespace clothfit {
 namespace {

@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/diagnosis/finite_elements/fem_mesh.h"
+#include "fitting/trials/finite_elements/mesh.h"
 
 namespace clothfit {
 

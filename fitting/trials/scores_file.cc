@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/trial_summary.h"
+#include "fitting/trials/summary.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

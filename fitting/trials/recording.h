@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 
 #include "fitting/diagnosis/acting_force.h"
-#include "fitting/diagnosis/trial_plan.h"
+#include "fitting/trials/plan.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {
