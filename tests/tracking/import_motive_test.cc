@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "test_folder.h"
 #include "tests/support/motive_file.h"
+#include "tests/tracking/test_folder.h"
 #include "tracking/import/motive.h"
 
 namespace clothfit {

@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "test_folder.h"
+#include "tests/tracking/test_folder.h"
 #include "tracking/import/video.h"
 #include "tracking/recording/images.h"
 #include "tracking/text/text.h"

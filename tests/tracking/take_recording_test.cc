@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "test_folder.h"
 #include "tests/support/motive_file.h"
+#include "tests/tracking/test_folder.h"
 #include "tracking/import/motive.h"
 
 namespace clothfit {
