@@ -11,7 +11,7 @@
 
 #include <sys/types.h>
 
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 

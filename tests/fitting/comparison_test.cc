@@ -12,7 +12,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/pictures/line_chart.h"
 #include "tests/support/silhouette_scene.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {

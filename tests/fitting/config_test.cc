@@ -6,7 +6,7 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/config/keys.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {

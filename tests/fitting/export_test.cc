@@ -17,7 +17,7 @@
 #include "fitting/files/npy_file.h"
 #include "fitting/files/whole_file.h"
 #include "tests/support/small_run.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"
 

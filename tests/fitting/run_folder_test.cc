@@ -14,7 +14,7 @@
 #include "fitting/files/whole_file.h"
 #include "fitting/runs/fit_run.h"
 #include "tests/support/small_recording.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"
 

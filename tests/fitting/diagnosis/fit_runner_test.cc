@@ -13,7 +13,7 @@
 #include "fitting/diagnosis/diagnosis_folder.h"
 #include "fitting/files/whole_file.h"
 #include "tests/support/small_recording.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {

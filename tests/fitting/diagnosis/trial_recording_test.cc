@@ -7,7 +7,7 @@
 
 #include "fitting/scene/silhouettes.h"
 #include "fitting/trials/recording.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {

@@ -10,7 +10,7 @@
 #include "fitting/trials/run.h"
 #include "fitting/trials/score.h"
 #include "fitting/trials/summary.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/ledger.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {

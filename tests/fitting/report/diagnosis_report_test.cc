@@ -8,7 +8,7 @@
 #include "fitting/report/report.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_diagnosis.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

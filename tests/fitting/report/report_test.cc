@@ -11,7 +11,7 @@
 #include "fitting/report/html.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_run.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

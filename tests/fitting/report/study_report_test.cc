@@ -7,7 +7,7 @@
 #include "fitting/report/markdown_blocks.h"
 #include "fitting/studies/comparison.h"
 #include "tests/support/report_blocks.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {

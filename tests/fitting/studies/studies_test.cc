@@ -10,7 +10,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/studies/run_study.h"
 #include "fitting/studies/study.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

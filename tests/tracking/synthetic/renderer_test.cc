@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "tests/tracking/rendered_scene.h"
+#include "tests/support/rendered_scene.h"
 
 namespace clothfit {
 namespace {

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Videos and cameras put into folders that hold a recording, or do not yet.
+#include "tracking/import/video.h"
+
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "tests/tracking/test_folder.h"
-#include "tracking/import/video.h"
+#include "tests/support/test_folder.h"
 #include "tracking/recording/images.h"
 #include "tracking/text/text.h"
 

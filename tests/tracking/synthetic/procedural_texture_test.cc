@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {

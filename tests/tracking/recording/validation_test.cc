@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/recording/recording.h"
 
 namespace clothfit {

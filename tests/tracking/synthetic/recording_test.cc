@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tracking/synthetic/recording.h"
+
 #include <cmath>
 
-#include "tests/tracking/test_folder.h"
-#include "tracking/synthetic/recording.h"
+#include "tests/support/test_folder.h"
 #include "tracking/text/normal_numbers.h"
 
 namespace clothfit {

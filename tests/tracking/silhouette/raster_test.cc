@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tracking/silhouette/raster.h"
+
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -9,7 +11,6 @@
 #include "tests/support/crumpled_cloth.h"
 #include "tests/support/flat_scene.h"
 #include "tracking/recording/cloth_surface.h"
-#include "tracking/silhouette/raster.h"
 
 namespace clothfit {
 namespace {

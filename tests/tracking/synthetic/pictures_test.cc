@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tracking/synthetic/pictures.h"
+
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/recording/images.h"
 #include "tracking/recording/truth_surface.h"
-#include "tracking/synthetic/pictures.h"
 #include "tracking/synthetic/recording.h"
 #include "tracking/text/text.h"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/motive_file.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/import/motive.h"
 
 namespace clothfit {

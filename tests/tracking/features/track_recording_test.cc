@@ -11,7 +11,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "tests/support/flat_scene.h"
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/features/tracking_folder.h"
 
 namespace clothfit {

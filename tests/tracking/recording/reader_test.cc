@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/recording/recording.h"
 
 namespace clothfit {

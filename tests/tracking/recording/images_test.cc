@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

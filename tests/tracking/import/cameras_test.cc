@@ -7,7 +7,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
 
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 #include "tracking/camera/world_change.h"
 #include "tracking/import/colmap.h"
 #include "tracking/import/opencv.h"

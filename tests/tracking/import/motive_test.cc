@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tracking/import/motive.h"
+
 #include <gtest/gtest.h>
 
 #include "tests/support/motive_file.h"
-#include "tests/tracking/test_folder.h"
-#include "tracking/import/motive.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tracking/recording/summary.h"
+
 #include <gtest/gtest.h>
 
-#include "tests/tracking/test_folder.h"
-#include "tracking/recording/summary.h"
+#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/tracking/test_folder.h"
 #include "tracking/synthetic/keys.h"
+
+#include "tests/support/test_folder.h"
 #include "tracking/synthetic/presets.h"
 
 namespace clothfit {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tracking/silhouette/outline.h"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -8,7 +10,6 @@
 
 #include "tests/support/crumpled_cloth.h"
 #include "tests/support/flat_scene.h"
-#include "tracking/silhouette/outline.h"
 #include "tracking/silhouette/raster.h"
 
 namespace clothfit {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/tracking/test_folder.h"
+#include "tests/support/test_folder.h"
 
 #include <fstream>
 
