@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/step/simulation.h"
-#include "tests/autodiff_sim/motion.h"
+#include "tests/autodiff_sim/step/motion.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 
 #include "autodiff_sim/base/gradient_check.h"
 #include "autodiff_sim/terms/terms.h"
-#include "tests/autodiff_sim/term_sample.h"
+#include "tests/autodiff_sim/terms/term_sample.h"
 
 namespace clothfit {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Running and differentiating rollouts.
-#include "tests/autodiff_sim/rollout.h"
+#include "tests/autodiff_sim/step/rollout.h"
 
 #include <cmath>
 #include <cstdio>

@@ -12,7 +12,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/scenes/contact_scenes.h"
 #include "autodiff_sim/terms/terms.h"
-#include "tests/autodiff_sim/motion.h"
+#include "tests/autodiff_sim/step/motion.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

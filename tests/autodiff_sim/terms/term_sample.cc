@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The scenes that force terms are sampled in.
-#include "tests/autodiff_sim/term_sample.h"
+#include "tests/autodiff_sim/terms/term_sample.h"
 
 #include <algorithm>
 #include <cmath>

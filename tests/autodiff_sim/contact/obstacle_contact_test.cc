@@ -14,8 +14,8 @@
 #include "autodiff_sim/contact/obstacle_contacts.h"
 #include "autodiff_sim/contact/proximity.h"
 #include "autodiff_sim/scenes/contact_scenes.h"
-#include "tests/autodiff_sim/motion.h"
-#include "tests/autodiff_sim/rollout.h"
+#include "tests/autodiff_sim/step/motion.h"
+#include "tests/autodiff_sim/step/rollout.h"
 
 namespace clothfit {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The cases' numbers. The cloth that swings is a square of 0.3 m that falls from z = 0.3 m.
-#include "tests/autodiff_sim/catalogue_cases.h"
+#include "tests/autodiff_sim/terms/catalogue_cases.h"
 
 namespace clothfit {
 

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/terms.h"
-#include "tests/autodiff_sim/catalogue_cases.h"
-#include "tests/autodiff_sim/rollout.h"
+#include "tests/autodiff_sim/step/rollout.h"
+#include "tests/autodiff_sim/terms/catalogue_cases.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

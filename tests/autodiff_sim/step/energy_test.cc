@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/terms.h"
-#include "tests/autodiff_sim/force_of_energy.h"
-#include "tests/autodiff_sim/motion.h"
+#include "tests/autodiff_sim/step/motion.h"
+#include "tests/autodiff_sim/terms/force_of_energy.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

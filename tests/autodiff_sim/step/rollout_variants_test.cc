@@ -13,7 +13,7 @@
 #include "autodiff_sim/mesh/obj_file.h"
 #include "autodiff_sim/term/force_batch_impl.h"
 #include "autodiff_sim/terms/terms.h"
-#include "tests/autodiff_sim/rollout.h"
+#include "tests/autodiff_sim/step/rollout.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

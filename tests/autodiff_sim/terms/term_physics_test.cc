@@ -10,8 +10,8 @@
 
 #include "autodiff_sim/base/gradient_check.h"
 #include "autodiff_sim/terms/terms.h"
-#include "tests/autodiff_sim/force_of_energy.h"
-#include "tests/autodiff_sim/term_sample.h"
+#include "tests/autodiff_sim/terms/force_of_energy.h"
+#include "tests/autodiff_sim/terms/term_sample.h"
 
 namespace clothfit {
 namespace {

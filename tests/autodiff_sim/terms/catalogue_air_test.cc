@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/terms.h"
-#include "tests/autodiff_sim/term_sample.h"
+#include "tests/autodiff_sim/terms/term_sample.h"
 
 namespace clothfit {
 namespace {

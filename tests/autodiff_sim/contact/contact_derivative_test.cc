@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/scenes/contact_scenes.h"
-#include "tests/autodiff_sim/rollout.h"
+#include "tests/autodiff_sim/step/rollout.h"
 
 namespace clothfit {
 namespace {

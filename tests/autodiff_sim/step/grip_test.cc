@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/autodiff_sim/motion.h"
-#include "tests/autodiff_sim/rollout.h"
+#include "tests/autodiff_sim/step/motion.h"
+#include "tests/autodiff_sim/step/rollout.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/terms.h"
-#include "tests/autodiff_sim/catalogue_cases.h"
-#include "tests/autodiff_sim/motion.h"
+#include "tests/autodiff_sim/step/motion.h"
+#include "tests/autodiff_sim/terms/catalogue_cases.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {

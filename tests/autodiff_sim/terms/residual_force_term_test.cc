@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/residual_force.h"
-#include "tests/autodiff_sim/rollout.h"
+#include "tests/autodiff_sim/step/rollout.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {
