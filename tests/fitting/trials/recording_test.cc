@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "fitting/trials/recording.h"
+
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "fitting/scene/silhouettes.h"
-#include "fitting/trials/recording.h"
 #include "tests/support/test_folder.h"
 
 namespace clothfit {

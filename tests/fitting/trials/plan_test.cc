@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "fitting/trials/plan.h"
+
 #include <map>
 #include <set>
 
@@ -8,7 +10,6 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/sha256.h"
-#include "fitting/trials/plan.h"
 #include "fitting/trials/recording.h"
 
 namespace clothfit {

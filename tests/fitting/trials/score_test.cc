@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Scores of diagnoses that are made up: right, wrong, ambiguous, alarmed for nothing.
+#include "fitting/trials/score.h"
+
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "fitting/trials/run.h"
-#include "fitting/trials/score.h"
 #include "fitting/trials/summary.h"
 #include "tests/support/test_folder.h"
 

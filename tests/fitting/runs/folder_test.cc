@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/runs/run_folder.h"
-
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -13,6 +11,7 @@
 #include "fitting/files/npy_file.h"
 #include "fitting/files/whole_file.h"
 #include "fitting/runs/fit_run.h"
+#include "fitting/runs/run_folder.h"
 #include "tests/support/small_recording.h"
 #include "tests/support/test_folder.h"
 #include "tracking/text/csv.h"

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "fitting/jobs/ledger.h"
+
 #include <chrono>
 #include <thread>
 
@@ -8,7 +10,6 @@
 #include <unistd.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/jobs/ledger.h"
 #include "tests/support/test_folder.h"
 
 namespace clothfit {
