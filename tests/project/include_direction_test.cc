@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Includes flow one way: autodiff_sim <- tracking <- fitting <- apps.
+// Includes flow one way: autodiff_sim <- tracking <- fitting <- apps, and inside each of these from
+// floor to floor.
 #include <algorithm>
+#include <map>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,37 +18,86 @@
 namespace clothfit::project {
 namespace {
 
-// A folder may include itself and those before it.
-const std::vector<std::string> kLayers = {"autodiff_sim", "tracking", "fitting", "apps"};
+// A floor is one or more rooms; a room may include itself and the floors before its own.
+using Floors = std::vector<std::set<std::string>>;
 
-std::string FirstFolder(const std::string& path) { return path.substr(0, path.find('/')); }
+const Floors kLayers = {{"autodiff_sim"}, {"tracking"}, {"fitting"}, {"apps"}};
+const std::map<std::string, Floors> kRooms = {
+    {"autodiff_sim",
+     {{"base"}, {"linear", "mesh"}, {"contact"}, {"term"}, {"terms"}, {"step"}, {"scenes"}}},
+    {"tracking",
+     {{"text"}, {"camera"}, {"recording", "silhouette"}, {"features", "import", "synthetic"}}},
+    {"fitting",
+     {{"files"},
+      {"optimise"},
+      {"config", "jobs"},
+      {"scene"},
+      {"residuals"},
+      {"rollout"},
+      {"fit"},
+      {"runs"},
+      {"batch", "pictures"},
+      {"export", "studies"},
+      {"diagnosis", "report"},
+      {"trials"}}},
+};
 
-int LayerOf(const std::string& path) {
-  const auto layer = std::find(kLayers.begin(), kLayers.end(), FirstFolder(path));
-  return layer == kLayers.end() ? -1 : static_cast<int>(layer - kLayers.begin());
+// The nth folder of a path, "" where it has no more.
+std::string FolderOf(const std::string& path, int n) {
+  std::size_t begin = 0;
+  for (int i = 0; i < n; ++i) {
+    begin = path.find('/', begin);
+    if (begin == std::string::npos) return "";
+    ++begin;
+  }
+  const std::size_t end = path.find('/', begin);
+  return end == std::string::npos ? "" : path.substr(begin, end - begin);
+}
+
+int FloorOf(const Floors& floors, const std::string& room) {
+  const auto floor =
+      std::find_if(floors.begin(), floors.end(),
+                   [&](const std::set<std::string>& f) { return f.count(room) > 0; });
+  return floor == floors.end() ? -1 : static_cast<int>(floor - floors.begin());
+}
+
+bool MayInclude(const Floors& floors, const std::string& own, const std::string& other) {
+  const int floor = FloorOf(floors, other);
+  return floor >= 0 && (own == other || floor < FloorOf(floors, own));
+}
+
+bool MayInclude(const std::string& own, const std::string& other) {
+  const std::string layer = FolderOf(other, 0);
+  if (!MayInclude(kLayers, FolderOf(own, 0), layer)) return false;
+  if (layer != FolderOf(own, 0) || kRooms.count(layer) == 0) return true;
+  return MayInclude(kRooms.at(layer), FolderOf(own, 1), FolderOf(other, 1));
 }
 
 // One line for every include of this file that points the wrong way. Quotes are for clothfit's own
 // headers, which are named from the root of the project, so that no "../" can hide a direction.
 std::vector<std::string> WrongIncludes(const SourceFile& file) {
   static const std::regex kInclude(R"re(^\s*#\s*include\s*(["<])([^">]+)[">].*)re");
-  const int own_layer = LayerOf(file.path);
   std::vector<std::string> wrong;
   for (size_t i = 0; i < file.lines.size(); ++i) {
     std::smatch match;
     if (!std::regex_match(file.lines[i], match, kInclude)) continue;
-    const int layer = LayerOf(match[2]);
-    const bool foreign = layer < 0 && match[1] == "<";
-    const bool allowed = layer >= 0 && layer <= own_layer;
-    if (foreign || allowed) continue;
+    const bool foreign = match[1] == "<" && FloorOf(kLayers, FolderOf(match[2], 0)) < 0;
+    if (foreign || MayInclude(file.path, match[2])) continue;
     wrong.push_back(file.path + ":" + std::to_string(i + 1) + ": " + file.lines[i]);
   }
   return wrong;
 }
 
+std::vector<std::string> Layers() {
+  std::vector<std::string> layers;
+  for (const std::set<std::string>& floor : kLayers)
+    layers.insert(layers.end(), floor.begin(), floor.end());
+  return layers;
+}
+
 TEST(IncludeDirection, EverySourcePointsDownwards) {
   int checked = 0;
-  for (const SourceFile& file : ReadFolders(CLOTHFIT_SOURCE_DIR, kLayers)) {
+  for (const SourceFile& file : ReadFolders(CLOTHFIT_SOURCE_DIR, Layers())) {
     if (!IsCpp(file)) continue;
     ++checked;
     EXPECT_THAT(WrongIncludes(file), testing::IsEmpty());
@@ -53,35 +105,58 @@ TEST(IncludeDirection, EverySourcePointsDownwards) {
   EXPECT_GT(checked, 0);
 }
 
+TEST(IncludeDirection, EverySourceHasARoom) {
+  for (const SourceFile& file : ReadFolders(CLOTHFIT_SOURCE_DIR, Layers())) {
+    const auto rooms = kRooms.find(FolderOf(file.path, 0));
+    if (!IsCpp(file) || rooms == kRooms.end()) continue;
+    EXPECT_GE(FloorOf(rooms->second, FolderOf(file.path, 1)), 0) << file.path;
+  }
+}
+
 TEST(IncludeDirection, AcceptsOwnLowerAndForeignHeaders) {
-  const SourceFile file{"tracking/rays.cc",
-                        {"#include \"tracking/rays.h\"", "#include <vector>",
-                         "#include <opencv2/tracking/tracking.hpp>",
-                         "#include \"autodiff_sim/mesh.h\"  // the triangles"}};
+  const SourceFile file{
+      "tracking/camera/rays.cc",
+      {"#include \"tracking/camera/rays.h\"", "#include <vector>",
+       "#include <opencv2/tracking/tracking.hpp>", "#include \"tracking/text/csv.h\"",
+       "#include \"autodiff_sim/scenes/scene.h\"  // the triangles"}};
   EXPECT_THAT(WrongIncludes(file), testing::IsEmpty());
 }
 
 TEST(IncludeDirection, ReportsEveryWrongInclude) {
-  const SourceFile file{
-      "tracking/rays.cc",
-      {"#include \"fitting/fit/fit.h\"", "#include \"autodiff_sim/mesh.h\"",
-       "  #  include <apps/command.h>", "#include \"../fitting/fit.h\"", "#include \"rays.h\""}};
-  EXPECT_THAT(WrongIncludes(file),
-              testing::ElementsAre("tracking/rays.cc:1: #include \"fitting/fit/fit.h\"",
-                                   "tracking/rays.cc:3:   #  include <apps/command.h>",
-                                   "tracking/rays.cc:4: #include \"../fitting/fit.h\"",
-                                   "tracking/rays.cc:5: #include \"rays.h\""));
+  const SourceFile file{"tracking/features/rays.cc",
+                        {"#include \"fitting/fit/fit.h\"", "#include \"autodiff_sim/mesh/mesh.h\"",
+                         "  #  include <apps/command.h>", "#include \"../fitting/fit.h\"",
+                         "#include \"rays.h\"", "#include \"tracking/import/colmap.h\""}};
+  EXPECT_THAT(
+      WrongIncludes(file),
+      testing::ElementsAre("tracking/features/rays.cc:1: #include \"fitting/fit/fit.h\"",
+                           "tracking/features/rays.cc:3:   #  include <apps/command.h>",
+                           "tracking/features/rays.cc:4: #include \"../fitting/fit.h\"",
+                           "tracking/features/rays.cc:5: #include \"rays.h\"",
+                           "tracking/features/rays.cc:6: #include \"tracking/import/colmap.h\""));
 }
 
-TEST(IncludeDirection, EachFolderIsHeldToItsOwnLayer) {
-  int wrong_pairs = 0;
-  for (const std::string& from : kLayers) {
-    for (const std::string& to : kLayers) {
-      const SourceFile file{from + "/a.cc", {"#include \"" + to + "/b.h\""}};
-      wrong_pairs += static_cast<int>(WrongIncludes(file).size());
+// Of any two rooms of a folder at most one may include the other.
+TEST(IncludeDirection, EachRoomIsHeldToItsOwnFloor) {
+  int pairs = 0;
+  for (const auto& [layer, floors] : kRooms) {
+    for (const std::set<std::string>& floor : floors) {
+      for (const std::string& room : floor) {
+        for (const std::set<std::string>& other_floor : floors) {
+          for (const std::string& other : other_floor) {
+            if (room == other) continue;
+            ++pairs;
+            EXPECT_FALSE(MayInclude(floors, room, other) && MayInclude(floors, other, room));
+            EXPECT_EQ(MayInclude(floors, room, other) || MayInclude(floors, other, room),
+                      floor != other_floor);
+          }
+        }
+      }
     }
   }
-  EXPECT_EQ(wrong_pairs, 3 + 2 + 1);
+  EXPECT_GT(pairs, 0);
+  EXPECT_TRUE(MayInclude(kLayers, "apps", "autodiff_sim"));
+  EXPECT_FALSE(MayInclude(kLayers, "autodiff_sim", "tracking"));
 }
 
 }  // namespace
