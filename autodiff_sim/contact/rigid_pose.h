@@ -5,7 +5,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 namespace clothfit {
 
@@ -15,35 +14,23 @@ struct RigidPose {
 };
 
 // The vertices of a mesh, x_in_body (3N, m), in the world.
-inline Eigen::VectorXd PlaceInWorld(const RigidPose& pose, const Eigen::VectorXd& x_in_body) {
-  Eigen::VectorXd x(x_in_body.size());
-  for (Eigen::Index i = 0; i < x.size(); i += 3) {
-    x.segment<3>(i) = pose.world_from_body * x_in_body.segment<3>(i) + pose.origin_in_world;
-  }
-  return x;
-}
+Eigen::VectorXd PlaceInWorld(const RigidPose& pose, const Eigen::VectorXd& x_in_body);
 
 // A motion from one pose to another, during a step from time 0 to 1: its origin goes straight, and
 // it turns about one axis, by half a turn at most, at a constant rate.
 class RigidMotion {
  public:
-  RigidMotion(const RigidPose& start, const RigidPose& end)
-      : start_(start),
-        velocity_(end.origin_in_world - start.origin_in_world),
-        turn_(Eigen::Matrix3d(start.world_from_body.transpose() * end.world_from_body)) {}
+  RigidMotion(const RigidPose& start, const RigidPose& end);
 
-  RigidPose At(double t) const {
-    const Eigen::AngleAxisd turn(t * turn_.angle(), turn_.axis());
-    return {start_.world_from_body * turn.toRotationMatrix(),
-            start_.origin_in_world + t * velocity_};
-  }
+  RigidPose At(double t) const;
   const Eigen::Vector3d& velocity() const { return velocity_; }  // m a step, of the origin
-  double angle() const { return turn_.angle(); }                 // rad a step, 0 or more
+  double angle() const { return angle_; }                        // rad a step, 0 or more
 
  private:
   RigidPose start_;
   Eigen::Vector3d velocity_;
-  Eigen::AngleAxisd turn_;
+  double angle_;          // rad
+  Eigen::Vector3d axis_;  // a unit vector
 };
 
 }  // namespace clothfit
