@@ -3,6 +3,7 @@
 //
 // clothfit terms: the force terms and their parameters, from the one place where they stand.
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -69,6 +70,20 @@ std::string ParameterRow(const std::string& name, const Parameter& p) {
                      ProbeText(p));
 }
 
+std::vector<std::string> TieNames(const TermInfo& term) {
+  std::vector<std::string> names;
+  for (const Tie tie : term.ties) names.emplace_back(ToString(tie));
+  return names;
+}
+
+// "may be missing; drives; tied to world"
+std::string KindOf(const TermInfo& term) {
+  std::string kind = fmt::format("{}; {}; tied to {}", ToString(term.role), ToString(term.work),
+                                 fmt::join(TieNames(term), " and "));
+  if (term.needs != Needs::kNothing) kind += fmt::format("; needs {}", ToString(term.needs));
+  return kind;
+}
+
 void PrintTable() {
   fmt::print("  {:<28}{:<12}{:>10}{:>10}  {:<22}{:<8}{}\n", "parameter", "unit", "initial", "off",
              "bounds", "scale", "meaning");
@@ -78,7 +93,7 @@ void PrintTable() {
     fmt::print("{}", ParameterRow(table[i].name, table[i].parameter));
   }
   for (const TermInfo& term : AllTerms()) {
-    fmt::print("\n{}: {} ({})\n", term.name, term.doc, term.reference);
+    fmt::print("\n{}: {} ({})\n  {}\n", term.name, term.doc, term.reference, KindOf(term));
     for (const Parameter& p : term.parameters) {
       fmt::print("{}", ParameterRow(term.name + "." + p.name, p));
     }
@@ -96,7 +111,8 @@ nlohmann::ordered_json ParameterAsJson(const std::string& name, const Parameter&
           {"scale", ScaleName(p)},
           {"prior_sigma", p.prior_factor},
           {"meaning", MeaningName(p.meaning)},
-          {"probes", ProbeValues(p)}};
+          {"probes", ProbeValues(p)},
+          {"free", p.is_free}};
 }
 
 void PrintJson() {
@@ -115,6 +131,10 @@ void PrintJson() {
     json["terms"].push_back({{"name", term.name},
                              {"doc", term.doc},
                              {"reference", term.reference},
+                             {"role", ToString(term.role)},
+                             {"work", ToString(term.work)},
+                             {"tied_to", TieNames(term)},
+                             {"needs", ToString(term.needs)},
                              {"parameters", std::move(parameters)}});
   }
   fmt::print("{}\n", json.dump(2));

@@ -8,6 +8,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/contact/contact_clock.h"
+#include "autodiff_sim/terms/air_drag.h"
 
 namespace clothfit {
 namespace {
@@ -19,7 +20,7 @@ void RemoveLosses(Simulation* simulation) {
   Eigen::VectorXd parameters = simulation->parameters();
   for (std::size_t i = 0; i < table.size(); ++i) {
     const std::string& name = table[i].parameter.name;
-    if (table[i].term == "air_drag" || name == "damping" || name == "friction")
+    if (table[i].term == AirDrag::kName || name == "damping" || name == "friction")
       parameters[static_cast<Eigen::Index>(i)] = table[i].parameter.off;
   }
   simulation->SetParameters(parameters);

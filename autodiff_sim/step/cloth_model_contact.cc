@@ -20,7 +20,7 @@ namespace {
 // Where a term's first parameter is among all; -1 where the simulation lacks the term.
 template <class Term>
 int FirstParameter(const std::vector<NamedParameter>& parameters) {
-  return FindParameter(parameters, std::string(Term::kName) + "." + Term::kParameters[0].name);
+  return FindParameter(parameters, FullName<Term>());
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ void ClothModel::EnableSelfContact() {
     throw InputError("self_contact",
                      "no term of the simulation has the parameter contact.stiffness");
   contacts_ = std::make_unique<SelfContacts>(mesh_);
-  ground_distance_ = FindParameter(parameters_, "ground.distance");
+  ground_distance_ = FindParameter(parameters_, ObstacleBarrier::kReads[0]);  // the ground's
   const bool has_barrier =
       ground_distance_ >= 0 && FirstParameter<ObstacleBarrier>(parameters_) >= 0;
   if (world_.ground_height && has_barrier) FollowObstacles(world_.ground_height);

@@ -24,8 +24,8 @@ void MakeRoom(Eigen::Index num_directions, StepInputs* inputs) {
 }  // namespace
 
 Grips::Grips(const ClothModel& model)
-    : compliance_(FindParameter(model.parameters(), "grip.compliance")),
-      slip_(FindParameter(model.parameters(), "grip_slip.x")) {}
+    : compliance_(FindParameter(model.parameters(), FullName<Grip>())),
+      slip_(FindParameter(model.parameters(), FullName<GripSlip>())) {}
 
 bool Grips::AreRigid(const Eigen::VectorXd& parameters) const {
   return compliance_ < 0 || parameters[compliance_] < kRigidCompliance;

@@ -23,6 +23,10 @@ struct TermInfo {
   int nodes = 0;
   int memory = 0;  // numbers that an element remembers
   bool internal = false;
+  Role role = Role::kOrdinary;
+  Work work = Work::kMixed;
+  std::vector<Tie> ties;
+  Needs needs = Needs::kNothing;
   std::vector<Parameter> parameters;
   std::vector<std::string> reads;  // full names of other terms' parameters
 };
@@ -104,8 +108,12 @@ TermInfo MakeTermInfo() {
           Term::kNodes,
           Term::kMemory,
           Term::kInternal,
+          Term::kRole,
+          Term::kWork,
+          {Term::kTies.begin(), Term::kTies.end()},
+          Term::kNeeds,
           {Term::kParameters.begin(), Term::kParameters.end()},
-          {kReadsOf<Term>.begin(), kReadsOf<Term>.end()}};
+          {Term::kReads.begin(), Term::kReads.end()}};
 }
 
 template <class... Terms>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The implementation of MakeForceBatch, for the translation units that instantiate a term
-// (terms/*.cc, and tests that bring a term of their own).
+// The implementation of MakeForceBatch, for the translation units that instantiate a term (those
+// that cmake/term_list.cmake writes, and tests that bring a term of their own).
 #pragma once
 
 #include <cstring>
@@ -15,12 +15,6 @@
 #include "autodiff_sim/term/force_batch.h"
 
 namespace clothfit {
-
-template <class Term, class = void>
-constexpr bool kTermFollowsContacts = false;
-template <class Term>
-constexpr bool kTermFollowsContacts<Term, std::void_t<decltype(Term::kFollowsContacts)>> =
-    Term::kFollowsContacts;
 
 template <class Term, class = void>
 constexpr bool kTermHasEnergy = false;
@@ -43,8 +37,8 @@ class TermBatch final : public ForceBatch {
   }
 
   bool FollowContacts(const TermContext& context) override {
-    if constexpr (kTermFollowsContacts<Term>) elements_ = Term::Elements(context);
-    return kTermFollowsContacts<Term>;
+    if constexpr (Term::kFollowsContacts) elements_ = Term::Elements(context);
+    return Term::kFollowsContacts;
   }
 
   std::vector<std::vector<int>> Cliques() const override {

@@ -53,8 +53,15 @@ struct Parameter {
   Scale scale;
   double prior_factor;  // one sigma of the default prior: a factor for kLog, an amount for kLinear
   Meaning meaning = Meaning::kNumber;
-  Probes probes = {};  // none where the parameter means something at `off`
+  Probes probes = {};    // none where the parameter means something at `off`
+  bool is_free = false;  // in a fit, unless it is told otherwise
 };
+
+// The parameter as one of which a recording tells in almost any case.
+constexpr Parameter Free(Parameter parameter) {
+  parameter.is_free = true;
+  return parameter;
+}
 
 // The parameter as one that only shapes its term's force, with what to try while the term is off.
 template <class... Values>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The contract of a force term. Physics is written once, in one struct, templated on its scalar:
+// The contract of a force term. Physics is written once, in one struct, templated on its scalar, in
+// autodiff_sim/terms/, and named once, in terms/terms.list:
 //
 //   struct Example : TermDefaults {
 //     static constexpr const char* kName = "example";            // its parameters are example.*
@@ -10,7 +11,7 @@
 //     static constexpr int kNodes = 2;                            // particles an element acts on
 //     static constexpr bool kInternal = true;                     // no net force, no net moment
 //     static constexpr std::array<Parameter, 1> kParameters = {{...}};
-//     // ... and what of TermDefaults is otherwise
+//     // ... and what of TermDefaults is otherwise, such as kRole, kWork, kTies (term/kind.h)
 //     struct Element { std::array<int, kNodes> nodes; ... };
 //     static std::vector<Element> Elements(const TermContext&);
 //     template <class T>
@@ -23,9 +24,9 @@
 // adds nothing; those that only shape the force (Parameter::probes) need not be. Branches are
 // decided on plain values (Value()), and the force is continuous across them. Elements are fixed
 // for a simulation, or, where kInputs > 0, made anew for each step from its StepInputs. Those of a
-// term with `static constexpr bool kFollowsContacts = true` are made anew from
-// TermContext::contacts or obstacles wherever the forces are evaluated. A term that needs an input
-// names its first row in StepInputs::directions as Element::first_input.
+// term that follows contacts are made anew from TermContext::contacts or obstacles wherever the
+// forces are evaluated. A term that needs an input names its first row in StepInputs::directions as
+// Element::first_input.
 //
 // A term that remembers knows where its particles were when the step began, and so needs no
 // memory of that; its memory is zero at first, and the cloth's first shape leaves it without force.
@@ -41,13 +42,13 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "autodiff_sim/base/scalar.h"
 #include "autodiff_sim/mesh/cloth_mesh.h"
+#include "autodiff_sim/term/kind.h"
 #include "autodiff_sim/term/parameter.h"
 #include "autodiff_sim/term/step_inputs.h"
 
@@ -64,22 +65,21 @@ struct World {
   std::vector<std::shared_ptr<const Obstacle>> obstacles;
 };
 
-// What most terms are not.
+// What most terms are.
 struct TermDefaults {
+  static constexpr Role kRole = Role::kMayBeMissing;
+  static constexpr Work kWork = Work::kConserves;
+  static constexpr std::array kTies = {Tie::kMaterial};  // all that are right, the foremost first
+  static constexpr Needs kNeeds = Needs::kNothing;
   static constexpr int kInputs = 0;                 // numbers from StepInputs an element
   static constexpr int kMemory = 0;                 // numbers an element remembers
   static constexpr bool kUsesAcceleration = false;  // reads a
   static constexpr bool kUsesDensity = false;       // reads areal_density
   static constexpr bool kUsesShrinkage = false;     // reads shrinkage
   static constexpr bool kPrefersAxes = false;       // parameters that are bound to the world's axes
+  static constexpr bool kFollowsContacts = false;   // its elements are what is in contact
   static constexpr std::array<const char*, 0> kReads = {};  // full names of others' parameters
 };
-
-// kReads, and none for a term without it.
-template <class Term, class = void>
-constexpr std::array<const char*, 0> kReadsOf = {};
-template <class Term>
-constexpr auto kReadsOf<Term, std::void_t<decltype(Term::kReads)>> = Term::kReads;
 
 // What an element list is made from. `inputs` is null for elements that are fixed for a simulation,
 // `contacts` where none are known.
@@ -104,7 +104,7 @@ struct ElementInput {
   std::array<Vector3<T>, (Term::kMemory > 0) ? Term::kNodes : 0> start;
   std::array<T, Term::kParameters.size()> parameter;
   // As in kReads; zero where the simulation lacks the other term.
-  std::array<T, kReadsOf<Term>.size()> read;
+  std::array<T, Term::kReads.size()> read;
   T areal_density;                     // kg/m^2
   std::array<T, 2> shrinkage;          // of the rest lengths along warp and weft, a share
   std::array<T, Term::kInputs> input;  // as the term's Element defines them

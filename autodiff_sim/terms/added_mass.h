@@ -13,16 +13,12 @@
 
 namespace clothfit {
 
-struct AddedMass {
+struct AddedMass : TermDefaults {
   static constexpr const char* kName = "added_mass";
   static constexpr const char* kDoc = "inertia of the air that moves along with the surface";
   static constexpr const char* kReference = "Lamb 1932, ch. VI, kinetic energy of a moved fluid";
   static constexpr int kNodes = 3;
-  static constexpr int kInputs = 0;
-  static constexpr int kMemory = 0;
   static constexpr bool kUsesAcceleration = true;
-  static constexpr bool kUsesDensity = false;
-  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 1> kParameters = {{
       {"normal", "kg/m^2", "air moved along the normal, per area of cloth", 0.0, 0.0, 0.0, 1.0,

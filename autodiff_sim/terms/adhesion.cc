@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "autodiff_sim/terms/adhesion.h"
 
-#include "autodiff_sim/term/force_batch_impl.h"
-
 namespace clothfit {
 
 std::vector<GroundElement> GroundElements(const TermContext& context) {
@@ -15,8 +13,5 @@ std::vector<GroundElement> GroundElements(const TermContext& context) {
   }
   return elements;
 }
-
-template std::unique_ptr<ForceBatch> MakeForceBatch<Adhesion>(const TermContext&);
-template std::unique_ptr<ForceBatch> MakeForceBatch<StickyPatch>(const TermContext&);
 
 }  // namespace clothfit

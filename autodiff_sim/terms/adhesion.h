@@ -43,6 +43,8 @@ struct Adhesion : TermDefaults {
   static constexpr const char* kName = "adhesion";
   static constexpr const char* kDoc = "ground that holds the cloth down";
   static constexpr const char* kReference = "after Xu and Needleman 1994";
+  static constexpr std::array kTies = {Tie::kContact};
+  static constexpr Needs kNeeds = Needs::kGround;
   static constexpr int kNodes = 1;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 2> kParameters = {{kAdhesionPressure, kAdhesionRange}};
@@ -63,6 +65,8 @@ struct StickyPatch : TermDefaults {
   static constexpr const char* kName = "sticky_patch";
   static constexpr const char* kDoc = "ground that holds a patch of the cloth down";
   static constexpr const char* kReference = "after Xu and Needleman 1994";
+  static constexpr std::array kTies = {Tie::kContact};
+  static constexpr Needs kNeeds = Needs::kGround;
   static constexpr int kNodes = 1;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 5> kParameters = {{

@@ -33,24 +33,21 @@ Vector3<T> AirDragForce(const std::array<Vector3<T>, 3>& x, const Vector3<T>& ve
   return force;
 }
 
-struct AirDrag {
+struct AirDrag : TermDefaults {
   static constexpr const char* kName = "air_drag";
   static constexpr const char* kDoc = "resistance of still air, normal and tangential";
   static constexpr const char* kReference = "Bhat et al. 2003; Hasler et al. 2007, sec. 3.1, f_air";
+  static constexpr Role kRole = Role::kOrdinary;
+  static constexpr Work kWork = Work::kDissipates;
   static constexpr int kNodes = 3;
-  static constexpr int kInputs = 0;
-  static constexpr int kMemory = 0;
-  static constexpr bool kUsesAcceleration = false;
-  static constexpr bool kUsesDensity = false;
-  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 3> kParameters = {{
-      {"normal", "kg/m^3", "k_n, quadratic drag along the normal", 0.6, 0.0, 1e-3, 20.0,
-       Scale::kLog, 3.0},
-      {"saturation", "s^2/m^2", "k_f, weakens the quadratic drag at speed", 2.0, 0.0, 0.0, 30.0,
-       Scale::kLinear, 3.0},
-      {"tangential", "kg/(m^2 s)", "k_t, linear drag along the surface", 0.02, 0.0, 1e-5, 2.0,
-       Scale::kLog, 10.0},
+      Free({"normal", "kg/m^3", "k_n, quadratic drag along the normal", 0.6, 0.0, 1e-3, 20.0,
+            Scale::kLog, 3.0}),
+      Free({"saturation", "s^2/m^2", "k_f, weakens the quadratic drag at speed", 2.0, 0.0, 0.0,
+            30.0, Scale::kLinear, 3.0}),
+      Free({"tangential", "kg/(m^2 s)", "k_t, linear drag along the surface", 0.02, 0.0, 1e-5, 2.0,
+            Scale::kLog, 10.0}),
   }};
 
   struct Element {

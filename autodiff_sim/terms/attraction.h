@@ -56,16 +56,15 @@ inline constexpr std::array<Parameter, 4> kAttractionParameters = {{
      0.0, 0.0, 1e3, Scale::kLinear, 1.0},
 }};
 
-struct PointAttraction {
+struct PointAttraction : TermDefaults {
   static constexpr const char* kName = "attraction_point";
   static constexpr const char* kDoc = "pull of surface points towards tracked points";
   static constexpr const char* kReference = "Hasler et al. 2007, sec. 3";
+  static constexpr Role kRole = Role::kGuide;
+  static constexpr Work kWork = Work::kMixed;
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 3;
   static constexpr int kInputs = 3;
-  static constexpr int kMemory = 0;
-  static constexpr bool kUsesAcceleration = false;
-  static constexpr bool kUsesDensity = false;
-  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 4> kParameters = kAttractionParameters;
 
@@ -107,16 +106,15 @@ struct PointAttraction {
   }
 };
 
-struct RayAttraction {
+struct RayAttraction : TermDefaults {
   static constexpr const char* kName = "attraction_ray";
   static constexpr const char* kDoc = "pull of surface points towards tracked rays";
   static constexpr const char* kReference = "Hasler et al. 2007, sec. 4.1";
+  static constexpr Role kRole = Role::kGuide;
+  static constexpr Work kWork = Work::kMixed;
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 3;
   static constexpr int kInputs = 6;
-  static constexpr int kMemory = 0;
-  static constexpr bool kUsesAcceleration = false;
-  static constexpr bool kUsesDensity = false;
-  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 4> kParameters = kAttractionParameters;
 

@@ -17,6 +17,7 @@ struct Attractor : TermDefaults {
   static constexpr const char* kName = "attractor";
   static constexpr const char* kDoc = "a place in the world that draws the cloth";
   static constexpr const char* kReference = "spring that fades with the distance";
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 1;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 5> kParameters = {{

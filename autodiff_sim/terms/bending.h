@@ -17,23 +17,20 @@
 
 namespace clothfit {
 
-struct Bending {
+struct Bending : TermDefaults {
   static constexpr const char* kName = "bending";
   static constexpr const char* kDoc =
       "resistance to folding between neighbouring triangles, with damping";
   static constexpr const char* kReference = "Bridson, Marino and Fedkiw 2003, sec. 4";
+  static constexpr Role kRole = Role::kOrdinary;
+  static constexpr Work kWork = Work::kMixed;
   static constexpr int kNodes = 4;
-  static constexpr int kInputs = 0;
-  static constexpr int kMemory = 0;
-  static constexpr bool kUsesAcceleration = false;
-  static constexpr bool kUsesDensity = false;
-  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 2> kParameters = {{
-      {"stiffness", "N m", "k_e of the four-particle bending mode", 2e-5, 0.0, 1e-8, 1e-1,
-       Scale::kLog, 10.0},
-      {"damping", "N s", "k_d of the four-particle bending mode", 3e-4, 0.0, 1e-10, 1e-2,
-       Scale::kLog, 10.0},
+      Free({"stiffness", "N m", "k_e of the four-particle bending mode", 2e-5, 0.0, 1e-8, 1e-1,
+            Scale::kLog, 10.0}),
+      Free({"damping", "N s", "k_d of the four-particle bending mode", 3e-4, 0.0, 1e-10, 1e-2,
+            Scale::kLog, 10.0}),
   }};
   using Element = Hinge;
 

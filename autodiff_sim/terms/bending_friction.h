@@ -18,6 +18,7 @@ struct BendingFriction : TermDefaults {
   static constexpr const char* kName = "bending_friction";
   static constexpr const char* kDoc = "friction of bending, with hysteresis";
   static constexpr const char* kReference = "Dahl 1968; Bliman and Sorine 1995; Miguel et al. 2013";
+  static constexpr Work kWork = Work::kDissipates;
   static constexpr int kNodes = 4;
   static constexpr int kMemory = 1;  // z, no unit
   static constexpr bool kInternal = true;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "autodiff_sim/terms/crease.h"
 
-#include "autodiff_sim/term/force_batch_impl.h"
-
 namespace clothfit {
 
 std::vector<Crease::Element> Crease::Elements(const TermContext& context) {
@@ -24,7 +22,5 @@ std::vector<Crease::Element> Crease::Elements(const TermContext& context) {
   }
   return elements;
 }
-
-template std::unique_ptr<ForceBatch> MakeForceBatch<Crease>(const TermContext&);
 
 }  // namespace clothfit

@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "autodiff_sim/term/force_batch_impl.h"
-
 namespace clothfit {
 
 std::vector<Hem::Element> Hem::Elements(const TermContext& context) {
@@ -49,8 +47,5 @@ std::vector<HeavyPatch::Element> HeavyPatch::Elements(const TermContext& context
   }
   return elements;
 }
-
-template std::unique_ptr<ForceBatch> MakeForceBatch<Hem>(const TermContext&);
-template std::unique_ptr<ForceBatch> MakeForceBatch<HeavyPatch>(const TermContext&);
 
 }  // namespace clothfit

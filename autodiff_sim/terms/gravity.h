@@ -8,16 +8,14 @@
 
 namespace clothfit {
 
-struct Gravity {
+struct Gravity : TermDefaults {
   static constexpr const char* kName = "gravity";
   static constexpr const char* kDoc = "weight of the cloth in the recording's gravity";
   static constexpr const char* kReference = "Newton";
+  static constexpr Role kRole = Role::kOrdinary;
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 1;
-  static constexpr int kInputs = 0;
-  static constexpr int kMemory = 0;
-  static constexpr bool kUsesAcceleration = false;
   static constexpr bool kUsesDensity = true;
-  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 1> kParameters = {{
       {"scale", "1", "multiple of the recording's gravity", 1.0, 0.0, 0.0, 2.0, Scale::kLinear,

@@ -14,6 +14,7 @@ struct GravityTilt : TermDefaults {
   static constexpr const char* kName = "gravity_tilt";
   static constexpr const char* kDoc = "gravity turned away from the recording's";
   static constexpr const char* kReference = "Newton";
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 1;
   static constexpr bool kInternal = false;
   static constexpr bool kUsesDensity = true;

@@ -50,6 +50,7 @@ struct Grip : TermDefaults {
   static constexpr const char* kName = "grip";
   static constexpr const char* kDoc = "grips that yield to the cloth's pull";
   static constexpr const char* kReference = "linear spring";
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 3;
   static constexpr int kInputs = 3;
   static constexpr bool kInternal = false;
@@ -76,6 +77,8 @@ struct GripSlip : TermDefaults {
   static constexpr const char* kName = "grip_slip";
   static constexpr const char* kDoc = "a grip in which the cloth slips";
   static constexpr const char* kReference = "displacement that sets in as a cosine";
+  static constexpr Work kWork = Work::kMixed;
+  static constexpr std::array kTies = {Tie::kClock};
   static constexpr int kNodes = 3;
   static constexpr bool kInternal = false;
   static constexpr int kInputs = 3;

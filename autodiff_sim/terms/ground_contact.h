@@ -15,21 +15,20 @@
 
 namespace clothfit {
 
-struct GroundContact {
+struct GroundContact : TermDefaults {
   static constexpr const char* kName = "ground";
   static constexpr const char* kDoc = "contact with the ground plane, with Coulomb friction";
   static constexpr const char* kReference = "Coulomb friction, regularised";
+  static constexpr Role kRole = Role::kOrdinary;
+  static constexpr Work kWork = Work::kMixed;
+  static constexpr std::array kTies = {Tie::kContact};
+  static constexpr Needs kNeeds = Needs::kGround;
   static constexpr int kNodes = 1;
-  static constexpr int kInputs = 0;
-  static constexpr int kMemory = 0;
-  static constexpr bool kUsesAcceleration = false;
-  static constexpr bool kUsesDensity = false;
-  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 5> kParameters = {{
       {"stiffness", "Pa/m", "pressure of the ground per depth", 1e5, 0.0, 1e3, 1e8, Scale::kLog,
        10.0},
-      {"friction", "1", "Coulomb's coefficient mu", 0.4, 0.0, 0.0, 2.0, Scale::kLinear, 0.3},
+      Free({"friction", "1", "Coulomb's coefficient mu", 0.4, 0.0, 0.0, 2.0, Scale::kLinear, 0.3}),
       {"damping", "Pa s/m^2", "damping of the push, per depth", 0.0, 0.0, 0.0, 1e6, Scale::kLinear,
        1e3},
       {"distance", "m", "gap at which contact begins", 0.002, 0.002, 1e-4, 0.02, Scale::kLog, 2.0},

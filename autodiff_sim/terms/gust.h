@@ -17,6 +17,8 @@ struct Gust : TermDefaults {
   static constexpr const char* kName = "gust";
   static constexpr const char* kDoc = "wind at a place of the cloth for a time";
   static constexpr const char* kReference = "one-minus-cosine gust, EASA CS-25.341(a)";
+  static constexpr Work kWork = Work::kDrives;
+  static constexpr std::array kTies = {Tie::kClock};
   static constexpr int kNodes = 3;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 8> kParameters = {{

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "autodiff_sim/mesh/cloth_box.h"
-#include "autodiff_sim/term/force_batch_impl.h"
 
 namespace clothfit {
 
@@ -41,9 +40,5 @@ std::vector<LawTension::Element> LawTension::Elements(const TermContext& context
   }
   return elements;
 }
-
-template std::unique_ptr<ForceBatch> MakeForceBatch<LawField>(const TermContext&);
-template std::unique_ptr<ForceBatch> MakeForceBatch<LawAir>(const TermContext&);
-template std::unique_ptr<ForceBatch> MakeForceBatch<LawTension>(const TermContext&);
 
 }  // namespace clothfit

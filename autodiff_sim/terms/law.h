@@ -31,6 +31,9 @@ struct LawField : TermDefaults {
   static constexpr const char* kDoc =
       "a learned force field in the world, linear in place and speed";
   static constexpr const char* kReference = "Taylor's series to first order";
+  static constexpr Role kRole = Role::kLaw;
+  static constexpr Work kWork = Work::kMixed;
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 1;
   static constexpr bool kInternal = false;
   static constexpr bool kPrefersAxes = true;
@@ -73,6 +76,9 @@ struct LawAir : TermDefaults {
   static constexpr const char* kName = "law_air";
   static constexpr const char* kDoc = "a learned motion of the air, linear in place";
   static constexpr const char* kReference = "Taylor's series to first order; see wind";
+  static constexpr Role kRole = Role::kLaw;
+  static constexpr Work kWork = Work::kDrives;
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 3;
   static constexpr bool kInternal = false;
   static constexpr bool kPrefersAxes = true;
@@ -127,6 +133,8 @@ struct LawTension : TermDefaults {
   static constexpr const char* kDoc =
       "a learned tension in the cloth, linear in strain and its rate";
   static constexpr const char* kReference = "Taylor's series to first order";
+  static constexpr Role kRole = Role::kLaw;
+  static constexpr Work kWork = Work::kMixed;
   static constexpr int kNodes = 3;
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 16> kParameters = {{

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "autodiff_sim/terms/obstacle.h"
 
-#include "autodiff_sim/term/force_batch_impl.h"
-
 namespace clothfit {
 
 std::vector<AreaElement> AreaElements(const TermContext& context) {
@@ -20,9 +18,5 @@ std::vector<ObstaclePlane::Element> ObstaclePlane::Elements(const TermContext& c
     elements.push_back({{i}, context.topology.areas[i], frame});
   return elements;
 }
-
-template std::unique_ptr<ForceBatch> MakeForceBatch<ObstaclePlane>(const TermContext&);
-template std::unique_ptr<ForceBatch> MakeForceBatch<ObstacleSphere>(const TermContext&);
-template std::unique_ptr<ForceBatch> MakeForceBatch<ObstacleCapsule>(const TermContext&);
 
 }  // namespace clothfit

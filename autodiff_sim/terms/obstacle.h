@@ -47,6 +47,7 @@ struct ObstaclePlane : TermDefaults {
   static constexpr const char* kName = "obstacle_plane";
   static constexpr const char* kDoc = "an unseen plane, such as a table or a wall";
   static constexpr const char* kReference = "penalty contact";
+  static constexpr std::array kTies = {Tie::kContact, Tie::kWorld};
   static constexpr int kNodes = 1;
   static constexpr bool kInternal = false;
   static constexpr bool kPrefersAxes = true;
@@ -84,6 +85,7 @@ struct ObstacleSphere : TermDefaults {
   static constexpr const char* kName = "obstacle_sphere";
   static constexpr const char* kDoc = "an unseen ball";
   static constexpr const char* kReference = "penalty contact";
+  static constexpr std::array kTies = {Tie::kContact, Tie::kWorld};
   static constexpr int kNodes = 1;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 5> kParameters = {{
@@ -110,6 +112,7 @@ struct ObstacleCapsule : TermDefaults {
   static constexpr const char* kName = "obstacle_capsule";
   static constexpr const char* kDoc = "an unseen bar with round ends";
   static constexpr const char* kReference = "penalty contact";
+  static constexpr std::array kTies = {Tie::kContact, Tie::kWorld};
   static constexpr int kNodes = 1;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 8> kParameters = {{

@@ -23,6 +23,10 @@ struct ObstacleBarrier : TermDefaults {
   static constexpr const char* kName = "obstacle";
   static constexpr const char* kDoc = "contact with the recording's obstacles, with friction";
   static constexpr const char* kReference = "Li et al. 2020, eq. 6 and 24; Coulomb friction";
+  static constexpr Role kRole = Role::kContact;
+  static constexpr Work kWork = Work::kMixed;
+  static constexpr std::array kTies = {Tie::kContact, Tie::kWorld};
+  static constexpr Needs kNeeds = Needs::kObstacles;
   static constexpr int kNodes = 3;
   static constexpr bool kInternal = false;
   static constexpr bool kFollowsContacts = true;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "autodiff_sim/terms/orthotropy.h"
 
-#include "autodiff_sim/term/force_batch_impl.h"
-
 namespace clothfit {
 
 std::vector<StretchOrthotropy::Element> StretchOrthotropy::Elements(const TermContext& context) {
@@ -33,9 +31,5 @@ std::vector<BendingOrthotropy::Element> BendingOrthotropy::Elements(const TermCo
   }
   return elements;
 }
-
-template std::unique_ptr<ForceBatch> MakeForceBatch<StretchOrthotropy>(const TermContext&);
-template std::unique_ptr<ForceBatch> MakeForceBatch<ShearOrthotropy>(const TermContext&);
-template std::unique_ptr<ForceBatch> MakeForceBatch<BendingOrthotropy>(const TermContext&);
 
 }  // namespace clothfit

@@ -4,11 +4,14 @@
 // The table of parameters.
 #include "autodiff_sim/terms/parameter_table.h"
 
+#include "autodiff_sim/term/list_check.h"
 #include "autodiff_sim/terms/terms.h"
 
 namespace clothfit {
 
 namespace {
+
+static_assert(CheckTerms(Terms{}));
 
 constexpr Parameter kClothParameters[kNumClothParameters] = {
     {"areal_density", "kg/m^2", "mass of the cloth per area", 0.15, 0.15, 0.01, 2.0, Scale::kLog,
@@ -24,17 +27,23 @@ constexpr Parameter kClothParameters[kNumClothParameters] = {
 std::vector<NamedParameter> MakeParameterTable(const std::vector<TermInfo>& terms) {
   std::vector<NamedParameter> table;
   for (const Parameter& p : kClothParameters)
-    table.push_back({std::string("cloth.") + p.name, "cloth", p});
+    table.push_back({std::string("cloth.") + p.name, "cloth", p, Role::kOrdinary});
   for (const TermInfo& term : terms) {
     for (const Parameter& p : term.parameters)
-      table.push_back({term.name + "." + p.name, term.name, p});
+      table.push_back({term.name + "." + p.name, term.name, p, term.role});
   }
   return table;
 }
 
-std::vector<TermInfo> AllTerms() { return MakeTermInfos(Terms{}); }
+const std::vector<TermInfo>& AllTerms() {
+  static const std::vector<TermInfo> terms = MakeTermInfos(Terms{});
+  return terms;
+}
 
-std::vector<NamedParameter> MakeParameterTable() { return MakeParameterTable(AllTerms()); }
+const std::vector<NamedParameter>& MakeParameterTable() {
+  static const std::vector<NamedParameter> table = MakeParameterTable(AllTerms());
+  return table;
+}
 
 int FindParameter(const std::vector<NamedParameter>& table, const std::string& name) {
   for (std::size_t i = 0; i < table.size(); ++i) {

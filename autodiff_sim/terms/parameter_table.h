@@ -15,15 +15,22 @@ struct NamedParameter {
   std::string name;  // term.parameter
   std::string term;
   Parameter parameter;
+  Role role = Role::kOrdinary;  // the term's
 };
 
 // The parameters of these terms, in the terms' order, after the cloth's own.
 std::vector<NamedParameter> MakeParameterTable(const std::vector<TermInfo>& terms);
 
-// The table of clothfit's own terms.
-std::vector<NamedParameter> MakeParameterTable();
+// The table of clothfit's own terms; it is made once.
+const std::vector<NamedParameter>& MakeParameterTable();
 // What clothfit's own terms say of themselves, in the list's order.
-std::vector<TermInfo> AllTerms();
+const std::vector<TermInfo>& AllTerms();
+
+// The full name of a term's parameter, for what is about this very term.
+template <class Term>
+std::string FullName(int index = 0) {
+  return std::string(Term::kName) + "." + Term::kParameters[static_cast<std::size_t>(index)].name;
+}
 
 // Index of the parameter with this full name; -1 where there is none.
 int FindParameter(const std::vector<NamedParameter>& table, const std::string& name);

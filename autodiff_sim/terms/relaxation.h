@@ -61,6 +61,7 @@ struct StretchRelaxation : TermDefaults {
   static constexpr const char* kName = "stretch_relaxation";
   static constexpr const char* kDoc = "stretching that relaxes along warp and weft";
   static constexpr const char* kReference = "standard linear solid; Simo and Hughes 1998, ch. 10";
+  static constexpr Work kWork = Work::kDissipates;
   static constexpr int kNodes = 2;
   static constexpr int kMemory = 1;  // q, m
   static constexpr bool kInternal = true;
@@ -84,6 +85,7 @@ struct ShearRelaxation : TermDefaults {
   static constexpr const char* kName = "shear_relaxation";
   static constexpr const char* kDoc = "shearing that relaxes";
   static constexpr const char* kReference = "standard linear solid; Simo and Hughes 1998, ch. 10";
+  static constexpr Work kWork = Work::kDissipates;
   static constexpr int kNodes = 2;
   static constexpr int kMemory = 1;  // q, m
   static constexpr bool kInternal = true;
@@ -107,6 +109,7 @@ struct BendingRelaxation : TermDefaults {
   static constexpr const char* kName = "bending_relaxation";
   static constexpr const char* kDoc = "bending that relaxes";
   static constexpr const char* kReference = "standard linear solid; Simo and Hughes 1998, ch. 10";
+  static constexpr Work kWork = Work::kDissipates;
   static constexpr int kNodes = 4;
   static constexpr int kMemory = 1;  // q, no unit
   static constexpr bool kInternal = true;

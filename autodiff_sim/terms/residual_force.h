@@ -20,6 +20,8 @@ struct ResidualForce : TermDefaults {
   static constexpr const char* kName = "residual_force";
   static constexpr const char* kDoc = "a given force per area, in the cloth's own frame";
   static constexpr const char* kReference = "weak-constraint model error, Tremolet 2006";
+  static constexpr Role kRole = Role::kEstimate;
+  static constexpr Work kWork = Work::kMixed;
   static constexpr int kNodes = 3;
   static constexpr int kInputs = 3;
   static constexpr bool kInternal = false;

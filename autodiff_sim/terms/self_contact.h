@@ -64,16 +64,14 @@ class PairRotation {
   std::array<Vector3<T>, 3> rows_;  // of the inverse
 };
 
-struct SelfContact {
+struct SelfContact : TermDefaults {
   static constexpr const char* kName = "contact";
   static constexpr const char* kDoc = "contact of the cloth with itself, with Coulomb friction";
   static constexpr const char* kReference = "Li et al. 2020, eq. 6 and 24; Coulomb, regularised";
+  static constexpr Role kRole = Role::kContact;
+  static constexpr Work kWork = Work::kMixed;
+  static constexpr std::array kTies = {Tie::kContact};
   static constexpr int kNodes = 4;
-  static constexpr int kInputs = 0;
-  static constexpr int kMemory = 0;
-  static constexpr bool kUsesAcceleration = false;
-  static constexpr bool kUsesDensity = false;
-  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = true;
   static constexpr bool kFollowsContacts = true;
   static constexpr int kStiffness = 0, kThickness = 1, kFriction = 2, kSlipSpeed = 3;

@@ -15,6 +15,7 @@ struct ShearFriction : TermDefaults {
   static constexpr const char* kName = "shear_friction";
   static constexpr const char* kDoc = "friction of shear, with hysteresis";
   static constexpr const char* kReference = "Dahl 1968; Bliman and Sorine 1995; Miguel et al. 2013";
+  static constexpr Work kWork = Work::kDissipates;
   static constexpr int kNodes = 3;
   static constexpr int kMemory = 1;  // z, no unit
   static constexpr bool kInternal = true;

@@ -47,21 +47,19 @@ inline double SpringEnergy(const Spring& spring, double stiffness,
   return 0.5 * stiffness * spring.weight * extension * extension;
 }
 
-struct StretchSpring {
+struct StretchSpring : TermDefaults {
   static constexpr const char* kName = "stretch";
   static constexpr const char* kDoc = "structural springs along warp and weft, with damping";
   static constexpr const char* kReference = "Hasler et al. 2007, sec. 3.1, f_spring";
+  static constexpr Role kRole = Role::kOrdinary;
+  static constexpr Work kWork = Work::kMixed;
   static constexpr int kNodes = 2;
-  static constexpr int kInputs = 0;
-  static constexpr int kMemory = 0;
-  static constexpr bool kUsesAcceleration = false;
-  static constexpr bool kUsesDensity = false;
   static constexpr bool kUsesShrinkage = true;
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 2> kParameters = {{
-      {"stiffness", "N/m", "membrane stiffness along warp and weft", 1000.0, 0.0, 1.0, 1e5,
-       Scale::kLog, 10.0},
-      {"damping", "N s/m", "damping of stretching", 3.0, 0.0, 1e-6, 100.0, Scale::kLog, 10.0},
+      Free({"stiffness", "N/m", "membrane stiffness along warp and weft", 1000.0, 0.0, 1.0, 1e5,
+            Scale::kLog, 10.0}),
+      Free({"damping", "N s/m", "damping of stretching", 3.0, 0.0, 1e-6, 100.0, Scale::kLog, 10.0}),
   }};
   using Element = Spring;
 
@@ -81,20 +79,19 @@ struct StretchSpring {
   }
 };
 
-struct ShearSpring {
+struct ShearSpring : TermDefaults {
   static constexpr const char* kName = "shear";
   static constexpr const char* kDoc = "springs along the bias, with damping";
   static constexpr const char* kReference = "Hasler et al. 2007, sec. 3.1, f_spring";
+  static constexpr Role kRole = Role::kOrdinary;
+  static constexpr Work kWork = Work::kMixed;
   static constexpr int kNodes = 2;
-  static constexpr int kInputs = 0;
-  static constexpr int kMemory = 0;
-  static constexpr bool kUsesAcceleration = false;
-  static constexpr bool kUsesDensity = false;
   static constexpr bool kUsesShrinkage = true;
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 2> kParameters = {{
-      {"stiffness", "N/m", "shear modulus times thickness", 20.0, 0.0, 0.1, 1e4, Scale::kLog, 10.0},
-      {"damping", "N s/m", "damping of shearing", 3.0, 0.0, 1e-6, 100.0, Scale::kLog, 10.0},
+      Free({"stiffness", "N/m", "shear modulus times thickness", 20.0, 0.0, 0.1, 1e4, Scale::kLog,
+            10.0}),
+      Free({"damping", "N s/m", "damping of shearing", 3.0, 0.0, 1e-6, 100.0, Scale::kLog, 10.0}),
   }};
   using Element = Spring;
 

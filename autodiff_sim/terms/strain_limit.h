@@ -21,6 +21,7 @@ struct StrainLimit : TermDefaults {
   static constexpr const char* kName = "strain_limit";
   static constexpr const char* kDoc = "springs that are steep beyond a stretch or compression";
   static constexpr const char* kReference = "Provot 1995, as a force";
+  static constexpr Role kRole = Role::kVariant;
   static constexpr int kNodes = 2;
   static constexpr bool kUsesShrinkage = true;
   static constexpr bool kInternal = true;

@@ -15,6 +15,8 @@ struct UniformWind : TermDefaults {
   static constexpr const char* kName = "wind";
   static constexpr const char* kDoc = "air that moves evenly, felt through the air drag";
   static constexpr const char* kReference = "Bhat et al. 2003, drag in moving air";
+  static constexpr Work kWork = Work::kDrives;
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 3;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 3> kParameters = {{

@@ -102,10 +102,11 @@ void SwitchOff(const std::string& place, const std::string& term, FitConfig* con
 
 void Attract(FitConfig* config) {
   config->attract = true;
-  for (const std::string term : {"attraction_point", "attraction_ray"}) {
-    ParameterSetting& linear = config->parameters[term + ".linear"];
+  for (const TermInfo& term : AllTerms()) {
+    if (term.role != Role::kGuide) continue;
+    ParameterSetting& linear = config->parameters[term.name + ".linear"];
     const bool is_off =
-        linear.value == 0.0 && config->parameters[term + ".reciprocal"].value == 0.0;
+        linear.value == 0.0 && config->parameters[term.name + ".reciprocal"].value == 0.0;
     if (is_off) linear.value = kDefaultAttraction;
   }
 }

@@ -17,19 +17,22 @@
 namespace clothfit {
 namespace {
 
-// What a recording tells about in almost any case.
-constexpr const char* kFreeByDefault[] = {
-    "stretch.stiffness", "stretch.damping",     "shear.stiffness",
-    "shear.damping",     "bending.stiffness",   "bending.damping",
-    "air_drag.normal",   "air_drag.saturation", "air_drag.tangential"};
-
 ParameterSetting DefaultSetting(const Parameter& parameter) {
   ParameterSetting setting;
   setting.value = setting.prior = parameter.initial;
   setting.lower = parameter.lower;
   setting.upper = parameter.upper;
   setting.prior_sigma = parameter.prior_factor;
+  setting.free = parameter.is_free;
   return setting;
+}
+
+void FixWhatNeedsGround(FitConfig* config) {
+  for (const TermInfo& term : AllTerms()) {
+    if (term.needs != Needs::kGround) continue;
+    for (const Parameter& p : term.parameters)
+      config->parameters.at(term.name + "." + p.name).free = false;
+  }
 }
 
 void CheckPrior(const std::string& place, const Parameter& parameter,
@@ -98,8 +101,7 @@ FitConfig DefaultConfig(const Recording& recording) {
   for (const NamedParameter& named : MakeParameterTable()) {
     config.parameters[named.name] = DefaultSetting(named.parameter);
   }
-  for (const char* name : kFreeByDefault) config.parameters.at(name).free = true;
-  config.parameters.at("ground.friction").free = recording.ground_height.has_value();
+  if (!recording.ground_height) FixWhatNeedsGround(&config);
   if (const std::optional<double>& known = recording.cloth.areal_density) {
     ParameterSetting& density = config.parameters.at("cloth.areal_density");
     density.value = density.prior = *known;

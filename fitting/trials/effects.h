@@ -44,12 +44,12 @@ struct PlantableEffect {
   bool either_sign = false;             // are the amounts as likely negative?
 };
 
-// Every term of clothfit's list that is off unless asked for, in at least two motions.
+// Every term of clothfit's list that may be missing, in at least two motions.
 const std::vector<PlantableEffect>& ListedEffects();
-// Those of trial_terms/.
+// Those of terms/.
 const std::vector<PlantableEffect>& UnlistedEffects();
 
-// Clothfit's terms that are off unless asked for, without those that pull towards observations.
+// Clothfit's terms that may be missing.
 std::vector<TermInfo> AbsentTerms();
 // What a term of either list says of itself. Throws std::out_of_range where there is none.
 const TermInfo& TermOf(const std::string& term);

@@ -20,16 +20,11 @@
 namespace clothfit {
 
 // f = A w (1 + sin(2 pi f t + phase)) / 2 along one direction, a third to each corner.
-struct Wind {
+struct Wind : TermDefaults {
   static constexpr const char* kName = "wind";
   static constexpr const char* kDoc = "a push that comes and goes";
   static constexpr const char* kReference = "";
   static constexpr int kNodes = 3;
-  static constexpr int kInputs = 0;
-  static constexpr int kMemory = 0;
-  static constexpr bool kUsesAcceleration = false;
-  static constexpr bool kUsesDensity = false;
-  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 5> kParameters = {{
       {"strength", "N/m^2", "largest push", 1.0, 0.0, 1e-3, 1e3, Scale::kLog, M_E},

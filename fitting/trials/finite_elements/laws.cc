@@ -21,12 +21,16 @@ class Values {
  public:
   explicit Values(const FemParameters& values) : values_(values) {}
   double operator()(const std::string& name, double otherwise = 0.0) const {
+    asked_terms_.insert(name.substr(0, name.find('.')));
     const auto value = values_.find(name);
     return value == values_.end() ? otherwise : value->second;
   }
 
+  const std::set<std::string>& asked_terms() const { return asked_terms_; }
+
  private:
   const FemParameters& values_;
+  mutable std::set<std::string> asked_terms_;
 };
 
 double Bell(double distance, double width) {
@@ -194,37 +198,7 @@ std::vector<FemLaws::Outside> OutsideLaws(const Values& p) {
   return laws;
 }
 
-}  // namespace
-
-bool FemKnows(const std::string& term) {
-  static const std::set<std::string> known = {"wind",
-                                              "gust",
-                                              "added_mass",
-                                              "shear_friction",
-                                              "stretch_relaxation",
-                                              "shear_relaxation",
-                                              "stretch_stiffening",
-                                              "stretch_orthotropy",
-                                              "stiff_patch_stretch",
-                                              "stiff_patch_bending",
-                                              "stiff_seam_stretch",
-                                              "stiff_seam_bending",
-                                              "hem",
-                                              "heavy_patch",
-                                              "gravity_tilt",
-                                              "obstacle_plane",
-                                              "obstacle_sphere",
-                                              "obstacle_capsule",
-                                              "attractor",
-                                              "vortex",
-                                              "sticky_point",
-                                              "diagonal_thread"};
-  return known.count(term) > 0;
-}
-
-FemLaws MakeFemLaws(const FemMesh& mesh, const Vector2d& size, const FemParameters& parameters,
-                    double spacing) {
-  const Values p(parameters);
+FemLaws LawsOf(const Values& p, const FemMesh& mesh, const Vector2d& size, double spacing) {
   FemLaws laws;
   laws.air = AirLaws(p);
   laws.outside = OutsideLaws(p);
@@ -263,6 +237,24 @@ FemLaws MakeFemLaws(const FemMesh& mesh, const Vector2d& size, const FemParamete
   laws.drag_saturation = p("air_drag.saturation");
   laws.drag_tangential = p("air_drag.tangential");
   return laws;
+}
+
+}  // namespace
+
+bool FemKnows(const std::string& term) {
+  static const std::set<std::string> known = [] {
+    const FemParameters nothing;
+    const Values values(nothing);
+    const Vector2d size(1.0, 1.0);
+    LawsOf(values, MakeFemMesh(size, {4, 4}, 1), size, 1.0);
+    return values.asked_terms();
+  }();
+  return known.count(term) > 0;
+}
+
+FemLaws MakeFemLaws(const FemMesh& mesh, const Vector2d& size, const FemParameters& parameters,
+                    double spacing) {
+  return LawsOf(Values(parameters), mesh, size, spacing);
 }
 
 FemParameters WithoutTerms(const FemParameters& parameters, const std::vector<std::string>& terms) {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "autodiff_sim/term/force_batch_impl.h"
-
 namespace clothfit {
 
 std::vector<ThreadPiece> DiagonalThreadPieces(const ClothMesh& mesh) {
@@ -25,7 +23,5 @@ std::vector<ThreadPiece> DiagonalThreadPieces(const ClothMesh& mesh) {
   }
   return pieces;
 }
-
-template std::unique_ptr<ForceBatch> MakeForceBatch<DiagonalThread>(const TermContext&);
 
 }  // namespace clothfit

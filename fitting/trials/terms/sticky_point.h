@@ -18,6 +18,8 @@ struct StickyPoint : TermDefaults {
   static constexpr const char* kName = "sticky_point";
   static constexpr const char* kDoc = "a place in space that draws the cloth and slows it down";
   static constexpr const char* kReference = "pull and drag that fade with the distance";
+  static constexpr Work kWork = Work::kMixed;
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 1;
   static constexpr bool kInternal = false;
   static constexpr std::array<Parameter, 6> kParameters = {{

@@ -4,6 +4,9 @@
 
 #include <utility>
 
+#include "autodiff_sim/term/list_check.h"
+#include "autodiff_sim/terms/terms.h"
+
 namespace clothfit {
 namespace {
 
@@ -11,6 +14,8 @@ template <class... A, class... B>
 constexpr TypeList<A..., B...> Joined(TypeList<A...>, TypeList<B...>) {
   return {};
 }
+
+static_assert(CheckTerms(Joined(Terms{}, TrialTerms{})));
 
 }  // namespace
 

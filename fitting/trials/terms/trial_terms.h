@@ -8,14 +8,9 @@
 #include <vector>
 
 #include "autodiff_sim/step/simulation.h"
-#include "autodiff_sim/terms/terms.h"
-#include "fitting/trials/terms/diagonal_thread.h"
-#include "fitting/trials/terms/sticky_point.h"
-#include "fitting/trials/terms/vortex.h"
+#include "fitting/trials/terms/unlisted_terms.h"
 
 namespace clothfit {
-
-using TrialTerms = TypeList<Vortex, DiagonalThread, StickyPoint>;
 
 // What these terms say of themselves, in the list's order.
 std::vector<TermInfo> UnlistedTerms();

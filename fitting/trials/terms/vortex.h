@@ -19,6 +19,8 @@ struct Vortex : TermDefaults {
   static constexpr const char* kName = "vortex";
   static constexpr const char* kDoc = "air that goes round a vertical axis";
   static constexpr const char* kReference = "Taylor 1918, decaying vortex";
+  static constexpr Work kWork = Work::kDrives;
+  static constexpr std::array kTies = {Tie::kWorld};
   static constexpr int kNodes = 3;
   static constexpr bool kInternal = false;
   static constexpr bool kPrefersAxes = true;

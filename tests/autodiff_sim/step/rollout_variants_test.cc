@@ -22,16 +22,13 @@ namespace {
 // A spring and a dashpot in a row, Maxwell: f = k (e - q), dq/dt = (e - q) / tau, e the extension
 // and q what the dashpot has given; backward Euler within the step. The forces scale with the
 // density, so that its derivative passes through the memory's term too.
-struct MaxwellSpring {
+struct MaxwellSpring : TermDefaults {
   static constexpr const char* kName = "maxwell";
   static constexpr const char* kDoc = "springs along the threads that relax";
   static constexpr const char* kReference = "Maxwell 1867";
   static constexpr int kNodes = 2;
-  static constexpr int kInputs = 0;
   static constexpr int kMemory = 2;  // q (m) and the time (s) at which it was
-  static constexpr bool kUsesAcceleration = false;
   static constexpr bool kUsesDensity = true;
-  static constexpr bool kUsesShrinkage = false;
   static constexpr bool kInternal = true;
   static constexpr std::array<Parameter, 2> kParameters = {{
       {"stiffness", "N m/kg", "of the spring per areal density", 400.0, 0.0, 1.0, 1e5, Scale::kLog,

@@ -4,10 +4,17 @@
 // The cases' numbers. The cloth that swings is a square of 0.3 m that falls from z = 0.3 m.
 #include "tests/autodiff_sim/terms/catalogue_cases.h"
 
+#include <algorithm>
+
+#include "autodiff_sim/term/extent.h"
+#include "autodiff_sim/terms/parameter_table.h"
+
 namespace clothfit {
 
-const std::vector<CatalogueCase>& CatalogueCases() {
-  static const std::vector<CatalogueCase> cases = {
+namespace {
+
+std::vector<CatalogueCase> ChosenCases() {
+  return {
       {"wind", false, {{"x", 0.4}, {"y", -0.7}, {"z", 0.3}}},
       {"gust",
        false,
@@ -129,6 +136,29 @@ const std::vector<CatalogueCase>& CatalogueCases() {
         {"band_c_135", 0.3},
         {"band_k_135", 40.0}}},
   };
+}
+
+}  // namespace
+
+CatalogueCase DefaultCase(const TermInfo& term) {
+  const Extent extent{{0.0, 0.0, 0.0}, {0.3, 0.3, 0.3}, {0.3, 0.3}, 0.5};
+  const std::map<std::string, double> shape = MiddleShape(term, extent);
+  CatalogueCase made{term.name, term.needs == Needs::kGround, {}};
+  for (const Parameter& p : term.parameters)
+    made.on.emplace_back(p.name, SwitchesOff(p) ? AwayFromOff(p, 1.0) : shape.at(p.name));
+  return made;
+}
+
+const std::vector<CatalogueCase>& CatalogueCases() {
+  static const std::vector<CatalogueCase> cases = [] {
+    std::vector<CatalogueCase> all = ChosenCases();
+    for (const TermInfo& term : AllTerms()) {
+      const bool is_chosen = std::any_of(
+          all.begin(), all.end(), [&](const CatalogueCase& one) { return one.term == term.name; });
+      if (term.role == Role::kMayBeMissing && !is_chosen) all.push_back(DefaultCase(term));
+    }
+    return all;
+  }();
   return cases;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every term of the catalogue of effects that a cloth model may lack, each switched on so strongly
-// that it shows in a rollout of half a second.
+// Every term that a cloth model may lack, each switched on so strongly that it shows in a rollout
+// of half a second: with numbers that were chosen, or, for a term without such, that follow from
+// what it says of itself.
 #pragma once
 
 #include <ostream>
@@ -23,6 +24,8 @@ struct CatalogueCase {
 };
 
 const std::vector<CatalogueCase>& CatalogueCases();
+// What follows from the term: one sigma of its prior from off, in the middle of its probes.
+CatalogueCase DefaultCase(const TermInfo& term);
 std::vector<std::string> CatalogueTerms();
 
 }  // namespace clothfit

@@ -3,6 +3,7 @@
 //
 // Derivatives of whole rollouts with each term of the catalogue, memory included: switched on, and
 // off, where the derivatives are those of switching on.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -77,6 +78,15 @@ TEST_P(Catalogue, DerivativesOfARolloutWhenOff) {
 
 INSTANTIATE_TEST_SUITE_P(Terms, Catalogue, ::testing::ValuesIn(CatalogueCases()),
                          [](const auto& test) { return test.param.term; });
+
+TEST(CatalogueCases, AreThereForAllThatMayBeMissing) {
+  for (const TermInfo& term : AllTerms()) {
+    if (term.role != Role::kMayBeMissing) continue;
+    const auto is_its = [&](const CatalogueCase& one) { return one.term == term.name; };
+    EXPECT_EQ(std::count_if(CatalogueCases().begin(), CatalogueCases().end(), is_its), 1)
+        << term.name;
+  }
+}
 
 TEST(CatalogueCases, HaveEveryParameter) {
   ASSERT_FALSE(CatalogueCases().empty());

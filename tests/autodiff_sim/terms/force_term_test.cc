@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What holds for every force term of the list `Terms`: a new term is tested by being listed.
+// CLOTHFIT_TESTED_TERMS, where it is defined, are tested instead of all.
 #include <cmath>
 #include <string>
 
@@ -50,7 +51,10 @@ int ForEachSample(const Check& check) {
 
 template <class Term>
 class ForceTerm : public ::testing::Test {};
-TYPED_TEST_SUITE(ForceTerm, AsTestTypes<Terms>::Types, TermName);
+#ifndef CLOTHFIT_TESTED_TERMS
+#define CLOTHFIT_TESTED_TERMS Terms
+#endif
+TYPED_TEST_SUITE(ForceTerm, AsTestTypes<CLOTHFIT_TESTED_TERMS>::Types, TermName);
 
 template <class Derived>
 double Largest(const Eigen::MatrixBase<Derived>& values) {
@@ -80,7 +84,7 @@ double FirstStep(const TermScene& scene, const Eigen::VectorXd& numbers, int col
 // N: forces of which a term that adds to another's is the difference, and to whose roundoff it is
 // known only.
 template <class Term>
-constexpr double kCancelling = kReadsOf<Term>.size() > 0 ? 1e-4 : 0.0;
+constexpr double kCancelling = Term::kReads.size() > 0 ? 1e-4 : 0.0;
 // Roundoff of a drag of 0.1 N over a step of 5e-7 m/s is 2.5e-11.
 template <>
 constexpr double kCancelling<LawAir> = 2e-4;
@@ -231,12 +235,6 @@ TYPED_TEST(ForceTerm, InternalForcesIgnoreRigidVelocities) {
   EXPECT_GE(count, 6);
 }
 
-template <class Term>
-constexpr bool PrefersAxes() {
-  if constexpr (std::is_base_of_v<TermDefaults, Term>) return Term::kPrefersAxes;
-  return false;
-}
-
 // Vectors and places in the world turn and move with the cloth.
 template <class Term>
 Eigen::VectorXd MovedParameters(Eigen::VectorXd parameters, const Eigen::Matrix3d& rotation,
@@ -256,7 +254,7 @@ Eigen::VectorXd MovedParameters(Eigen::VectorXd parameters, const Eigen::Matrix3
 template <class Term>
 void ExpectEquivariance(bool with_ground, const Eigen::Matrix3d& rotation,
                         const Eigen::Vector3d& shift) {
-  if (PrefersAxes<Term>()) GTEST_SKIP() << "parameters are bound to the world's axes";
+  if (Term::kPrefersAxes) GTEST_SKIP() << "parameters are bound to the world's axes";
   std::mt19937 random(11);
   int acting = 0, elements_seen = 0;
   for (TermScene scene : MakeTermScenes()) {
@@ -300,11 +298,28 @@ TYPED_TEST(ForceTerm, TurnsWithTheClothWhereThereIsNoGround) {
   ExpectEquivariance<TypeParam>(false, rotation, {0.4, -0.3, 0.8});
 }
 
+// What a term says that it does to the energy, as far as that shows in one element.
+TYPED_TEST(ForceTerm, ConservativeForcesTakeNoNoticeOfVelocities) {
+  if (TypeParam::kWork != Work::kConserves) GTEST_SKIP() << "does not conserve energy";
+  if (TypeParam::kUsesAcceleration) GTEST_SKIP() << "an inertia";
+  using Layout = TermLayout<TypeParam>;
+  const int count = ForEachSample<TypeParam>(
+      [](const TermScene& scene, std::size_t which, const Eigen::VectorXd& parameters) {
+        const auto element = SceneElements<TypeParam>(scene)[which];
+        const Eigen::VectorXd moving = ElementNumbers<TypeParam>(element, scene, parameters);
+        Eigen::VectorXd still = moving;
+        still.segment(Layout::kV, Layout::kForces).setZero();
+        const Eigen::VectorXd of_moving = EvaluateTerm<TypeParam, double>(element, moving);
+        EXPECT_EQ(of_moving, (EvaluateTerm<TypeParam, double>(element, still)));
+      });
+  EXPECT_GE(count, 6);
+}
+
 // What a force owes to the velocity takes energy from the cloth, never gives it any.
 TYPED_TEST(ForceTerm, VelocitiesAreResisted) {
   if (TypeParam::kMemory > 0) GTEST_SKIP() << "what is remembered may push";
   if (TypeParam::kUsesAcceleration) GTEST_SKIP() << "an inertia gives back what it took";
-  if (kReadsOf<TypeParam>.size() > 0) GTEST_SKIP() << "resists only with the term it belongs to";
+  if (TypeParam::kReads.size() > 0) GTEST_SKIP() << "resists only with the term it belongs to";
   using Layout = TermLayout<TypeParam>;
   const int count = ForEachSample<TypeParam>(
       [](const TermScene& scene, std::size_t which, const Eigen::VectorXd& parameters) {

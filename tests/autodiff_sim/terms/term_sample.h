@@ -59,7 +59,7 @@ struct TermLayout {
   static constexpr int kA = kMemory + Term::kMemory;
   static constexpr int kStart = kA + (Term::kUsesAcceleration ? 3 * Term::kNodes : 0);
   static constexpr int kRead = kStart + (Term::kMemory > 0 ? 3 * Term::kNodes : 0);
-  static constexpr int kSize = kRead + static_cast<int>(kReadsOf<Term>.size());
+  static constexpr int kSize = kRead + static_cast<int>(Term::kReads.size());
   static constexpr int kForces = 3 * Term::kNodes;
   static constexpr int kOutputs = kForces + Term::kMemory;
 };
@@ -152,8 +152,8 @@ Eigen::VectorXd ElementNumbers(const typename Term::Element& element, const Term
     for (int i = 0; i < Term::kInputs; ++i) numbers[Layout::kInput + i] = element.input[i];
   }
   for (int i = 0; i < Term::kMemory; ++i) numbers[Layout::kMemory + i] = 0.01 * (i + 1);
-  for (std::size_t i = 0; i < kReadsOf<Term>.size(); ++i)
-    numbers[Layout::kRead + static_cast<int>(i)] = ReadValue(kReadsOf<Term>[i]);
+  for (std::size_t i = 0; i < Term::kReads.size(); ++i)
+    numbers[Layout::kRead + static_cast<int>(i)] = ReadValue(Term::kReads[i]);
   return numbers;
 }
 

@@ -152,7 +152,7 @@ TEST(TrialPlan, SwitchesEveryEffectOnAndMoreForLargerSizes) {
 TEST(TrialPlan, KeepsTheGroundsEffectsToMotionsOnTheGround) {
   int checked = 0;
   for (const PlantableEffect& effect : ListedEffects()) {
-    if (effect.term != "adhesion" && effect.term != "sticky_patch") continue;
+    if (TermOf(effect.term).needs != Needs::kGround) continue;
     EXPECT_TRUE(MakeSyntheticMotion(effect.motion, {0.5, 0.5}, 5.0).ground_height) << effect.term;
     ++checked;
   }

@@ -60,7 +60,7 @@ TYPED_TEST(TrialTerm, JetsAgreeWithDifferences) {
       false, [&](const auto& element, const Eigen::VectorXd& numbers, const TermScene& scene) {
         // A term that is the difference of two forces is known to their roundoff only, see
         // force_term_test.cc.
-        const double cancelling = kReadsOf<TypeParam>.size() > 0 ? 1e-4 : 0.0;
+        const double cancelling = TypeParam::kReads.size() > 0 ? 1e-4 : 0.0;
         const double size =
             std::max(Largest(EvaluateTerm<TypeParam, double>(element, numbers)), cancelling);
         for (int column = 0; column < Layout::kSize; ++column) {
