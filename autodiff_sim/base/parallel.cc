@@ -45,8 +45,12 @@ void ParallelFor(int count, int num_threads,
     }
   };
   std::vector<std::thread> threads;
-  for (int worker = 1; worker < std::min(count, num_threads); ++worker)
-    threads.emplace_back(run, worker);
+  threads.reserve(static_cast<std::size_t>(std::min(count, num_threads)));
+  try {
+    for (int worker = 1; worker < std::min(count, num_threads); ++worker)
+      threads.emplace_back(run, worker);
+  } catch (...) {  // the system gives no more: those that began do it all
+  }
   run(0);
   for (std::thread& thread : threads) thread.join();
   if (failure != nullptr) std::rethrow_exception(failure);

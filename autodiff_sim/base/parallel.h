@@ -26,7 +26,7 @@ class InsideParallelWork {
 
 // Calls work(piece, worker) for each piece from 0 to count - 1, in any order; worker is 0 to
 // num_threads - 1 and does one piece at a time. Throws what the first failing piece threw, after
-// the others have stopped.
+// the others have stopped. Where the system gives fewer threads than asked for, those do it all.
 void ParallelFor(int count, int num_threads,
                  const std::function<void(int piece, int worker)>& work);
 

@@ -4,6 +4,8 @@
 // The table of parameters.
 #include "autodiff_sim/terms/parameter_table.h"
 
+#include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/names.h"
 #include "autodiff_sim/term/list_check.h"
 #include "autodiff_sim/terms/terms.h"
 
@@ -50,6 +52,15 @@ int FindParameter(const std::vector<NamedParameter>& table, const std::string& n
     if (table[i].name == name) return static_cast<int>(i);
   }
   return -1;
+}
+
+int RequireParameter(const std::vector<NamedParameter>& table, const std::string& name,
+                     const std::string& place) {
+  const int index = FindParameter(table, name);
+  if (index >= 0) return index;
+  std::vector<std::string> names;
+  for (const NamedParameter& named : table) names.push_back(named.name);
+  throw InputError(place, "'" + name + "' is no parameter; " + Suggestion(name, names));
 }
 
 Eigen::VectorXd InitialValues(const std::vector<NamedParameter>& table) {

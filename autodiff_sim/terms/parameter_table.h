@@ -34,6 +34,10 @@ std::string FullName(int index = 0) {
 
 // Index of the parameter with this full name; -1 where there is none.
 int FindParameter(const std::vector<NamedParameter>& table, const std::string& name);
+// The same of one that must be there. Throws InputError with the place, the name and the nearest
+// right one where it is not.
+int RequireParameter(const std::vector<NamedParameter>& table, const std::string& name,
+                     const std::string& place = "parameters");
 
 // Every parameter's initial value.
 Eigen::VectorXd InitialValues(const std::vector<NamedParameter>& table);

@@ -25,6 +25,9 @@ struct ParameterSetting {
   // The prior's centre, and one sigma: a factor above 1 for a parameter on a log scale, else an
   // amount.
   double prior = 0.0, prior_sigma = 1.0;
+  // Not in files: the scale it is moved on, where that is not its parameter's own. What may vanish
+  // cannot be moved by factors.
+  std::optional<Scale> scale;
 };
 
 enum class LossKind { kNone, kHuber, kCauchy };

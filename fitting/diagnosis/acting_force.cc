@@ -146,7 +146,7 @@ Eigen::VectorXd ForceOfParameters(const ClothModel& model, const ForcePoint& at,
                                   const std::vector<std::string>& names) {
   Eigen::VectorXd off = at.parameters;
   for (const std::string& name : names) {
-    const int index = FindParameter(model.parameters(), name);
+    const int index = RequireParameter(model.parameters(), name);
     off[index] = model.parameters()[index].parameter.off;
   }
   Eigen::VectorXd with, without, memory = at.memory;

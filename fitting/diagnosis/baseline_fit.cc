@@ -105,7 +105,14 @@ std::vector<FitConfig> OtherStarts(const FitConfig& config) {
   FitConfig stiff = lively, stretchy = lively;
   scale("bending.stiffness", kStiff, &stiff);
   scale("stretch.stiffness", kStretchy, &stretchy);
-  return {lively, stiff, stretchy};
+  std::vector<FitConfig> others;
+  for (const FitConfig& other : {lively, stiff, stretchy}) {
+    const bool is_new = std::none_of(others.begin(), others.end(), [&](const FitConfig& before) {
+      return ConfigDifferences(before, other).empty();
+    });
+    if (is_new && !ConfigDifferences(config, other).empty()) others.push_back(other);
+  }
+  return others;
 }
 
 FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,

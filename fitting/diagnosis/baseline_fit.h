@@ -30,7 +30,8 @@ bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit)
 bool IsOff(const Scene& scene, const FitConfig& config, const FitResult& fit);
 
 // Other fabrics to begin with: one with a tenth of the damping, and that one with twenty times the
-// stiffness in bending, or with a tenth of that in stretch. What is not free stays as it is.
+// stiffness in bending, or with a tenth of that in stretch. What is not free stays as it is, and
+// starts that come out equal, or equal to the config's own, are left out.
 std::vector<FitConfig> OtherStarts(const FitConfig& config);
 
 }  // namespace clothfit

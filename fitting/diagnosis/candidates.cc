@@ -10,6 +10,7 @@
 
 #include "autodiff_sim/term/tilted_down.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/named_parameter.h"
 
 namespace clothfit {
 namespace {
@@ -153,6 +154,13 @@ CandidateTerm MakeCandidate(const std::string& name, const std::string& term,
   return candidate;
 }
 
+// From its value on, with a prior as wide as the logarithm's reaches in the parameter's unit.
+void MoveByAmounts(ParameterSetting* setting) {
+  setting->scale = Scale::kLinear;
+  setting->prior_sigma *= setting->prior;
+  setting->prior = setting->value;
+}
+
 }  // namespace
 
 bool IsLaw(const std::string& term) { return term.rfind("law_", 0) == 0; }
@@ -252,8 +260,9 @@ FitConfig WithProbes(const FitConfig& values,
     for (const std::string& name : candidate->switches) {
       ParameterSetting& setting = config.parameters.at(name);
       setting.free = true;
-      setting.lower = std::min(setting.lower, 0.0);  // linear, see FreeParameters
-      if (setting.value != 0.0) setting.lower = config.parameters.at(name).value / 100.0;
+      setting.lower = std::min(setting.lower, setting.value);
+      if (setting.value <= 0.0 && ParameterNamed(name).scale == Scale::kLog)
+        MoveByAmounts(&setting);
     }
   }
   return config;

@@ -58,8 +58,8 @@ std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& 
 std::vector<Probe> ProbesNear(const CandidateTerm& candidate, const Probe& probe,
                               const Extent& extent, double step);
 
-// The config with candidates' switches free at their off values, on a linear scale, and their
-// shapes as the probes have them.
+// The config with candidates' switches free at their off values, by amounts where these are 0, and
+// their shapes as the probes have them.
 FitConfig WithProbes(const FitConfig& values,
                      const std::vector<std::pair<const CandidateTerm*, Probe>>& probes);
 

@@ -10,6 +10,7 @@
 #include "fitting/diagnosis/kept_fit.h"
 #include "fitting/diagnosis/sha256.h"
 #include "fitting/files/whole_file.h"
+#include "fitting/fit/fit_inputs.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -27,111 +28,43 @@ std::optional<FitResult> ReadKept(const fs::path& file) {
   }
 }
 
-// All that it is given, as bytes.
-class Bytes {
- public:
-  void Add(const std::string& text) {
-    Add(static_cast<double>(text.size()));
-    bytes_ += text;
-  }
-  void Add(double number) { bytes_.append(reinterpret_cast<const char*>(&number), sizeof(number)); }
-  template <class Derived>
-  void Add(const Eigen::DenseBase<Derived>& matrix) {
-    Add(static_cast<double>(matrix.size()));
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-      for (Eigen::Index j = 0; j < matrix.cols(); ++j) Add(static_cast<double>(matrix(i, j)));
-    }
-  }
-  const std::string& get() const { return bytes_; }
-
- private:
-  std::string bytes_;
-};
-
-void AddObservations(const Scene& scene, Bytes* bytes) {
-  for (const double sigma : {scene.marker_sigma, scene.track_sigma, scene.silhouette_sigma})
-    bytes->Add(sigma);
-  for (const Camera& camera : scene.recording.cameras) {
-    for (const double number : {camera.fx, camera.fy, camera.cx, camera.cy}) bytes->Add(number);
-    for (const double number : camera.distortion) bytes->Add(number);
-    bytes->Add(camera.camera_from_world_rotation);
-    bytes->Add(camera.camera_from_world_translation);
-  }
-  for (const MarkerObservation& marker : scene.markers) {
-    bytes->Add(marker.frame);
-    bytes->Add(marker.id);
-    bytes->Add(marker.on_cloth.At(scene.mesh.uv));
-    bytes->Add(marker.position);
-  }
-  for (const TrackObservation& track : scene.tracks) {
-    bytes->Add(track.frame);
-    bytes->Add(track.camera);
-    bytes->Add(track.id);
-    bytes->Add(track.on_cloth.At(scene.mesh.uv));
-    bytes->Add(track.pixel);
-  }
-  if (!scene.silhouettes) return;
-  for (const SilhouetteObservation& seen : scene.silhouettes->observations) {
-    bytes->Add(seen.frame);
-    bytes->Add(seen.camera);
-    bytes->Add(static_cast<double>(seen.mask.Count()));
-    for (const Eigen::Vector2d& point : seen.outline) bytes->Add(point);
-  }
-}
-
-// What else of a recording moves a cloth.
-void AddMotion(const Scene& scene, Bytes* bytes) {
-  const Recording& recording = scene.recording;
-  bytes->Add(recording.frame_rate);
-  bytes->Add(recording.gravity);
-  bytes->Add(recording.ground_height.value_or(-1e9));
-  bytes->Add(scene.initial);
-  for (const bool is_fitted : scene.is_fitted) bytes->Add(is_fitted ? 1.0 : 0.0);
-  for (const std::string& camera : recording.splits.held_out_cameras) bytes->Add(camera);
-  for (const SceneHandle& handle : scene.handles) {
-    bytes->Add(handle.name);
-    bytes->Add(handle.on_cloth.At(scene.mesh.uv));
-    bytes->Add(handle.released_after);
-    for (int frame = 0; frame < recording.frame_count; ++frame)
-      bytes->Add(handle.path.At(scene.FrameTime(frame)));
-  }
-  for (const ObstacleDescription& obstacle : recording.obstacles) {
-    bytes->Add(obstacle.name);
-    for (const ObstacleDescription::Pose& pose : obstacle.path) {
-      bytes->Add(pose.position);
-      bytes->Add(pose.rotation);
-    }
-  }
-}
-
 }  // namespace
 
 std::string FitKey(const Scene& scene, const FitConfig& config, const FitCheckpoint* from) {
-  Bytes bytes;
-  bytes.Add(CLOTHFIT_VERSION);
-  bytes.Add(ConfigToYaml(config));
-  AddObservations(scene, &bytes);
-  AddMotion(scene, &bytes);
-  if (from != nullptr) {
-    bytes.Add(from->coarse ? 1.0 : 0.0);
-    bytes.Add(from->next_window);
-    bytes.Add(from->theta);
-    bytes.Add(from->information);
-    bytes.Add(from->mean);
-  }
-  return Sha256(bytes.get());
+  return Sha256(FitInputsAsBytes(scene, config, from));
 }
 
 FitResult FitRunner::Run(const Scene& scene, const FitConfig& config, const FitCheckpoint* from,
                          FitCallbacks callbacks) const {
   callbacks.stop = stop_;
   if (folder_.empty()) return RunFit(scene, config, callbacks, from);
-  const fs::path file = folder_ / (FitKey(scene, config, from) + kEnding);
-  if (const std::optional<FitResult> kept = ReadKept(file)) return *kept;
-  const FitResult result = RunFit(scene, config, callbacks, from);
-  if (result.status != FitStatus::kInterrupted && !IsStopped())
-    WriteWholeFile(file, FitAsBytes(result));
-  return result;
+  const std::string key = FitKey(scene, config, from);
+  return under_way_->Once(key, [&] {
+    const fs::path file = folder_ / (key + kEnding);
+    if (const std::optional<FitResult> kept = ReadKept(file)) return *kept;
+    FitResult result = RunFit(scene, config, callbacks, from);
+    if (result.status != FitStatus::kInterrupted && !IsStopped())
+      WriteWholeFile(file, FitAsBytes(result));
+    return result;
+  });
+}
+
+FitResult FitRunner::UnderWay::Once(const std::string& key, const std::function<FitResult()>& run) {
+  std::promise<FitResult> promise;
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto [begun, is_first] = fits_.emplace(key, promise.get_future().share());
+  const std::shared_future<FitResult> fit = begun->second;
+  lock.unlock();
+  if (!is_first) return fit.get();
+  try {
+    promise.set_value(run());
+  } catch (...) {
+    promise.set_exception(std::current_exception());
+  }
+  lock.lock();
+  fits_.erase(key);
+  lock.unlock();
+  return fit.get();
 }
 
 int NumKeptFits(const fs::path& folder) {

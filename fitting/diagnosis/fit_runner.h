@@ -8,6 +8,12 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
 #include <utility>
 
 #include "fitting/diagnosis/diagnosis.h"
@@ -27,16 +33,27 @@ class FitRunner {
 
   // RunFit, or what the same fit of the same scene came to before. A kept file that is damaged is
   // as good as none. Throws InputError where the folder cannot be written. Can be called from many
-  // threads.
+  // threads: the same fit is then run by the first of them, and the others wait for it.
   FitResult Run(const Scene& scene, const FitConfig& config, const FitCheckpoint* from = nullptr,
                 FitCallbacks callbacks = {}) const;
 
  private:
+  // The fits that are being run, by key.
+  class UnderWay {
+   public:
+    FitResult Once(const std::string& key, const std::function<FitResult()>& run);
+
+   private:
+    std::mutex mutex_;
+    std::map<std::string, std::shared_future<FitResult>> fits_;
+  };
+
   const std::atomic<bool>* stop_;
   std::filesystem::path folder_;
+  std::shared_ptr<UnderWay> under_way_ = std::make_shared<UnderWay>();
 };
 
-// A digest of all that a fit depends on: observations, start, config, and where it goes on from.
+// A digest of all that a fit depends on: see fitting/fit/fit_inputs.h.
 std::string FitKey(const Scene& scene, const FitConfig& config, const FitCheckpoint* from);
 
 // How many fits such a folder keeps; 0 where there is none.

@@ -15,7 +15,7 @@ ForcedMotion::ForcedMotion(const Scene& scene, const FitConfig& config, const Fr
       first_control_((free.size() + kLanes - 1) / kLanes * kLanes),
       simulation_(scene.mesh, scene.world, scene.HandlePoints(), StepOptions(config)),
       handles_(scene.handles) {
-  share_ = FindParameter(simulation_.model().parameters(), "residual_force.share");
+  share_ = RequireParameter(simulation_.model().parameters(), "residual_force.share");
   if (IsHeld(config)) attracting_.emplace(scene);
 }
 

@@ -37,7 +37,7 @@ class Imitator {
 
  private:
   int Index(const std::string& name) const {
-    return FindParameter(simulator_.simulation().model().parameters(), name);
+    return RequireParameter(simulator_.simulation().model().parameters(), name);
   }
   Eigen::VectorXd ForceAt(const Sample& sample, const Eigen::VectorXd& parameters) const;
   // Of what these parameters switch on, all samples.

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/base/normal_numbers.h"
 #include "autodiff_sim/terms/parameter_table.h"
 
 namespace clothfit {
@@ -145,17 +145,17 @@ Eigen::MatrixXd DrawNullResiduals(const std::vector<Eigen::VectorXd>& numerical,
                                   const Eigen::MatrixXd& fault_columns,
                                   const Eigen::VectorXd& typical_faults, Eigen::Index num_rows,
                                   int count, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
+  constexpr std::uint64_t kStream = 104;
+  NormalNumbers normal(seed, kStream);
   Eigen::MatrixXd nulls(num_rows, count);
   for (auto null : nulls.colwise()) {
-    for (double& value : null) value = normal(random);
+    for (double& value : null) value = normal.Next();
     if (!numerical.empty()) {
-      const double amount = 1.0 + 0.3 * normal(random);
-      null += amount * numerical[static_cast<std::size_t>(random() % numerical.size())];
+      const double amount = 1.0 + 0.3 * normal.Next();
+      null += amount * numerical[normal.Index(numerical.size())];
     }
     Eigen::VectorXd amounts = typical_faults;
-    for (double& amount : amounts) amount *= normal(random);
+    for (double& amount : amounts) amount *= normal.Next();
     null += fault_columns * amounts;
   }
   return nulls;

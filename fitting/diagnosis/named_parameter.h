@@ -10,7 +10,7 @@
 
 namespace clothfit {
 
-// What "wind.x" says of itself. Throws std::out_of_range where there is no such parameter.
+// What "wind.x" says of itself. Throws InputError where there is no such parameter.
 Parameter ParameterNamed(const std::string& name);
 
 }  // namespace clothfit

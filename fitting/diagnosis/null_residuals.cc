@@ -6,13 +6,13 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <random>
 #include <tuple>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <ceres/ceres.h>
 
+#include "autodiff_sim/base/normal_numbers.h"
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/held_out.h"
@@ -27,6 +27,9 @@ constexpr double kFinerMesh = 1.6;
 // the order in which errors of linear elements fall, the second (Richardson 1911).
 constexpr double kOfDifference = 1.0 / (1.0 - 1.0 / (kFinerMesh * kFinerMesh));
 constexpr double kFinerStep = 0.5;
+
+// Streams of one seed.
+constexpr std::uint64_t kNearFit = 101, kTwin = 102, kNull = 103;
 
 // The fit with its free vector moved.
 FittedScene Moved(const FittedScene& fitted, const std::vector<FreeEntry>& entries,
@@ -178,12 +181,11 @@ std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& base
   const Eigen::MatrixXd root =
       kOfPosterior * eigen.eigenvectors() *
       eigen.eigenvalues().cwiseMax(1e-12).cwiseSqrt().cwiseInverse().asDiagonal();
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
+  NormalNumbers normal(seed, kNearFit);
   std::vector<FittedScene> scenes;
   for (int k = 0; k < count; ++k) {
     Eigen::VectorXd unit(root.cols());
-    for (double& u : unit) u = normal(random);
+    for (double& u : unit) u = normal.Next();
     scenes.push_back(Moved(fitted, baseline.entries, root * unit));
   }
   return scenes;
@@ -215,8 +217,7 @@ std::optional<Recording> TwinRecording(const FittedScene& scene, std::uint64_t s
   Recording twin = finer.scene.recording;
   twin.markers.clear();
   twin.tracks.clear();
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
+  NormalNumbers normal(seed, kTwin);
   const auto at = [](const auto& observed, const State& state) {
     return Eigen::Vector3d(observed.on_cloth.At(state.x));
   };
@@ -229,7 +230,7 @@ std::optional<Recording> TwinRecording(const FittedScene& scene, std::uint64_t s
   const auto observe = [&](int frame, const State& state) {
     for (const MarkerObservation& m : finer.scene.markers) {
       if (m.frame != frame) continue;
-      const Eigen::Vector3d noise(normal(random), normal(random), normal(random));
+      const Eigen::Vector3d noise = normal.NextVector<3>();
       twin.markers.push_back({frame, m.id, uv_of_marker.at({frame, m.id}),
                               at(m, state) + finer.scene.marker_sigma * noise});
     }
@@ -238,7 +239,7 @@ std::optional<Recording> TwinRecording(const FittedScene& scene, std::uint64_t s
       const Camera& camera = twin.cameras[static_cast<std::size_t>(t.camera)];
       const Eigen::Vector3d place = at(t, state);
       if (!IsInFront(camera, place)) continue;
-      const Eigen::Vector2d noise(normal(random), normal(random));
+      const Eigen::Vector2d noise = normal.NextVector<2>();
       twin.tracks.push_back({frame, t.camera, t.id, uv_of_track.at({frame, t.camera, t.id}),
                              ProjectPoint(camera, place) + finer.scene.track_sigma * noise});
     }
@@ -301,12 +302,11 @@ std::vector<NullResidual> DrawNulls(const Eigen::MatrixXd& gram, Eigen::Index nu
   const Eigen::VectorXd roots = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
   const double least = 1e-10 * std::max(1e-300, roots.maxCoeff());
   const auto rank = static_cast<double>((roots.array() > least).count());
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
+  NormalNumbers normal(seed, kNull);
   std::vector<NullResidual> nulls;
   for (int k = 0; k < count; ++k) {
     Eigen::VectorXd unit(gram.cols());
-    for (double& u : unit) u = normal(random);
+    for (double& u : unit) u = normal.Next();
     for (Eigen::Index i = 0; i < unit.size(); ++i) {
       if (roots[i] <= least) unit[i] = 0.0;
     }
@@ -315,15 +315,15 @@ std::vector<NullResidual> DrawNulls(const Eigen::MatrixXd& gram, Eigen::Index nu
     if (!numerical.empty()) {
       // Of either sign: a few simulations do not tell which way all of them would go, and what can
       // only be positive would never be seen in those that happen to go the other.
-      const DrawnColumn& error = numerical[static_cast<std::size_t>(random() % numerical.size())];
-      const double sign = random() % 2 == 0 ? 1.0 : -1.0;
-      amounts[error.column] += sign * error.amount * (1.0 + 0.3 * normal(random));
+      const DrawnColumn& error = numerical[normal.Index(numerical.size())];
+      const double sign = normal.Index(2) == 0 ? 1.0 : -1.0;
+      amounts[error.column] += sign * error.amount * (1.0 + 0.3 * normal.Next());
     }
-    for (const DrawnColumn& fault : faults) amounts[fault.column] += fault.amount * normal(random);
+    for (const DrawnColumn& fault : faults) amounts[fault.column] += fault.amount * normal.Next();
     const Eigen::VectorXd moved = gram * amounts;
     // The part of the noise that no column shares has a chi-squared length.
     const double others = std::max(0.0, static_cast<double>(num_rows) - rank);
-    const double rest = std::max(0.0, others + std::sqrt(2.0 * others) * normal(random));
+    const double rest = std::max(0.0, others + std::sqrt(2.0 * others) * normal.Next());
     NullResidual null;
     null.products = noise + moved;
     null.squared = unit.squaredNorm() + rest + 2.0 * amounts.dot(noise) + amounts.dot(moved);

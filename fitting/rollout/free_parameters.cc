@@ -11,6 +11,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
+#include "autodiff_sim/base/error.h"
 #include "fitting/scene/path_guess.h"
 
 namespace clothfit {
@@ -45,8 +46,11 @@ void FreeParameters::AddParameters(const FitConfig& config,
     entry.kind = FreeEntry::Kind::kParameter;
     entry.name = table[i].name;
     entry.unit = table[i].parameter.unit;
-    // What may vanish altogether cannot be moved by factors.
-    entry.is_log = table[i].parameter.scale == Scale::kLog && setting.lower > 0.0;
+    entry.is_log = setting.scale.value_or(table[i].parameter.scale) == Scale::kLog;
+    if (entry.is_log && !(setting.lower > 0.0 && setting.value > 0.0)) {
+      throw InputError("parameters." + entry.name,
+                       "on a logarithmic scale a free value and its bounds are above 0");
+    }
     entry.index = static_cast<int>(i);
     const auto scaled = [&entry](double value) { return entry.is_log ? std::log(value) : value; };
     entry.lower = scaled(setting.lower);

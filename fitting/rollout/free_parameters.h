@@ -31,6 +31,7 @@ struct FreeEntry {
 
 class FreeParameters {
  public:
+  // Throws InputError where a parameter is free on a logarithmic scale from 0 or less.
   FreeParameters(const FitConfig& config, const Scene& scene,
                  const std::vector<NamedParameter>& table);
 

@@ -70,9 +70,9 @@ void AddHandles(const Recording& recording, const FitConfig& config, Scene* scen
   std::vector<Eigen::Vector2d> uv;
   for (const HandleDescription& handle : recording.handles) uv.push_back(handle.uv);
   const std::vector<SurfacePoint> points = LocateOnCloth(scene->mesh, uv);
-  const int controls = static_cast<int>(std::ceil(scene->FrameTime(recording.frame_count - 1) /
-                                                  config.spline_spacing)) +
-                       3;
+  const double spacings = scene->FrameTime(recording.frame_count - 1) / config.spline_spacing;
+  // One stretch at least, that of a single frame; a stretch takes four control points.
+  const int controls = std::max(1, static_cast<int>(std::ceil(spacings))) + 3;
   for (std::size_t h = 0; h < points.size(); ++h) {
     const HandleDescription& handle = recording.handles[h];
     const bool known = handle.path && std::any_of(handle.path->begin(), handle.path->end(),

@@ -45,7 +45,8 @@ class HandlePath {
   bool is_known() const { return spacing_ == 0.0; }
   int num_controls() const { return is_known() ? 0 : static_cast<int>(points_.size()); }
   double spacing() const { return spacing_; }
-  // The control points (m) of an unknown path.
+  double frame_rate() const { return frame_rate_; }  // Hz, of a known path
+  // The control points (m) of an unknown path, or a known one by frame.
   const std::vector<Eigen::Vector3d>& controls() const { return points_; }
   void SetControl(int index, const Eigen::Vector3d& position) { points_[index] = position; }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/normal_numbers.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/surface_truth.h"
@@ -95,13 +95,11 @@ std::optional<SearchPoint> ComparedRun::FirstBelow(double least) const {
 FitConfig StartOf(const FitConfig& config, const ComparisonOptions& options, int start) {
   FitConfig moved = config;
   if (start == 0) return moved;
-  std::seed_seq seeds{options.seed, static_cast<unsigned>(start)};
-  std::mt19937_64 random(seeds);
-  std::normal_distribution<double> normal(0.0, 1.0);
+  NormalNumbers normal(options.seed, static_cast<std::uint64_t>(start));
   for (const NamedParameter& named : MakeParameterTable()) {
     ParameterSetting& setting = moved.parameters.at(named.name);
     if (!setting.free) continue;
-    const double offset = options.spread * normal(random);
+    const double offset = options.spread * normal.Next();
     const double value = named.parameter.scale == Scale::kLog
                              ? setting.value * std::exp(offset)
                              : setting.value + setting.prior_sigma * offset;

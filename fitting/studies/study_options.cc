@@ -43,12 +43,7 @@ void StudyOptions::Check() const {
   Expect(!share_search || is_shared, "--share-search", search,
          "pattern/two-loop or pattern/joint as --search");
   const std::vector<NamedParameter> table = MakeParameterTable();
-  std::vector<std::string> names;
-  for (const NamedParameter& named : table) names.push_back(named.name);
-  for (const std::string& name : fabric) {
-    if (FindParameter(table, name) < 0)
-      throw InputError("--fabric", "'" + name + "' is no parameter; " + Suggestion(name, names));
-  }
+  for (const std::string& name : fabric) RequireParameter(table, name, "--fabric");
   const bool ordered = std::all_of(values.begin(), values.end(), [](double v) { return v > 0.0; });
   Expect(ordered, "--values", "0 or less", "numbers above 0");
 }

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/normal_numbers.h"
 #include "fitting/trials/finite_elements/laws.h"
-#include "tracking/text/normal_numbers.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

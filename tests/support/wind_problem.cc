@@ -116,9 +116,7 @@ class WindMotion {
   int num_residuals() const { return problem_.steps * static_cast<int>(x_.size()); }
   const Eigen::VectorXd& truth() const { return truth_; }
   int Index(const std::string& name) const {
-    const int index = FindParameter(simulation_.model().parameters(), name);
-    if (index < 0) throw std::logic_error("no parameter " + name);
-    return index;
+    return RequireParameter(simulation_.model().parameters(), name);
   }
 
   // All parameters at theta: logarithms of scales, and differences, from the truth.

@@ -40,6 +40,8 @@ class BitMask {
 
   // 8-bit, 0 and 255.
   cv::Mat ToMat() const;
+  // Row after row, each filled up with 0 to whole words.
+  const std::vector<std::uint64_t>& words() const { return words_; }
 
  private:
   const std::uint64_t* Row(int y) const {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "autodiff_sim/base/normal_numbers.h"
 #include "tracking/synthetic/cameras.h"
 #include "tracking/synthetic/room.h"
-#include "tracking/text/normal_numbers.h"
 
 namespace clothfit {
 namespace {

@@ -21,14 +21,8 @@ void Expect(bool right, const std::string& place, const std::string& expected) {
 
 void CheckParameters(const std::map<std::string, double>& parameters, const std::string& place) {
   const std::vector<NamedParameter> table = MakeParameterTable();
-  std::vector<std::string> names;
-  for (const NamedParameter& named : table) names.push_back(named.name);
   for (const auto& [name, value] : parameters) {
-    const int index = FindParameter(table, name);
-    if (index < 0) {
-      throw InputError(place, "'" + name + "' is no parameter; " + Suggestion(name, names));
-    }
-    const Parameter& p = table[index].parameter;
+    const Parameter& p = table[RequireParameter(table, name, place)].parameter;
     Expect(
         (value >= p.lower && value <= p.upper) || value == p.off, place + ": " + name,
         fmt::format("{} to {} {} (or {}, off), found {}", p.lower, p.upper, p.unit, p.off, value));

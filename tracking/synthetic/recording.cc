@@ -89,9 +89,7 @@ class Generator {
     Eigen::VectorXd values = InitialValues(table);
     for (const auto& given : {options_.parameters, generator_.parameters}) {
       for (const auto& [name, value] : given) {
-        const int index = FindParameter(table, name);
-        if (index < 0) throw InputError(name, "the generator has no such parameter");
-        values[index] = value;
+        values[RequireParameter(table, name, "generator")] = value;
       }
     }
     simulation->SetParameters(values);

@@ -7,7 +7,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "tracking/text/normal_numbers.h"
+#include "autodiff_sim/base/normal_numbers.h"
 
 namespace clothfit {
 namespace {

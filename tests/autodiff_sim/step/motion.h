@@ -24,7 +24,7 @@ inline void Set(const std::string& name, double value, Simulation* simulation) {
 }
 
 inline double Get(const std::string& name, const Simulation& simulation) {
-  return simulation.parameters()[FindParameter(simulation.model().parameters(), name)];
+  return simulation.parameters()[RequireParameter(simulation.model().parameters(), name)];
 }
 
 // Every term but these off.

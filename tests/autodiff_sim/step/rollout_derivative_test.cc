@@ -146,7 +146,7 @@ TEST(RolloutDerivative, FinerCloth) {
   all.typical = 0.01;
   all.dx = 0.01 * MoveInitial("", &Direction::dx, 1.0, size).dx;
   all.dv = MoveInitial("", &Direction::dv, 1.0, size).dv;
-  all.parameter = FindParameter(rollout.make().model().parameters(), "air_drag.normal");
+  all.parameter = RequireParameter(rollout.make().model().parameters(), "air_drag.normal");
   rollout.directions = {all};
   ExpectDerivatives(rollout, Options());
 }

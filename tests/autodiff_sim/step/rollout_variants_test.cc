@@ -114,7 +114,7 @@ TEST(RolloutDerivative, TermThatRemembers) {
 TEST(RolloutDerivative, MemoryMatters) {
   Rollout rollout = Maxwell(Integrator::kBdf2);
   const RolloutResult relaxing = RunRollout(rollout, Eigen::VectorXd(0), false);
-  rollout.parameters[FindParameter(rollout.make().model().parameters(), "maxwell.relaxation")] =
+  rollout.parameters[RequireParameter(rollout.make().model().parameters(), "maxwell.relaxation")] =
       1e3;
   const RolloutResult elastic = RunRollout(rollout, Eigen::VectorXd(0), false);
   ASSERT_TRUE(relaxing.converged && elastic.converged);

@@ -131,7 +131,7 @@ TEST(Simulation, AbsurdParametersGiveNoNonsense) {
       options.max_halvings = 2;
       Simulation simulation = MakeSimulation(scene, options);
       Eigen::VectorXd parameters = simulation.parameters();
-      parameters[FindParameter(simulation.model().parameters(), name)] =
+      parameters[RequireParameter(simulation.model().parameters(), name)] =
           factor == 0.0 ? 0.0 : factor * 0.1;
       simulation.SetParameters(parameters);
       State state = simulation.MakeState(scene.x);
@@ -224,7 +224,7 @@ TEST(Simulation, HandlesCarryTheWeight) {
   Simulation simulation = MakeSimulation(scene, options);
   Eigen::VectorXd parameters = simulation.parameters();
   const auto& table = simulation.model().parameters();
-  parameters[FindParameter(table, "air_drag.tangential")] = 1.0;
+  parameters[RequireParameter(table, "air_drag.tangential")] = 1.0;
   simulation.SetParameters(parameters);
   State state = simulation.MakeState(scene.x);
   for (int i = 0; i < 300; ++i) {

@@ -28,7 +28,7 @@ End RunSteps(Simulation* simulation, const TestScene& scene,
   const Eigen::Index size = simulation->parameters().size();
   Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(size, static_cast<Eigen::Index>(directions.size()));
   for (Eigen::Index i = 0; i < moved.cols(); ++i)
-    moved(FindParameter(simulation->model().parameters(), directions[i]), i) = 1.0;
+    moved(RequireParameter(simulation->model().parameters(), directions[i]), i) = 1.0;
   End end;
   end.state = simulation->MakeState(scene.x);
   Sensitivity sensitivity(end.state, moved);

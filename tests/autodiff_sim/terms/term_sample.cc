@@ -182,7 +182,7 @@ TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
 
 double InitialValue(const std::string& name) {
   static const std::vector<NamedParameter> table = MakeParameterTable();
-  return table[static_cast<std::size_t>(FindParameter(table, name))].parameter.initial;
+  return table[static_cast<std::size_t>(RequireParameter(table, name))].parameter.initial;
 }
 
 double ReadValue(const std::string& name) {

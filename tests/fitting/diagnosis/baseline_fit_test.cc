@@ -48,6 +48,26 @@ TEST(BaselineFit, OtherStartsChangeWhatIsFreeWithinItsBounds) {
   EXPECT_LT(value(2, "stretch.stiffness"), 0.2 * value(0, "stretch.stiffness"));
 }
 
+TEST(BaselineFit, OtherStartsDiffer) {
+  const auto starts_with_fixed = [](const std::vector<const char*>& names) {
+    FitConfig config = DefaultConfig(StiffCloth());
+    for (const char* name : names) config.parameters.at(name).free = false;
+    const std::vector<FitConfig> starts = OtherStarts(config);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      EXPECT_FALSE(ConfigDifferences(starts[i], config).empty());
+      for (std::size_t k = 0; k < i; ++k)
+        EXPECT_FALSE(ConfigDifferences(starts[i], starts[k]).empty());
+    }
+    return starts.size();
+  };
+  EXPECT_EQ(starts_with_fixed({}), 3U);
+  EXPECT_EQ(starts_with_fixed({"bending.stiffness"}), 2U);
+  EXPECT_EQ(starts_with_fixed({"bending.stiffness", "stretch.stiffness"}), 1U);
+  EXPECT_EQ(starts_with_fixed({"bending.stiffness", "stretch.stiffness", "stretch.damping",
+                               "shear.damping", "bending.damping"}),
+            0U);
+}
+
 TEST(BaselineFit, EndsNoHigherThanFromTheConfigsOwnStart) {
   const Recording recording = StiffCloth();
   FitConfig config = DefaultConfig(recording);

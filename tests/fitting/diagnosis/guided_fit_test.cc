@@ -184,7 +184,7 @@ TEST(FittedScene, KeepsValuesAtTheirBoundsInside) {
   FitResult fit;
   fit.theta = free.start();
   fit.parameters = free.Values(fit.theta);
-  const int index = FindParameter(MakeParameterTable(), "bending.stiffness");
+  const int index = RequireParameter(MakeParameterTable(), "bending.stiffness");
   const double lower = config.parameters.at("bending.stiffness").lower;
   fit.parameters[index] = lower * (1.0 - 1e-15);
   const FittedScene fitted = MakeFittedScene(std::move(scene), config, fit);

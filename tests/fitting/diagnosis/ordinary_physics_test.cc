@@ -36,7 +36,7 @@ Ranking WithoutDissipation() {
 
 double InitialOf(const std::string& name) {
   const std::vector<NamedParameter> table = MakeParameterTable();
-  return table[FindParameter(table, name)].parameter.initial;
+  return table[RequireParameter(table, name)].parameter.initial;
 }
 
 TEST(OrdinaryPhysics, IsWhatASimulationHasUnlessToldOtherwise) {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "tests/support/test_folder.h"
-#include "tracking/text/normal_numbers.h"
 
 namespace clothfit {
 namespace {
@@ -28,27 +27,6 @@ void ExpectSameMarkers(const Recording& a, const Recording& b) {
     EXPECT_EQ(a.markers[i].uv, b.markers[i].uv);
     EXPECT_EQ(a.markers[i].position, b.markers[i].position);
   }
-}
-
-TEST(NormalNumbers, HaveTheMomentsOfTheNormalDistribution) {
-  NormalNumbers numbers(7, 0);
-  constexpr int kCount = 40000;
-  double sum = 0.0, square = 0.0, fourth = 0.0;
-  for (int i = 0; i < kCount; ++i) {
-    const double x = numbers.Next();
-    sum += x;
-    square += x * x;
-    fourth += x * x * x * x;
-  }
-  // Five standard errors: sqrt(1 / n), sqrt(2 / n) and sqrt(96 / n).
-  EXPECT_NEAR(sum / kCount, 0.0, 5.0 * std::sqrt(1.0 / kCount));
-  EXPECT_NEAR(square / kCount, 1.0, 5.0 * std::sqrt(2.0 / kCount));
-  EXPECT_NEAR(fourth / kCount, 3.0, 5.0 * std::sqrt(96.0 / kCount));
-}
-
-TEST(NormalNumbers, StreamsOfOneSeedDiffer) {
-  EXPECT_NE(NormalNumbers(1, 0).Next(), NormalNumbers(1, 1).Next());
-  EXPECT_NE(NormalNumbers(1, 0).Next(), NormalNumbers(2, 0).Next());
 }
 
 TEST(SyntheticMotion, StartsOnTheClothAndIsTwiceDifferentiable) {

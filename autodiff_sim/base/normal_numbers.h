@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 
@@ -31,12 +32,16 @@ class NormalNumbers {
     return radius * std::cos(angle);
   }
 
+  // The next numbers in the vector's order, which those of a call's arguments do not have.
   template <int kSize>
   Eigen::Matrix<double, kSize, 1> NextVector() {
     Eigen::Matrix<double, kSize, 1> vector;
     for (int k = 0; k < kSize; ++k) vector[k] = Next();
     return vector;
   }
+
+  // Any of 0 to count - 1, all alike.
+  std::size_t Index(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
 
  private:
   // In (0, 1], from the 53 highest bits.
