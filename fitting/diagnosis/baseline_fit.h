@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnosis_options.h"
 #include "fitting/diagnosis/rows.h"
 
 namespace clothfit {

@@ -10,6 +10,7 @@
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/diagnosis/gate.h"
 #include "fitting/diagnosis/learn_law.h"
 #include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/undetermined.h"

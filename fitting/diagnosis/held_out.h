@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/held_out_proof.h"
 #include "fitting/diagnosis/rows.h"
 
 namespace clothfit {

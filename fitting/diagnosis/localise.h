@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnosis_options.h"
 #include "fitting/diagnosis/locate.h"
 #include "fitting/diagnosis/mismatch_class.h"
 #include "fitting/diagnosis/null_residuals.h"

@@ -6,8 +6,10 @@
 
 #include <string>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/acting_force.h"
+#include "fitting/diagnosis/classes.h"
 #include "fitting/diagnosis/force_layout.h"
+#include "fitting/diagnosis/mismatch.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/gate.h"
 
 namespace clothfit {
 namespace {
