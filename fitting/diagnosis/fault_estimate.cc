@@ -11,7 +11,6 @@
 
 #include "fitting/diagnosis/effect_parameter.h"
 
-
 namespace clothfit {
 namespace {
 

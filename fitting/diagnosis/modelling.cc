@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/fit_quality.h"
 #include "fitting/diagnosis/named_parameter.h"
 #include "fitting/diagnosis/rows.h"
 #include "fitting/rollout/window_cost.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/fit_quality.h"
 #include "fitting/diagnosis/gate.h"
 
