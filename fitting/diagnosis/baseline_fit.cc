@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/fit_quality.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/refit.h"
 
 namespace clothfit {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/refit.h"
 #include "fitting/diagnosis/seen_cloth.h"
 #include "fitting/residuals/hard_silhouette.h"
 #include "fitting/rollout/window_simulator.h"
