@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/held_out_proof.h"
 
 namespace clothfit {
 
