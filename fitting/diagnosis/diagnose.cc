@@ -15,6 +15,7 @@
 #include "fitting/diagnosis/gate.h"
 #include "fitting/diagnosis/guided_ranking.h"
 #include "fitting/diagnosis/localise.h"
+#include "fitting/diagnosis/mismatch_class.h"
 #include "fitting/diagnosis/mismatch_pictures.h"
 #include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/modelling.h"
@@ -306,9 +307,12 @@ void Diagnoser::LocateMismatch(const FittedScene& fitted, const Ranking& ranking
   Log(found->location.mismatch.words);
   if (!found->location.mismatch.is_significant) return;
   // What is one source's has no class.
-  if (found->Blamed() == nullptr) diagnosis_.mismatch_class = found->report.mismatch_class;
-  missing_.emplace(found->missing);
   const Scene& scene = found->fitted.scene;
+  if (found->Blamed() == nullptr) {
+    diagnosis_.mismatch_class =
+        ClassifyMismatch(scene, found->missing, found->location).mismatch_class;
+  }
+  missing_.emplace(found->missing);
   diagnosis_.mismatch_pictures = {DrawForceMap(scene, found->missing, found->location),
                                   DrawForceArrows(scene, found->missing, found->location)};
 }
