@@ -11,6 +11,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnoser.h"
+#include "fitting/diagnosis/explained_share.h"
 #include "fitting/diagnosis/fit_quality.h"
 #include "fitting/diagnosis/gate.h"
 #include "fitting/diagnosis/guided_ranking.h"
