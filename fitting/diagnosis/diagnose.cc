@@ -18,7 +18,6 @@
 #include "fitting/diagnosis/localise.h"
 #include "fitting/diagnosis/mismatch_class.h"
 #include "fitting/diagnosis/mismatch_pictures.h"
-#include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/modelling.h"
 #include "tracking/text/text.h"
 
