@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The steps of a diagnosis, one after the other.
+#include "fitting/diagnosis/diagnose.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

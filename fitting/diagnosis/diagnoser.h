@@ -13,6 +13,7 @@
 
 #include "fitting/diagnosis/ambiguity.h"
 #include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnosis_options.h"
 #include "fitting/diagnosis/fit_runner.h"
 #include "fitting/diagnosis/held_out_errors.h"
 #include "fitting/diagnosis/held_out_proof.h"

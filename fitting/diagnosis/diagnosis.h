@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What physics a recording shows that the simulation lacks: where and when the two differ, what
-// class of effect that is, which one, how much of it, what else it could be, and whether frames
-// that no fit has seen are predicted better with it. docs/diagnosis.md tells the method.
+// The answer of a diagnosis.
 #pragma once
 
 #include <optional>
@@ -18,7 +16,6 @@
 #include "fitting/diagnosis/candidate.h"
 #include "fitting/diagnosis/classes.h"
 #include "fitting/diagnosis/diagnosis_motions.h"
-#include "fitting/diagnosis/diagnosis_options.h"
 #include "fitting/diagnosis/effect_parameter.h"
 #include "fitting/diagnosis/held_out_proof.h"
 #include "fitting/diagnosis/mismatch.h"
@@ -94,10 +91,5 @@ struct Diagnosis {
   std::vector<std::pair<std::string, double>> seconds;  // where the time went
   DiagnosisMotions motions;                             // for pages and pictures
 };
-
-// Fits the baseline and goes through the eight steps. Throws InputError where the recording cannot
-// be fitted at all.
-Diagnosis Diagnose(const Recording& recording, const FitConfig& baseline,
-                   const DiagnosisOptions& options = {});
 
 }  // namespace clothfit
