@@ -15,6 +15,7 @@
 #include "apps/study_commands.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
+#include "fitting/diagnosis/diagnose.h"
 #include "fitting/diagnosis/diagnosis_folder.h"
 #include "fitting/diagnosis/sha256.h"
 #include "fitting/files/version.h"

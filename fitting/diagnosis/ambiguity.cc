@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/fit_quality.h"
 
 namespace clothfit {
 namespace {

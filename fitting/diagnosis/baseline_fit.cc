@@ -11,13 +11,13 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/refit.h"
 
 namespace clothfit {
 namespace {
 
-constexpr double kWorthAnotherStart = 1.2;  // sigmas beyond which it may be in a wrong valley
-constexpr double kNearly = 1.5;             // times the cost before: worth going on from
+constexpr double kNearly = 1.5;  // times the cost before: worth going on from
 
 // The recording's mesh, made coarser where it is finer than a diagnosis may use.
 std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig& config,
@@ -26,14 +26,6 @@ std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig
   if (grid[0] == 0) grid = {recording.cloth.resolution.x(), recording.cloth.resolution.y()};
   if (std::max(grid[0], grid[1]) <= finest_side) return config.resolution;
   return GridWithSide(grid, finest_side);
-}
-
-// Does a fit leave more than so many sigmas, or nothing of use?
-bool IsFurtherOff(double sigmas, const Scene& scene, const FitConfig& config,
-                  const FitResult& fit) {
-  const ObservationResiduals observations(scene, config);
-  const int rows = observations.NumObserved(0, scene.last_fitted_frame);
-  return fit.status == FitStatus::kFailed || fit.cost_after > 0.5 * sigmas * sigmas * rows;
 }
 
 double CostOf(const FitResult& fit) {
@@ -83,14 +75,6 @@ FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
 }
 
 }  // namespace
-
-bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit) {
-  return IsFurtherOff(kFarOff, scene, config, fit);
-}
-
-bool IsOff(const Scene& scene, const FitConfig& config, const FitResult& fit) {
-  return IsFurtherOff(kWorthAnotherStart, scene, config, fit);
-}
 
 std::vector<FitConfig> OtherStarts(const FitConfig& config) {
   constexpr double kLively = 0.1, kStiff = 20.0, kStretchy = 0.1;

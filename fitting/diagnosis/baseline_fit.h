@@ -7,14 +7,12 @@
 
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnosis_options.h"
 #include "fitting/diagnosis/rows.h"
 
 namespace clothfit {
 
 inline constexpr int kFirstIterations = 5;  // enough to see which starts and models are worth more
-inline constexpr double kFarOff = 2.0;      // sigmas of residuals
-inline constexpr double kHopeless = 10.0;   // sigmas that no mesh makes up for
 
 // Fits a baseline to the frames that are not held out, with a start state free up to bilinear
 // offsets, on the config's mesh or 13 particles a side, whichever is coarser; where that leaves
@@ -23,11 +21,6 @@ inline constexpr double kHopeless = 10.0;   // sigmas that no mesh makes up for
 // every start.
 FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
                         const DiagnosisOptions& options);
-
-// Does a fit leave more than kFarOff?
-bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit);
-// Does it leave so much (1.2 sigmas) that it may be in a wrong valley?
-bool IsOff(const Scene& scene, const FitConfig& config, const FitResult& fit);
 
 // Other fabrics to begin with: one with a tenth of the damping, and that one with twenty times the
 // stiffness in bending, or with a tenth of that in stretch. What is not free stays as it is, and

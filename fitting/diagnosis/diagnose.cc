@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The steps of a diagnosis, one after the other.
+#include "fitting/diagnosis/diagnose.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,10 +13,13 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnoser.h"
+#include "fitting/diagnosis/explained_share.h"
+#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/gate.h"
 #include "fitting/diagnosis/guided_ranking.h"
 #include "fitting/diagnosis/localise.h"
+#include "fitting/diagnosis/mismatch_class.h"
 #include "fitting/diagnosis/mismatch_pictures.h"
-#include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/modelling.h"
 #include "tracking/text/text.h"
 
@@ -304,9 +309,12 @@ void Diagnoser::LocateMismatch(const FittedScene& fitted, const Ranking& ranking
   Log(found->location.mismatch.words);
   if (!found->location.mismatch.is_significant) return;
   // What is one source's has no class.
-  if (found->Blamed() == nullptr) diagnosis_.mismatch_class = found->report.mismatch_class;
-  missing_.emplace(found->missing);
   const Scene& scene = found->fitted.scene;
+  if (found->Blamed() == nullptr) {
+    diagnosis_.mismatch_class =
+        ClassifyMismatch(scene, found->missing, found->location).mismatch_class;
+  }
+  missing_.emplace(found->missing);
   diagnosis_.mismatch_pictures = {DrawForceMap(scene, found->missing, found->location),
                                   DrawForceArrows(scene, found->missing, found->location)};
 }

@@ -13,8 +13,10 @@
 
 #include "fitting/diagnosis/ambiguity.h"
 #include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnosis_options.h"
 #include "fitting/diagnosis/fit_runner.h"
-#include "fitting/diagnosis/held_out.h"
+#include "fitting/diagnosis/held_out_errors.h"
+#include "fitting/diagnosis/held_out_proof.h"
 #include "fitting/diagnosis/model_proof.h"
 #include "fitting/diagnosis/model_race.h"
 #include "fitting/diagnosis/parameter_intervals.h"

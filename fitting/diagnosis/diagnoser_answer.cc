@@ -7,11 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/class_words.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/diagnosis/explained_share.h"
+#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/gate.h"
 #include "fitting/diagnosis/learn_law.h"
-#include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/undetermined.h"
 #include "tracking/text/text.h"
 

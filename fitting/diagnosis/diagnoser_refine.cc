@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnoser.h"
+#include "fitting/diagnosis/fit_quality.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/null_residuals.h"
 #include "fitting/diagnosis/verdict.h"

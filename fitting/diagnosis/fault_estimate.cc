@@ -9,7 +9,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "fitting/diagnosis/parameter_intervals.h"
+#include "fitting/diagnosis/effect_parameter.h"
 
 namespace clothfit {
 namespace {

@@ -16,7 +16,7 @@
 #include <string>
 #include <utility>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnosis_options.h"
 #include "fitting/fit/fit.h"
 
 namespace clothfit {

@@ -10,7 +10,6 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/named_parameter.h"
 

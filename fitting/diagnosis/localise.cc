@@ -54,7 +54,6 @@ class Localiser {
     if (frames_.frames().empty() || frames_.frames().back() < 1) return false;
     if (!MeasureErrors() || !Estimate()) return false;
     result_.location = Locate(fitted_.scene, result_.missing);
-    result_.report = ClassifyMismatch(fitted_.scene, result_.missing, result_.location);
     result_.sources =
         WhoseMismatch(fitted_.scene.recording, result_.missing, result_.location.patch);
     if (const SourceShift* blamed = result_.Blamed()) {

@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where, when and of what class a force is missing, of a fitted baseline: the estimate of the force
+// Where and when a force is missing, of a fitted baseline: the estimate of the force
 // with what the fit, the observation's faults and numerical error could do instead taken out.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnosis_options.h"
 #include "fitting/diagnosis/locate.h"
-#include "fitting/diagnosis/mismatch_class.h"
 #include "fitting/diagnosis/null_residuals.h"
 #include "fitting/diagnosis/rows.h"
 
@@ -20,7 +19,6 @@ struct Localised {
   FittedScene fitted;  // that the force was estimated in: the fit's, or a coarser one
   MissingForce missing;
   Location location;  // its words name the source that is to blame, where one is
-  MismatchReport report;
   std::vector<SourceShift> sources;
   const SourceShift* Blamed() const;  // null where none is to blame
 };

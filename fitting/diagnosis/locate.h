@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/mismatch.h"
 #include "fitting/diagnosis/residual_force.h"
 
 namespace clothfit {

@@ -7,8 +7,8 @@
 
 #include <Eigen/SVD>
 
+#include "fitting/diagnosis/class_words.h"
 #include "fitting/diagnosis/mismatch_ties.h"
-#include "fitting/diagnosis/mismatch_words.h"
 #include "fitting/diagnosis/score_test.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/classes.h"
 #include "fitting/diagnosis/locate.h"
 #include "fitting/diagnosis/residual_force.h"
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What was found about a missing force, in plain sentences.
+// Where, when and which way a force is missing, in plain sentences.
 #pragma once
 
 #include <string>
 
-#include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/force_layout.h"
+#include "fitting/diagnosis/mismatch.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {
@@ -24,13 +24,5 @@ std::string DirectionWords(const Eigen::Vector3d& direction);
 // low v", "the middle", or by its numbers.
 std::string RegionWords(const Eigen::Vector2d& cloth_low, const Eigen::Vector2d& cloth_high,
                         const Eigen::Vector2d& low, const Eigen::Vector2d& high);
-
-// "It acts all the time on the whole cloth, with up to 0.4 N/m^2 along +y. It comes from outside
-// the cloth and takes energy out of the motion."
-ActingClass ClassOfActing(const Scene& scene, const ActingForce& force);
-
-// "The missing force comes from outside the cloth, takes energy out of the motion and acts for a
-// time only."
-std::string ClassWords(const MismatchClass& mismatch_class);
 
 }  // namespace clothfit

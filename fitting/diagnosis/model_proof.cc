@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/fit_quality.h"
 #include "fitting/diagnosis/named_parameter.h"
 #include "fitting/diagnosis/null_residuals.h"
 

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "fitting/diagnosis/held_out_proof.h"
 #include "fitting/diagnosis/model_race.h"
 
 namespace clothfit {

@@ -14,7 +14,7 @@
 namespace clothfit {
 namespace {
 
-constexpr double k90 = 1.645, k95 = 1.96;  // sigmas
+constexpr double k95 = 1.96;  // sigmas
 constexpr double kOneSided90 = 1.2816;
 constexpr int kDraws = 3;
 // 95 % of Student's t by degrees of freedom, from 1 on.
@@ -33,12 +33,6 @@ std::vector<FreeEntry>::const_iterator EntryOf(const NumericalShifts& shifts,
 }
 
 }  // namespace
-
-void SetInterval(double value, double sigma, EffectParameter* parameter) {
-  parameter->value = value;
-  parameter->lower90 = value - k90 * sigma;
-  parameter->upper90 = value + k90 * sigma;
-}
 
 std::vector<EffectParameter> EstimatesOf(const FittedScene& fitted,
                                          const std::vector<std::string>& names) {

@@ -10,13 +10,10 @@
 
 #include <Eigen/Core>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/effect_parameter.h"
 #include "fitting/diagnosis/rows.h"
 
 namespace clothfit {
-
-// Sets value and 90 % interval of a normal estimate.
-void SetInterval(double value, double sigma, EffectParameter* parameter);
 
 // The fitted ones of these names (term.parameter), in the table's order, with intervals by noise:
 // those of the fit, wider by the root of the residuals' correlation time.

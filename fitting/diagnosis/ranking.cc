@@ -9,7 +9,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/short_list.h"
 
 namespace clothfit {

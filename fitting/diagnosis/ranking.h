@@ -9,8 +9,9 @@
 #include <optional>
 #include <vector>
 
+#include "fitting/diagnosis/candidate.h"
 #include "fitting/diagnosis/candidates.h"
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnosis_options.h"
 #include "fitting/diagnosis/null_residuals.h"
 #include "fitting/diagnosis/rows.h"
 #include "fitting/diagnosis/score_test.h"

@@ -9,9 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/effect_parameter.h"
+#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/gate.h"
 #include "fitting/diagnosis/named_parameter.h"
-#include "fitting/diagnosis/parameter_intervals.h"
 
 namespace clothfit {
 namespace {

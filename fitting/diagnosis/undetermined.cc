@@ -7,7 +7,7 @@
 #include <map>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/held_out.h"
+#include "fitting/diagnosis/held_out_errors.h"
 
 namespace clothfit {
 

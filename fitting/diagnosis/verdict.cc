@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/explained_share.h"
+#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/gate.h"
 
 namespace clothfit {
 namespace {
@@ -32,11 +34,6 @@ Verdict WithoutAnswer(const Diagnosis& diagnosis, bool is_above_floor) {
 }
 
 }  // namespace
-
-double ShareExplained(double before, double after, double null, double explainable) {
-  const double excess = std::max(before - null, explainable);
-  return excess > 0.0 ? std::clamp((before - after) / excess, 0.0, 1.0) : 0.0;
-}
 
 double MostOfIt(const Diagnosis& diagnosis) {
   double left = diagnosis.residual_rms;

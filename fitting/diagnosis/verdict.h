@@ -9,15 +9,9 @@
 #include <vector>
 
 #include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/held_out_proof.h"
 
 namespace clothfit {
-
-// The share that a model takes of what a fit before it leaves above its null, costs all; where mesh
-// and step may make more than that, of what can be explained at all: what stands out of the null by
-// its pattern does so below its sum, too. Nothing where nothing can.
-double ShareExplained(double before, double after, double null, double explainable);
-
-inline constexpr double kMostOfIt = 0.9;  // of what is missing
 
 // The share of what is missing that has to be explained by what is named.
 double MostOfIt(const Diagnosis& diagnosis);

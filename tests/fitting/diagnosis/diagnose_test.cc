@@ -10,7 +10,7 @@
 #include "autodiff_sim/term/tilted_down.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/candidates.h"
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/diagnose.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/ranking.h"
 #include "tracking/synthetic/recording.h"

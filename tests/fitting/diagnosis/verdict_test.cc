@@ -79,19 +79,6 @@ TEST(Verdict, IsOpenWhereTheFitCannotTell) {
   EXPECT_EQ(VerdictOf(far, 0.0, true), Verdict::kNoneOfTheAbove);
 }
 
-TEST(Verdict, SharesAreOfWhatIsAboveTheNull) {
-  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 60.0, 20.0, 0.0), 0.5);
-  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 10.0, 20.0, 0.0), 1.0);   // better than the null
-  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 90.0, 120.0, 0.0), 0.0);  // beneath it from the start
-  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 110.0, 20.0, 0.0), 0.0);
-}
-
-TEST(Verdict, SharesBelowTheNullAreOfWhatCanBeExplained) {
-  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 90.0, 120.0, 20.0), 0.5);
-  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 70.0, 120.0, 20.0), 1.0);
-  EXPECT_DOUBLE_EQ(ShareExplained(100.0, 60.0, 20.0, 20.0), 0.5);  // the excess is more
-}
-
 // Of a fit that costs 100, all of which is missing.
 Model Explaining(double share, bool is_proven) {
   Model model;

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether frames that no fit has seen are predicted better.
+// How far what was seen in held-out frames is from what is predicted there.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include <Eigen/Core>
-
-#include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/rows.h"
 
 namespace clothfit {
@@ -42,17 +38,6 @@ std::optional<HeldOutErrors> MeasureAgainstOthers(const FittedScene& fitted, int
 // where there are any, else tracks (px), else 0. Both of one recording. Infinite where one of them
 // fails before the last frame.
 double HeldOutDistance(const FittedScene& a, const FittedScene& b);
-
-// Errors that no model of the physics takes away, in the unit of the errors.
-struct HeldOutFloor {
-  double noise = 0.0, numerical = 0.0;  // of the observations; of mesh and step
-};
-// By how much the root mean square is lower, and the lower end of its one-sided 95 % interval, by
-// a moving-block bootstrap (Kuensch 1989) of the frames with blocks of this many. Proven is what
-// lies above a twentieth of the noise, and whose squares fall by more than those of the numerical
-// floor.
-HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int block,
-                   const HeldOutFloor& floor, std::uint64_t seed);
 
 // Holds out the last share of the frames where the recording holds none out.
 Recording WithHeldOutFrames(const Recording& recording, double share);

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How well a fit explains a recording.
+#pragma once
+
+#include "fitting/fit/fit.h"
+
+namespace clothfit {
+
+inline constexpr double kFarOff = 2.0;     // sigmas of residuals
+inline constexpr double kHopeless = 10.0;  // sigmas that no mesh makes up for
+// Share of the cost that a full step may promise of a fit that has come to rest.
+inline constexpr double kAtMinimum = 0.05;
+
+// Does a fit leave more than kFarOff?
+bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit);
+
+// Does it leave so much (1.2 sigmas) that it may be in a wrong valley?
+bool IsOff(const Scene& scene, const FitConfig& config, const FitResult& fit);
+
+}  // namespace clothfit
