@@ -10,7 +10,7 @@
 #include "apps/commands.h"
 #include "apps/report/assets.h"
 #include "autodiff_sim/base/error.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {

@@ -19,7 +19,7 @@
 #include "fitting/diagnosis/diagnosis_folder.h"
 #include "fitting/diagnosis/sha256.h"
 #include "fitting/files/version.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/trials/effect_table.h"
 #include "fitting/trials/plan.h"
 #include "fitting/trials/run.h"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/runs/fit_run.h"
 #include "tracking/features/tracking_folder.h"
 #include "tracking/text/text.h"

@@ -8,7 +8,7 @@
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/fit_runner.h"
 #include "fitting/files/npy_file.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/synthetic/picture_writer.h"
 
 namespace clothfit {

@@ -9,8 +9,8 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/kept_fit.h"
 #include "fitting/diagnosis/sha256.h"
-#include "fitting/files/whole_file.h"
 #include "fitting/fit/fit_inputs.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/jobs/ledger.h"
 #include "tracking/text/text.h"
 

@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {

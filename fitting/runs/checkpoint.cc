@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/runs/run_folder.h"
 #include "tracking/text/text.h"
 

@@ -13,7 +13,7 @@
 
 #include "autodiff_sim/contact/obstacle_body.h"
 #include "fitting/files/npy_file.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/runs/run_folder.h"
 #include "tracking/text/text.h"
 #include "tracking/text/yaml_reader.h"

@@ -9,7 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/recording/validation.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"

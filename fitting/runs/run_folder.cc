@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/files/version.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fitting/files/version.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/runs/run_folder.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/pictures/line_chart.h"
 #include "fitting/studies/study.h"
 

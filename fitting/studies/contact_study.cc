@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/scenes/hard_scenes.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/pictures/line_chart.h"
 #include "fitting/pictures/picture.h"
 #include "fitting/studies/study.h"

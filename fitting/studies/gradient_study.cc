@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/fit/gradient_report.h"
 #include "fitting/pictures/line_chart.h"
 #include "fitting/rollout/window_cost.h"

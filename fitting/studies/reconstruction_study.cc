@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/pictures/picture.h"
 #include "fitting/studies/study.h"
 #include "fitting/studies/study_recording.h"

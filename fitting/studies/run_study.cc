@@ -3,7 +3,7 @@
 #include "fitting/studies/run_study.h"
 
 #include "fitting/files/version.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/jobs/ledger.h"
 #include "fitting/studies/study_recording.h"
 

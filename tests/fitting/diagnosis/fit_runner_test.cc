@@ -15,7 +15,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/diagnosis_folder.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "tests/support/small_recording.h"
 #include "tests/support/test_folder.h"
 

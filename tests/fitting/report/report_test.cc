@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fitting/files/npy_file.h"
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/report/html.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_run.h"

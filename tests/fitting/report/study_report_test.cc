@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Comparisons and studies become pages, and what is neither is told so.
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 #include "fitting/report/kinds.h"
 #include "fitting/report/markdown_blocks.h"
 #include "fitting/studies/comparison.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/files/whole_file.h"
+#include "tracking/files/whole_file.h"
 
 #include <cerrno>
 #include <cstring>
