@@ -17,7 +17,7 @@
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/diagnose.h"
 #include "fitting/diagnosis/diagnosis_folder.h"
-#include "fitting/diagnosis/sha256.h"
+#include "fitting/files/sha256.h"
 #include "fitting/files/version.h"
 #include "fitting/files/whole_file.h"
 #include "fitting/trials/effect_table.h"

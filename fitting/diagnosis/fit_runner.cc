@@ -8,7 +8,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/kept_fit.h"
-#include "fitting/diagnosis/sha256.h"
+#include "fitting/files/sha256.h"
 #include "fitting/files/whole_file.h"
 #include "tracking/text/text.h"
 

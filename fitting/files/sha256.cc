@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/sha256.h"
+#include "fitting/files/sha256.h"
 
 #include <array>
 #include <cmath>
