@@ -13,7 +13,7 @@
 
 #include "autodiff_sim/mesh/cloth_mesh.h"
 #include "autodiff_sim/step/cloth_model.h"
-#include "fitting/diagnosis/rows.h"
+#include "fitting/diagnosis/fitted/rows.h"
 
 namespace clothfit {
 

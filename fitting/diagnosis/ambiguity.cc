@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
 
 namespace clothfit {
 namespace {

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/diagnosis/fit_quality.h"
-#include "fitting/diagnosis/refit.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/fitted/refit.h"
 
 namespace clothfit {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis_options.h"
-#include "fitting/diagnosis/rows.h"
+#include "fitting/diagnosis/fitted/options.h"
+#include "fitting/diagnosis/fitted/rows.h"
 
 namespace clothfit {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/effect_parameter.h"
+#include "fitting/diagnosis/fitted/effect_parameter.h"
 
 namespace clothfit {
 

@@ -8,7 +8,7 @@
 
 #include "fitting/config/config.h"
 #include "fitting/diagnosis/diagnosis.h"
-#include "fitting/diagnosis/diagnosis_options.h"
+#include "fitting/diagnosis/fitted/options.h"
 #include "tracking/recording/recording.h"
 
 namespace clothfit {

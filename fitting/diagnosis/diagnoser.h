@@ -13,9 +13,9 @@
 
 #include "fitting/diagnosis/ambiguity.h"
 #include "fitting/diagnosis/diagnosis.h"
-#include "fitting/diagnosis/diagnosis_options.h"
-#include "fitting/diagnosis/fit_runner.h"
-#include "fitting/diagnosis/held_out_errors.h"
+#include "fitting/diagnosis/fitted/fit_runner.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
+#include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/held_out_proof.h"
 #include "fitting/diagnosis/model_proof.h"
 #include "fitting/diagnosis/model_race.h"

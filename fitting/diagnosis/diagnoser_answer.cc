@@ -11,7 +11,7 @@
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/explained_share.h"
-#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate.h"
 #include "fitting/diagnosis/learn_law.h"
 #include "fitting/diagnosis/undetermined.h"

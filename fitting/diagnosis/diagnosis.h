@@ -16,7 +16,7 @@
 #include "fitting/diagnosis/candidate.h"
 #include "fitting/diagnosis/classes.h"
 #include "fitting/diagnosis/diagnosis_motions.h"
-#include "fitting/diagnosis/effect_parameter.h"
+#include "fitting/diagnosis/fitted/effect_parameter.h"
 #include "fitting/diagnosis/held_out_proof.h"
 #include "fitting/diagnosis/mismatch.h"
 #include "fitting/diagnosis/separating_motion.h"

@@ -6,7 +6,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/diagnosis_words.h"
-#include "fitting/diagnosis/fit_runner.h"
+#include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/files/npy_file.h"
 #include "fitting/files/whole_file.h"
 #include "tracking/synthetic/picture_writer.h"

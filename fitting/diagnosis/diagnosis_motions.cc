@@ -3,8 +3,8 @@
 #include "fitting/diagnosis/diagnosis_motions.h"
 
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/fitted/rows.h"
 #include "fitting/diagnosis/residual_force.h"
-#include "fitting/diagnosis/rows.h"
 
 namespace clothfit {
 

@@ -9,7 +9,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "fitting/diagnosis/effect_parameter.h"
+#include "fitting/diagnosis/fitted/effect_parameter.h"
 
 namespace clothfit {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "fitting/diagnosis/fit_runner.h"
+#include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/diagnosis/model_race.h"
 
 namespace clothfit {

@@ -7,7 +7,7 @@
 
 #include <Eigen/QR>
 
-#include "fitting/diagnosis/faults.h"
+#include "fitting/diagnosis/fitted/faults.h"
 
 namespace clothfit {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/forced_motion.h"
 
-#include "fitting/diagnosis/rows.h"
+#include "fitting/diagnosis/fitted/rows.h"
 #include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {

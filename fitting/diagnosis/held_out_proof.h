@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "fitting/diagnosis/held_out_errors.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
 #include "tracking/recording/recording.h"
 
 namespace clothfit {

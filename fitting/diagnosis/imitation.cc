@@ -11,7 +11,7 @@
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/acting_force.h"
-#include "fitting/diagnosis/named_parameter.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {

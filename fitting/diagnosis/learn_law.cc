@@ -10,8 +10,8 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/diagnosis/modelling.h"
-#include "fitting/diagnosis/named_parameter.h"
 
 namespace clothfit {
 namespace {

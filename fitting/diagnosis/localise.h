@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis_options.h"
+#include "fitting/diagnosis/fitted/options.h"
+#include "fitting/diagnosis/fitted/rows.h"
 #include "fitting/diagnosis/locate.h"
 #include "fitting/diagnosis/null_residuals.h"
-#include "fitting/diagnosis/rows.h"
 
 namespace clothfit {
 

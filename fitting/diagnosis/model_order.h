@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fitting/diagnosis/held_out_errors.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
 #include "fitting/diagnosis/modelling.h"
 
 namespace clothfit {

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "fitting/diagnosis/fit_quality.h"
-#include "fitting/diagnosis/named_parameter.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/diagnosis/null_residuals.h"
 
 namespace clothfit {

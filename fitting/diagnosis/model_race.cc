@@ -14,7 +14,7 @@
 #include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/explained_share.h"
 #include "fitting/diagnosis/fault_estimate.h"
-#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate.h"
 #include "fitting/diagnosis/imitation.h"
 #include "fitting/diagnosis/ordinary_physics.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/held_out_errors.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
 #include "fitting/diagnosis/model_order.h"
 #include "fitting/diagnosis/modelling.h"
 

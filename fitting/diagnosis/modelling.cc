@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/fit_quality.h"
-#include "fitting/diagnosis/named_parameter.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/rollout/window_cost.h"
 
 namespace clothfit {

@@ -6,9 +6,9 @@
 
 #include <optional>
 
-#include "fitting/diagnosis/fit_runner.h"
+#include "fitting/diagnosis/fitted/fit_runner.h"
+#include "fitting/diagnosis/fitted/refit.h"
 #include "fitting/diagnosis/ranking.h"
-#include "fitting/diagnosis/refit.h"
 
 namespace clothfit {
 

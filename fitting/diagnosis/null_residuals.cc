@@ -15,7 +15,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/held_out_errors.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
 #include "fitting/optimise/levenberg_marquardt.h"
 
 namespace clothfit {

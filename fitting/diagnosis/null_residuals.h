@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/diagnosis/rows.h"
+#include "fitting/diagnosis/fitted/rows.h"
 
 namespace clothfit {
 

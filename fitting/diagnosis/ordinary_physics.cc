@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fitting/diagnosis/named_parameter.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "fitting/diagnosis/named_parameter.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
+#include "fitting/diagnosis/fitted/residual_correlation.h"
 #include "fitting/diagnosis/null_residuals.h"
-#include "fitting/diagnosis/residual_correlation.h"
 #include "fitting/diagnosis/score_test.h"
 
 namespace clothfit {

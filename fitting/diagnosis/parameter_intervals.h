@@ -10,8 +10,8 @@
 
 #include <Eigen/Core>
 
-#include "fitting/diagnosis/effect_parameter.h"
-#include "fitting/diagnosis/rows.h"
+#include "fitting/diagnosis/fitted/effect_parameter.h"
+#include "fitting/diagnosis/fitted/rows.h"
 
 namespace clothfit {
 

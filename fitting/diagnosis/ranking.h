@@ -11,9 +11,9 @@
 
 #include "fitting/diagnosis/candidate.h"
 #include "fitting/diagnosis/candidates.h"
-#include "fitting/diagnosis/diagnosis_options.h"
+#include "fitting/diagnosis/fitted/options.h"
+#include "fitting/diagnosis/fitted/rows.h"
 #include "fitting/diagnosis/null_residuals.h"
-#include "fitting/diagnosis/rows.h"
 #include "fitting/diagnosis/score_test.h"
 
 namespace clothfit {

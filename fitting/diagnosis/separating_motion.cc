@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/rows.h"
+#include "fitting/diagnosis/fitted/rows.h"
 #include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {

@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "fitting/diagnosis/effect_parameter.h"
-#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/fitted/effect_parameter.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/diagnosis/gate.h"
-#include "fitting/diagnosis/named_parameter.h"
 
 namespace clothfit {
 namespace {

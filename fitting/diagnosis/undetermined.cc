@@ -7,7 +7,7 @@
 #include <map>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/held_out_errors.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
 
 namespace clothfit {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/effect_parameter.h"
+#include "fitting/diagnosis/fitted/effect_parameter.h"
 #include "fitting/diagnosis/model_race.h"
 
 namespace clothfit {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fitting/diagnosis/explained_share.h"
-#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate.h"
 
 namespace clothfit {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Columns of faults against recordings that have them.
-#include "fitting/diagnosis/faults.h"
+#include "fitting/diagnosis/fitted/faults.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Fits that are kept while a diagnosis is under way.
-#include "fitting/diagnosis/fit_runner.h"
+#include "fitting/diagnosis/fitted/fit_runner.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/held_out_errors.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
 
 #include <set>
 

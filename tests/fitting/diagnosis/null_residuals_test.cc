@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fitting/diagnosis/fit_runner.h"
-#include "fitting/diagnosis/held_out_errors.h"
+#include "fitting/diagnosis/fitted/fit_runner.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
 #include "fitting/diagnosis/modelling.h"
 #include "tracking/synthetic/recording.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/residual_correlation.h"
+#include "fitting/diagnosis/fitted/residual_correlation.h"
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/seen_cloth.h"
+#include "fitting/diagnosis/fitted/seen_cloth.h"
 
 #include <algorithm>
 #include <array>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/fit_runner.h"
+#include "fitting/diagnosis/fitted/fit_runner.h"
 
 #include <algorithm>
 #include <optional>
 #include <string>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/kept_fit.h"
+#include "fitting/diagnosis/fitted/kept_fit.h"
 #include "fitting/files/sha256.h"
 #include "fitting/files/whole_file.h"
 #include "tracking/text/text.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/fit_quality.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
 
 #include "fitting/residuals/observation_residuals.h"
 

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "fitting/diagnosis/diagnosis_options.h"
+#include "fitting/diagnosis/fitted/options.h"
 #include "fitting/fit/fit.h"
 
 namespace clothfit {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/fit_runner.h"
-#include "fitting/diagnosis/rows.h"
+#include "fitting/diagnosis/fitted/fit_runner.h"
+#include "fitting/diagnosis/fitted/rows.h"
 
 namespace clothfit {
 

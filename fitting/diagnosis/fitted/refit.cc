@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/refit.h"
+#include "fitting/diagnosis/fitted/refit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/named_parameter.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
 
 namespace clothfit {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Faults as displacements of what is seen, and recordings put right.
-#include "fitting/diagnosis/faults.h"
+#include "fitting/diagnosis/fitted/faults.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/effect_parameter.h"
+#include "fitting/diagnosis/fitted/effect_parameter.h"
 
 namespace clothfit {
 

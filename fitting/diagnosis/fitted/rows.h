@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/diagnosis/faults.h"
+#include "fitting/diagnosis/fitted/faults.h"
 #include "fitting/fit/fit.h"
 
 namespace clothfit {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/kept_fit.h"
+#include "fitting/diagnosis/fitted/kept_fit.h"
 
 #include <type_traits>
 #include <vector>

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "fitting/diagnosis/rows.h"
+#include "fitting/diagnosis/fitted/rows.h"
 
 namespace clothfit {
 

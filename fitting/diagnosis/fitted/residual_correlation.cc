@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/residual_correlation.h"
+#include "fitting/diagnosis/fitted/residual_correlation.h"
 
 #include <algorithm>
 #include <map>
 #include <tuple>
 
-#include "fitting/diagnosis/faults.h"
+#include "fitting/diagnosis/fitted/faults.h"
 
 namespace clothfit {
 

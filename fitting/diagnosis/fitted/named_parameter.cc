@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/named_parameter.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
 
 #include <stdexcept>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/held_out_errors.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/refit.h"
-#include "fitting/diagnosis/seen_cloth.h"
+#include "fitting/diagnosis/fitted/refit.h"
+#include "fitting/diagnosis/fitted/seen_cloth.h"
 #include "fitting/residuals/hard_silhouette.h"
 #include "fitting/rollout/window_simulator.h"
 
