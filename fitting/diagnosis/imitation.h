@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "fitting/diagnosis/candidates.h"
+#include "fitting/diagnosis/evidence/candidates.h"
 #include "fitting/diagnosis/ranking.h"
 
 namespace clothfit {

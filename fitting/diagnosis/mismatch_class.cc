@@ -8,8 +8,8 @@
 #include <Eigen/SVD>
 
 #include "fitting/diagnosis/class_words.h"
+#include "fitting/diagnosis/evidence/rao_score.h"
 #include "fitting/diagnosis/mismatch_ties.h"
-#include "fitting/diagnosis/score_test.h"
 
 namespace clothfit {
 namespace {

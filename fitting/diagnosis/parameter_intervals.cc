@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "fitting/diagnosis/evidence/rao_score.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/diagnosis/fitted/residual_correlation.h"
 #include "fitting/diagnosis/null_residuals.h"
-#include "fitting/diagnosis/score_test.h"
 
 namespace clothfit {
 namespace {

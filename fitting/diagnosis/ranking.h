@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "fitting/diagnosis/candidate.h"
-#include "fitting/diagnosis/candidates.h"
+#include "fitting/diagnosis/evidence/candidates.h"
+#include "fitting/diagnosis/evidence/rao_score.h"
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/fitted/rows.h"
 #include "fitting/diagnosis/null_residuals.h"
-#include "fitting/diagnosis/score_test.h"
 
 namespace clothfit {
 

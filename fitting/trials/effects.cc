@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/candidates.h"
+#include "fitting/diagnosis/evidence/candidates.h"
 #include "fitting/trials/terms/trial_terms.h"
 
 namespace clothfit {

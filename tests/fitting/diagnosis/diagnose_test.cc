@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Whole diagnoses of small recordings that were simulated on a finer mesh with a shorter step.
+#include "fitting/diagnosis/diagnose.h"
+
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -9,9 +11,8 @@
 
 #include "autodiff_sim/term/tilted_down.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/candidates.h"
-#include "fitting/diagnosis/diagnose.h"
 #include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/diagnosis/evidence/candidates.h"
 #include "fitting/diagnosis/ranking.h"
 #include "tracking/synthetic/recording.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/score_test.h"
+#include "fitting/diagnosis/evidence/rao_score.h"
 
 #include <algorithm>
 #include <cmath>
