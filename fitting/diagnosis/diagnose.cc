@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/explained_share.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
-#include "fitting/diagnosis/gate.h"
+#include "fitting/diagnosis/gate/baseline_fit.h"
+#include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/guided_ranking.h"
 #include "fitting/diagnosis/localise.h"
 #include "fitting/diagnosis/mismatch_class.h"

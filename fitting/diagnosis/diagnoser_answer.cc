@@ -12,7 +12,7 @@
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/explained_share.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
-#include "fitting/diagnosis/gate.h"
+#include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/learn_law.h"
 #include "fitting/diagnosis/undetermined.h"
 #include "tracking/text/text.h"

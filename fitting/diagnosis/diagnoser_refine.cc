@@ -11,8 +11,8 @@
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/gate/null_residuals.h"
 #include "fitting/diagnosis/modelling.h"
-#include "fitting/diagnosis/null_residuals.h"
 #include "fitting/diagnosis/verdict.h"
 
 namespace clothfit {

@@ -10,8 +10,8 @@
 
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/fitted/rows.h"
+#include "fitting/diagnosis/gate/null_residuals.h"
 #include "fitting/diagnosis/locate.h"
-#include "fitting/diagnosis/null_residuals.h"
 
 namespace clothfit {
 

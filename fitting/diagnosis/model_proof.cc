@@ -13,7 +13,7 @@
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
-#include "fitting/diagnosis/null_residuals.h"
+#include "fitting/diagnosis/gate/null_residuals.h"
 
 namespace clothfit {
 namespace {

@@ -11,11 +11,11 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/baseline_fit.h"
 #include "fitting/diagnosis/explained_share.h"
 #include "fitting/diagnosis/fault_estimate.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
-#include "fitting/diagnosis/gate.h"
+#include "fitting/diagnosis/gate/baseline_fit.h"
+#include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/imitation.h"
 #include "fitting/diagnosis/ordinary_physics.h"
 #include "tracking/text/text.h"

@@ -9,7 +9,7 @@
 #include "fitting/diagnosis/evidence/rao_score.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/diagnosis/fitted/residual_correlation.h"
-#include "fitting/diagnosis/null_residuals.h"
+#include "fitting/diagnosis/gate/null_residuals.h"
 
 namespace clothfit {
 namespace {

@@ -14,7 +14,7 @@
 #include "fitting/diagnosis/evidence/rao_score.h"
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/fitted/rows.h"
-#include "fitting/diagnosis/null_residuals.h"
+#include "fitting/diagnosis/gate/null_residuals.h"
 
 namespace clothfit {
 

@@ -12,7 +12,7 @@
 #include "fitting/diagnosis/fitted/effect_parameter.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
-#include "fitting/diagnosis/gate.h"
+#include "fitting/diagnosis/gate/gate.h"
 
 namespace clothfit {
 namespace {

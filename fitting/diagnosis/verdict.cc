@@ -7,7 +7,7 @@
 
 #include "fitting/diagnosis/explained_share.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
-#include "fitting/diagnosis/gate.h"
+#include "fitting/diagnosis/gate/gate.h"
 
 namespace clothfit {
 namespace {

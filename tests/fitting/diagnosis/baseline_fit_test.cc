@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A baseline is not left in the first valley that its fit comes to.
-#include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/gate/baseline_fit.h"
 
 #include <algorithm>
 

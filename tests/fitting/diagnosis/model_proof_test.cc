@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fitting/diagnosis/null_residuals.h"
+#include "fitting/diagnosis/gate/null_residuals.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {

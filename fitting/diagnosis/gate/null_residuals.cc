@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/null_residuals.h"
+#include "fitting/diagnosis/gate/null_residuals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/baseline_fit.h"
+#include "fitting/diagnosis/gate/baseline_fit.h"
 
 #include <algorithm>
 #include <limits>
