@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/mesh/cloth_box.h"
-#include "fitting/diagnosis/mismatch_words.h"
+#include "fitting/diagnosis/locate/mismatch_words.h"
 
 namespace clothfit {
 

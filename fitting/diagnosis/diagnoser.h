@@ -17,11 +17,11 @@
 #include "fitting/diagnosis/fitted/held_out_errors.h"
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/held_out_proof.h"
+#include "fitting/diagnosis/locate/residual_force.h"
 #include "fitting/diagnosis/model_proof.h"
 #include "fitting/diagnosis/model_race.h"
 #include "fitting/diagnosis/parameter_intervals.h"
 #include "fitting/diagnosis/ranking.h"
-#include "fitting/diagnosis/residual_force.h"
 #include "fitting/diagnosis/verdict.h"
 
 namespace clothfit {

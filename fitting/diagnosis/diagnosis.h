@@ -18,7 +18,7 @@
 #include "fitting/diagnosis/diagnosis_motions.h"
 #include "fitting/diagnosis/fitted/effect_parameter.h"
 #include "fitting/diagnosis/held_out_proof.h"
-#include "fitting/diagnosis/mismatch.h"
+#include "fitting/diagnosis/locate/mismatch.h"
 #include "fitting/diagnosis/separating_motion.h"
 #include "fitting/fit/fit.h"
 #include "fitting/scene/scene.h"

@@ -4,7 +4,7 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/rows.h"
-#include "fitting/diagnosis/residual_force.h"
+#include "fitting/diagnosis/locate/residual_force.h"
 
 namespace clothfit {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fitting/diagnosis/classes.h"
-#include "fitting/diagnosis/locate.h"
-#include "fitting/diagnosis/residual_force.h"
+#include "fitting/diagnosis/locate/locate.h"
+#include "fitting/diagnosis/locate/residual_force.h"
 
 namespace clothfit {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/forced_motion.h"
+#include "fitting/diagnosis/locate/forced_motion.h"
 #include "fitting/diagnosis/modelling.h"
 
 namespace clothfit {

@@ -6,7 +6,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "fitting/diagnosis/locate.h"
+#include "fitting/diagnosis/locate/locate.h"
 
 namespace clothfit {
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "fitting/diagnosis/forced_motion.h"
-#include "fitting/diagnosis/residual_force.h"
+#include "fitting/diagnosis/locate/forced_motion.h"
+#include "fitting/diagnosis/locate/residual_force.h"
 
 namespace clothfit {
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/LU>
 
-#include "fitting/diagnosis/locate.h"
+#include "fitting/diagnosis/locate/locate.h"
 
 namespace clothfit {
 namespace {

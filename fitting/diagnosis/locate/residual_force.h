@@ -14,7 +14,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include "fitting/diagnosis/force_layout.h"
+#include "fitting/diagnosis/locate/force_layout.h"
 #include "fitting/residuals/observation_residuals.h"
 #include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/scene.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/mismatch.h"
-#include "fitting/diagnosis/residual_force.h"
+#include "fitting/diagnosis/locate/mismatch.h"
+#include "fitting/diagnosis/locate/residual_force.h"
 
 namespace clothfit {
 

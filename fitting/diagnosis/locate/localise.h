@@ -11,7 +11,7 @@
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/fitted/rows.h"
 #include "fitting/diagnosis/gate/null_residuals.h"
-#include "fitting/diagnosis/locate.h"
+#include "fitting/diagnosis/locate/locate.h"
 
 namespace clothfit {
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "autodiff_sim/step/simulation.h"
-#include "fitting/diagnosis/force_layout.h"
+#include "fitting/diagnosis/locate/force_layout.h"
 #include "fitting/rollout/attraction_targets.h"
 #include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/scene.h"

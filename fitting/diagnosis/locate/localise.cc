@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/localise.h"
+#include "fitting/diagnosis/locate/localise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/locate.h"
+#include "fitting/diagnosis/locate/locate.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "fitting/diagnosis/mismatch_words.h"
+#include "fitting/diagnosis/locate/mismatch_words.h"
 
 namespace clothfit {
 namespace {

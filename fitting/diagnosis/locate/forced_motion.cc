@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/forced_motion.h"
+#include "fitting/diagnosis/locate/forced_motion.h"
 
 #include "fitting/diagnosis/fitted/rows.h"
 #include "fitting/rollout/window_simulator.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/residual_force.h"
+#include "fitting/diagnosis/locate/residual_force.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/force_equations.h"
+#include "fitting/diagnosis/locate/force_equations.h"
 
 namespace clothfit {
 namespace {

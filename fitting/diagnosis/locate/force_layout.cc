@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/force_layout.h"
+#include "fitting/diagnosis/locate/force_layout.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "fitting/diagnosis/force_layout.h"
-#include "fitting/diagnosis/mismatch.h"
+#include "fitting/diagnosis/locate/force_layout.h"
+#include "fitting/diagnosis/locate/mismatch.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {
