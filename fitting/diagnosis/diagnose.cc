@@ -16,11 +16,11 @@
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/diagnosis/gate/gate.h"
-#include "fitting/diagnosis/guided_ranking.h"
 #include "fitting/diagnosis/locate/localise.h"
 #include "fitting/diagnosis/locate/mismatch_pictures.h"
 #include "fitting/diagnosis/mismatch_class.h"
 #include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/rank/guided_ranking.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -21,7 +21,7 @@
 #include "fitting/diagnosis/model_proof.h"
 #include "fitting/diagnosis/model_race.h"
 #include "fitting/diagnosis/parameter_intervals.h"
-#include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/rank/ranking.h"
 #include "fitting/diagnosis/verdict.h"
 
 namespace clothfit {

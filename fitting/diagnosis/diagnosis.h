@@ -13,12 +13,12 @@
 
 #include "fitting/config/config.h"
 #include "fitting/diagnosis/acting_force.h"
-#include "fitting/diagnosis/candidate.h"
 #include "fitting/diagnosis/classes.h"
 #include "fitting/diagnosis/diagnosis_motions.h"
 #include "fitting/diagnosis/fitted/effect_parameter.h"
 #include "fitting/diagnosis/held_out_proof.h"
 #include "fitting/diagnosis/locate/mismatch.h"
+#include "fitting/diagnosis/rank/candidate.h"
 #include "fitting/diagnosis/separating_motion.h"
 #include "fitting/fit/fit.h"
 #include "fitting/scene/scene.h"

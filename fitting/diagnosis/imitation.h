@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fitting/diagnosis/evidence/candidates.h"
-#include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/rank/ranking.h"
 
 namespace clothfit {
 

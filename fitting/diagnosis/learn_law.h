@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/rank/ranking.h"
 
 namespace clothfit {
 

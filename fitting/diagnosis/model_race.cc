@@ -17,7 +17,7 @@
 #include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/imitation.h"
-#include "fitting/diagnosis/ordinary_physics.h"
+#include "fitting/diagnosis/rank/ordinary_physics.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/diagnosis/fitted/refit.h"
-#include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/rank/ranking.h"
 
 namespace clothfit {
 

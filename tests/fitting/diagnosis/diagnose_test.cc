@@ -13,7 +13,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/evidence/candidates.h"
-#include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/rank/ranking.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {

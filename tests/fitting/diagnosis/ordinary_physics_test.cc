@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/ordinary_physics.h"
+#include "fitting/diagnosis/rank/ordinary_physics.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Which candidates are worth a fit, by rankings that are made by hand.
-#include "fitting/diagnosis/short_list.h"
+#include "fitting/diagnosis/rank/short_list.h"
 
 #include <gtest/gtest.h>
 

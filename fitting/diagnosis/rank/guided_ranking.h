@@ -8,7 +8,7 @@
 // has to be pulled for.
 #pragma once
 
-#include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/rank/ranking.h"
 
 namespace clothfit {
 

@@ -9,12 +9,12 @@
 #include <optional>
 #include <vector>
 
-#include "fitting/diagnosis/candidate.h"
 #include "fitting/diagnosis/evidence/candidates.h"
 #include "fitting/diagnosis/evidence/rao_score.h"
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/fitted/rows.h"
 #include "fitting/diagnosis/gate/null_residuals.h"
+#include "fitting/diagnosis/rank/candidate.h"
 
 namespace clothfit {
 

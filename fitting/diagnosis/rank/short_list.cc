@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/short_list.h"
+#include "fitting/diagnosis/rank/short_list.h"
 
 #include <algorithm>
 #include <cmath>

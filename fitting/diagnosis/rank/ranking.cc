@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/rank/ranking.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +9,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "fitting/diagnosis/short_list.h"
+#include "fitting/diagnosis/rank/short_list.h"
 
 namespace clothfit {
 namespace {

@@ -4,7 +4,7 @@
 // Which of the ranked candidates are worth a fit.
 #pragma once
 
-#include "fitting/diagnosis/ranking.h"
+#include "fitting/diagnosis/rank/ranking.h"
 
 namespace clothfit {
 
