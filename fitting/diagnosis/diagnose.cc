@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/classify/mismatch_class.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/explained_share.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
@@ -18,7 +19,6 @@
 #include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/locate/localise.h"
 #include "fitting/diagnosis/locate/mismatch_pictures.h"
-#include "fitting/diagnosis/mismatch_class.h"
 #include "fitting/diagnosis/modelling.h"
 #include "fitting/diagnosis/rank/guided_ranking.h"
 #include "tracking/text/text.h"

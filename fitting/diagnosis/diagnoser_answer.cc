@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "fitting/diagnosis/class_words.h"
+#include "fitting/diagnosis/classify/class_words.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/explained_share.h"

@@ -12,8 +12,8 @@
 #include <opencv2/core/mat.hpp>
 
 #include "fitting/config/config.h"
-#include "fitting/diagnosis/acting_force.h"
-#include "fitting/diagnosis/classes.h"
+#include "fitting/diagnosis/classify/acting_force.h"
+#include "fitting/diagnosis/classify/classes.h"
 #include "fitting/diagnosis/diagnosis_motions.h"
 #include "fitting/diagnosis/fitted/effect_parameter.h"
 #include "fitting/diagnosis/held_out_proof.h"

@@ -10,7 +10,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/acting_force.h"
+#include "fitting/diagnosis/classify/acting_force.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/rollout/window_simulator.h"
 

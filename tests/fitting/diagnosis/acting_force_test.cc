@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The region in which a force acts, on cloths of 0.5 m x 0.5 m.
-#include "fitting/diagnosis/acting_force.h"
+#include "fitting/diagnosis/classify/acting_force.h"
 
 #include <array>
 #include <functional>

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "fitting/diagnosis/classify/mismatch_class.h"
 #include "fitting/diagnosis/locate/force_equations.h"
 #include "fitting/diagnosis/locate/mismatch_pictures.h"
-#include "fitting/diagnosis/mismatch_class.h"
 #include "fitting/diagnosis/modelling.h"
 #include "tests/support/mismatch_problem.h"
 

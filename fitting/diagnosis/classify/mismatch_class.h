@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/classes.h"
+#include "fitting/diagnosis/classify/classes.h"
 #include "fitting/diagnosis/locate/locate.h"
 #include "fitting/diagnosis/locate/residual_force.h"
 

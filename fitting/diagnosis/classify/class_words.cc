@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/class_words.h"
+#include "fitting/diagnosis/classify/class_words.h"
 
 #include <vector>
 

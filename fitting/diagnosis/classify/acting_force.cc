@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/acting_force.h"
+#include "fitting/diagnosis/classify/acting_force.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "fitting/diagnosis/mismatch_class.h"
+#include "fitting/diagnosis/classify/mismatch_class.h"
 
 namespace clothfit {
 

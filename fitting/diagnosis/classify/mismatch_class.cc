@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/mismatch_class.h"
+#include "fitting/diagnosis/classify/mismatch_class.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/SVD>
 
-#include "fitting/diagnosis/class_words.h"
+#include "fitting/diagnosis/classify/class_words.h"
+#include "fitting/diagnosis/classify/mismatch_ties.h"
 #include "fitting/diagnosis/evidence/rao_score.h"
-#include "fitting/diagnosis/mismatch_ties.h"
 
 namespace clothfit {
 namespace {

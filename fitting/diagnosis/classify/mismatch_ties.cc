@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/mismatch_ties.h"
+#include "fitting/diagnosis/classify/mismatch_ties.h"
 
 #include <algorithm>
 #include <functional>

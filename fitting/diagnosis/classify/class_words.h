@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "fitting/diagnosis/acting_force.h"
-#include "fitting/diagnosis/classes.h"
+#include "fitting/diagnosis/classify/acting_force.h"
+#include "fitting/diagnosis/classify/classes.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {
