@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/model_race.h"
+#include "fitting/diagnosis/model/race.h"
 
 namespace clothfit {
 

@@ -10,10 +10,10 @@
 #include "fitting/diagnosis/classify/class_words.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/diagnosis_words.h"
-#include "fitting/diagnosis/explained_share.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/learn_law.h"
+#include "fitting/diagnosis/model/explained_share.h"
 #include "fitting/diagnosis/undetermined.h"
 #include "tracking/text/text.h"
 

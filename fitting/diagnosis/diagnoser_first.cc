@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "fitting/diagnosis/diagnoser.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/diagnosis/verdict.h"
 
 namespace clothfit {

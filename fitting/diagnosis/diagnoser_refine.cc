@@ -12,7 +12,7 @@
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/null_residuals.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/diagnosis/verdict.h"
 
 namespace clothfit {

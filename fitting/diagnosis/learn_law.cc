@@ -11,7 +11,7 @@
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/switch_on.h"
 
 namespace clothfit {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "fitting/diagnosis/held_out_proof.h"
-#include "fitting/diagnosis/model_race.h"
+#include "fitting/diagnosis/model/race.h"
 
 namespace clothfit {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fitting/diagnosis/fitted/effect_parameter.h"
-#include "fitting/diagnosis/model_race.h"
+#include "fitting/diagnosis/model/race.h"
 
 namespace clothfit {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fitting/diagnosis/explained_share.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/gate.h"
+#include "fitting/diagnosis/model/explained_share.h"
 
 namespace clothfit {
 namespace {

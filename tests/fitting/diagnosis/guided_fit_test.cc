@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/diagnosis/rank/guided_ranking.h"
 #include "fitting/rollout/window_simulator.h"
 #include "tracking/synthetic/recording.h"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/imitation.h"
+#include "fitting/diagnosis/model/imitation.h"
 
 #include <gtest/gtest.h>
 
-#include "fitting/diagnosis/model_race.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/race.h"
+#include "fitting/diagnosis/model/switch_on.h"
 #include "tests/support/small_recording.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/switch_on.h"
 #include "tests/support/small_recording.h"
 
 namespace clothfit {

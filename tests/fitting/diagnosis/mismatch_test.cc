@@ -11,7 +11,7 @@
 #include "fitting/diagnosis/classify/mismatch_class.h"
 #include "fitting/diagnosis/locate/force_equations.h"
 #include "fitting/diagnosis/locate/mismatch_pictures.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/switch_on.h"
 #include "tests/support/mismatch_problem.h"
 
 #ifdef CLOTHFIT_PICTURES

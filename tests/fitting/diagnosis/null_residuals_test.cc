@@ -9,7 +9,7 @@
 
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/diagnosis/fitted/held_out_errors.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/switch_on.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {

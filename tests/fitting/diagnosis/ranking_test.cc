@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fitting/diagnosis/fault_estimate.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/fault_estimate.h"
+#include "fitting/diagnosis/model/switch_on.h"
 #include "tests/support/small_recording.h"
 #include "tracking/synthetic/recording.h"
 

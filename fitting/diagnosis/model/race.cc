@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/model_race.h"
+#include "fitting/diagnosis/model/race.h"
 
 #include <algorithm>
 #include <functional>
@@ -11,12 +11,12 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/explained_share.h"
-#include "fitting/diagnosis/fault_estimate.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/diagnosis/gate/gate.h"
-#include "fitting/diagnosis/imitation.h"
+#include "fitting/diagnosis/model/explained_share.h"
+#include "fitting/diagnosis/model/fault_estimate.h"
+#include "fitting/diagnosis/model/imitation.h"
 #include "fitting/diagnosis/rank/ordinary_physics.h"
 #include "tracking/text/text.h"
 

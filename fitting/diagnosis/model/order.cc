@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/model_order.h"
+#include "fitting/diagnosis/model/order.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "fitting/diagnosis/imitation.h"
+#include "fitting/diagnosis/model/imitation.h"
 
 namespace clothfit {
 namespace {

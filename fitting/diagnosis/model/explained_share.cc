@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/explained_share.h"
+#include "fitting/diagnosis/model/explained_share.h"
 
 #include <algorithm>
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "fitting/diagnosis/fitted/held_out_errors.h"
-#include "fitting/diagnosis/model_order.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/order.h"
+#include "fitting/diagnosis/model/switch_on.h"
 
 namespace clothfit {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fitting/diagnosis/fitted/held_out_errors.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/switch_on.h"
 
 namespace clothfit {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/fault_estimate.h"
+#include "fitting/diagnosis/model/fault_estimate.h"
 
 #include <algorithm>
 #include <cmath>

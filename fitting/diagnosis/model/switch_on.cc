@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/model/switch_on.h"
 
 #include <algorithm>
 #include <cmath>
