@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fitting/diagnosis/diagnosis.h"
-#include "fitting/diagnosis/held_out_proof.h"
+#include "fitting/diagnosis/prove/held_out_proof.h"
 
 namespace clothfit {
 

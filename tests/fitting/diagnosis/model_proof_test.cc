@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Proofs where the held-out frames alone do not do.
-#include "fitting/diagnosis/model_proof.h"
+#include "fitting/diagnosis/prove/model_proof.h"
 
 #include <memory>
 #include <string>

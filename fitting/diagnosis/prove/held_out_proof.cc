@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/held_out_proof.h"
+#include "fitting/diagnosis/prove/held_out_proof.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "fitting/diagnosis/held_out_proof.h"
 #include "fitting/diagnosis/model/race.h"
+#include "fitting/diagnosis/prove/held_out_proof.h"
 
 namespace clothfit {
 
