@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/ambiguity.h"
+#include "fitting/diagnosis/ambiguity/ambiguity.h"
 #include "fitting/diagnosis/diagnosis.h"
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/diagnosis/fitted/held_out_errors.h"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "fitting/diagnosis/ambiguity/undetermined.h"
 #include "fitting/diagnosis/classify/class_words.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/diagnosis_words.h"
@@ -14,7 +15,6 @@
 #include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/learn_law.h"
 #include "fitting/diagnosis/model/explained_share.h"
-#include "fitting/diagnosis/undetermined.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -12,6 +12,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "fitting/config/config.h"
+#include "fitting/diagnosis/ambiguity/separating_motion.h"
 #include "fitting/diagnosis/classify/acting_force.h"
 #include "fitting/diagnosis/classify/classes.h"
 #include "fitting/diagnosis/diagnosis_motions.h"
@@ -19,7 +20,6 @@
 #include "fitting/diagnosis/locate/mismatch.h"
 #include "fitting/diagnosis/prove/held_out_proof.h"
 #include "fitting/diagnosis/rank/candidate.h"
-#include "fitting/diagnosis/separating_motion.h"
 #include "fitting/fit/fit.h"
 #include "fitting/scene/scene.h"
 

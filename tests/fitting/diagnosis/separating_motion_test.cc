@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Models that are alike in one motion, and what tells them apart.
-#include "fitting/diagnosis/separating_motion.h"
+#include "fitting/diagnosis/ambiguity/separating_motion.h"
 
 #include <map>
 #include <memory>

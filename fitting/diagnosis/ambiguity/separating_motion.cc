@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/separating_motion.h"
+#include "fitting/diagnosis/ambiguity/separating_motion.h"
 
 #include <algorithm>
 #include <array>
