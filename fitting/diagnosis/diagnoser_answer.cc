@@ -13,7 +13,7 @@
 #include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/gate.h"
-#include "fitting/diagnosis/learn_law.h"
+#include "fitting/diagnosis/law/learn.h"
 #include "fitting/diagnosis/model/explained_share.h"
 #include "tracking/text/text.h"
 

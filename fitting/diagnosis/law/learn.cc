@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/learn_law.h"
+#include "fitting/diagnosis/law/learn.h"
 
 #include <algorithm>
 #include <cmath>
