@@ -7,7 +7,7 @@
 #pragma once
 
 #include "fitting/config/config.h"
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/answer/diagnosis.h"
 #include "fitting/diagnosis/fitted/options.h"
 #include "tracking/recording/recording.h"
 

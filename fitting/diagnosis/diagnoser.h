@@ -12,17 +12,17 @@
 #include <vector>
 
 #include "fitting/diagnosis/ambiguity/ambiguity.h"
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/answer/diagnosis.h"
+#include "fitting/diagnosis/answer/parameter_intervals.h"
+#include "fitting/diagnosis/answer/verdict.h"
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/diagnosis/fitted/held_out_errors.h"
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/locate/residual_force.h"
 #include "fitting/diagnosis/model/race.h"
-#include "fitting/diagnosis/parameter_intervals.h"
 #include "fitting/diagnosis/prove/held_out_proof.h"
 #include "fitting/diagnosis/prove/model_proof.h"
 #include "fitting/diagnosis/rank/ranking.h"
-#include "fitting/diagnosis/verdict.h"
 
 namespace clothfit {
 

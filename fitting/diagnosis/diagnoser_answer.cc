@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "fitting/diagnosis/ambiguity/undetermined.h"
+#include "fitting/diagnosis/answer/words.h"
 #include "fitting/diagnosis/classify/class_words.h"
 #include "fitting/diagnosis/diagnoser.h"
-#include "fitting/diagnosis/diagnosis_words.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/law/learn.h"

@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "fitting/diagnosis/answer/verdict.h"
 #include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/model/switch_on.h"
-#include "fitting/diagnosis/verdict.h"
 
 namespace clothfit {
 

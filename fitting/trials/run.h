@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/answer/diagnosis.h"
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/jobs/run_jobs.h"
 #include "fitting/trials/score.h"

@@ -11,7 +11,7 @@
 
 #include "autodiff_sim/term/tilted_down.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/diagnosis/answer/words.h"
 #include "fitting/diagnosis/evidence/candidates.h"
 #include "fitting/diagnosis/rank/ranking.h"
 #include "tracking/synthetic/recording.h"

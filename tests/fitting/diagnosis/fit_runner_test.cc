@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/diagnosis_folder.h"
+#include "fitting/diagnosis/answer/folder.h"
 #include "fitting/files/whole_file.h"
 #include "tests/support/small_recording.h"
 #include "tests/support/test_folder.h"

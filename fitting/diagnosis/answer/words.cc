@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/diagnosis/answer/words.h"
 
 #include <algorithm>
 #include <cmath>

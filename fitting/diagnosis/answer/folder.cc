@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/diagnosis_folder.h"
+#include "fitting/diagnosis/answer/folder.h"
 
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/diagnosis_words.h"
+#include "fitting/diagnosis/answer/words.h"
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/files/npy_file.h"
 #include "fitting/files/whole_file.h"

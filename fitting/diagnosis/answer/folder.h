@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/answer/diagnosis.h"
 
 namespace clothfit {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/answer/diagnosis.h"
 #include "fitting/diagnosis/prove/held_out_proof.h"
 
 namespace clothfit {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/verdict.h"
+#include "fitting/diagnosis/answer/verdict.h"
 
 #include <algorithm>
 #include <cmath>

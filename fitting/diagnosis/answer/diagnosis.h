@@ -13,9 +13,9 @@
 
 #include "fitting/config/config.h"
 #include "fitting/diagnosis/ambiguity/separating_motion.h"
+#include "fitting/diagnosis/answer/motions.h"
 #include "fitting/diagnosis/classify/acting_force.h"
 #include "fitting/diagnosis/classify/classes.h"
-#include "fitting/diagnosis/diagnosis_motions.h"
 #include "fitting/diagnosis/fitted/effect_parameter.h"
 #include "fitting/diagnosis/locate/mismatch.h"
 #include "fitting/diagnosis/prove/held_out_proof.h"

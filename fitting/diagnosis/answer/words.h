@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/answer/diagnosis.h"
 
 namespace clothfit {
 

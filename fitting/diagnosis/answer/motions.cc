@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/diagnosis_motions.h"
+#include "fitting/diagnosis/answer/motions.h"
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/rows.h"
