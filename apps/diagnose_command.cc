@@ -14,7 +14,7 @@
 #include "apps/share_display.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/answer/folder.h"
-#include "fitting/diagnosis/diagnose.h"
+#include "fitting/diagnosis/pipeline/diagnose.h"
 #include "fitting/runs/fit_run.h"
 
 namespace clothfit {

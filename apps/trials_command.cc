@@ -16,7 +16,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/answer/folder.h"
-#include "fitting/diagnosis/diagnose.h"
+#include "fitting/diagnosis/pipeline/diagnose.h"
 #include "fitting/files/sha256.h"
 #include "fitting/files/version.h"
 #include "fitting/files/whole_file.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Whole diagnoses of small recordings that were simulated on a finer mesh with a shorter step.
-#include "fitting/diagnosis/diagnose.h"
+#include "fitting/diagnosis/pipeline/diagnose.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The steps of a diagnosis, one after the other.
-#include "fitting/diagnosis/diagnose.h"
+#include "fitting/diagnosis/pipeline/diagnose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,6 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/classify/mismatch_class.h"
-#include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/diagnosis/gate/gate.h"
@@ -20,6 +19,7 @@
 #include "fitting/diagnosis/locate/mismatch_pictures.h"
 #include "fitting/diagnosis/model/explained_share.h"
 #include "fitting/diagnosis/model/switch_on.h"
+#include "fitting/diagnosis/pipeline/diagnoser.h"
 #include "fitting/diagnosis/rank/guided_ranking.h"
 #include "tracking/text/text.h"
 

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "fitting/diagnosis/answer/verdict.h"
-#include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/model/switch_on.h"
+#include "fitting/diagnosis/pipeline/diagnoser.h"
 
 namespace clothfit {
 

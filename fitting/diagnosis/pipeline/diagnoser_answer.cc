@@ -10,11 +10,11 @@
 #include "fitting/diagnosis/ambiguity/undetermined.h"
 #include "fitting/diagnosis/answer/words.h"
 #include "fitting/diagnosis/classify/class_words.h"
-#include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/law/learn.h"
 #include "fitting/diagnosis/model/explained_share.h"
+#include "fitting/diagnosis/pipeline/diagnoser.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

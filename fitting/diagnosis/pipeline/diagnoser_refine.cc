@@ -10,10 +10,10 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/answer/verdict.h"
-#include "fitting/diagnosis/diagnoser.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/null_residuals.h"
 #include "fitting/diagnosis/model/switch_on.h"
+#include "fitting/diagnosis/pipeline/diagnoser.h"
 
 namespace clothfit {
 
