@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The score test against plain least squares, where both are exact.
+#include "fitting/diagnosis/evidence/rao_score.h"
+
 #include <cmath>
 #include <random>
 
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <gtest/gtest.h>
-
-#include "fitting/diagnosis/evidence/rao_score.h"
 
 namespace clothfit {
 namespace {

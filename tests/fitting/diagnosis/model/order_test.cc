@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include <gtest/gtest.h>
-
 #include "fitting/diagnosis/model/order.h"
+
+#include <gtest/gtest.h>
 
 namespace clothfit {
 namespace {

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/law/learn.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "fitting/diagnosis/law/learn.h"
 #include "fitting/diagnosis/model/switch_on.h"
 #include "tests/support/small_recording.h"
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/model/race.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "fitting/diagnosis/model/race.h"
 #include "tests/support/small_recording.h"
 
 namespace clothfit {
