@@ -13,8 +13,8 @@
 #include "apps/interrupt.h"
 #include "apps/share_display.h"
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/diagnose.h"
-#include "fitting/diagnosis/diagnosis_folder.h"
+#include "fitting/diagnosis/answer/folder.h"
+#include "fitting/diagnosis/pipeline/diagnose.h"
 #include "fitting/runs/fit_run.h"
 
 namespace clothfit {

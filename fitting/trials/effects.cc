@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/evidence/candidates.h"
 #include "fitting/trials/chosen_effects.h"
 #include "fitting/trials/default_effects.h"
 #include "fitting/trials/terms/trial_terms.h"

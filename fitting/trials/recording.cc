@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "fitting/diagnosis/sha256.h"
+#include "fitting/files/sha256.h"
 #include "fitting/trials/finite_elements/generator.h"
 #include "fitting/trials/force.h"
 #include "fitting/trials/terms/trial_terms.h"

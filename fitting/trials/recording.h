@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/diagnosis/acting_force.h"
+#include "fitting/diagnosis/classify/acting_force.h"
 #include "fitting/trials/plan.h"
 #include "tracking/synthetic/recording.h"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis.h"
-#include "fitting/diagnosis/diagnosis_options.h"
+#include "fitting/diagnosis/answer/diagnosis.h"
+#include "fitting/diagnosis/fitted/options.h"
 #include "fitting/jobs/run_jobs.h"
 #include "fitting/trials/score.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/answer/diagnosis.h"
 #include "fitting/studies/recovery_study.h"
 #include "fitting/trials/recording.h"
 

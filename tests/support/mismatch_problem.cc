@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/forced_motion.h"
-#include "fitting/diagnosis/modelling.h"
+#include "fitting/diagnosis/locate/forced_motion.h"
+#include "fitting/diagnosis/model/switch_on.h"
 
 namespace clothfit {
 namespace {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "fitting/diagnosis/residual_force.h"
+#include "fitting/diagnosis/locate/residual_force.h"
 #include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/scene.h"
 #include "tracking/synthetic/recording.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fitting/diagnosis/diagnosis_folder.h"
+#include "fitting/diagnosis/answer/folder.h"
 #include "fitting/files/npy_file.h"
 #include "tests/support/small_run.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "fitting/diagnosis/rows.h"
+#include "fitting/diagnosis/fitted/rows.h"
 #include "tracking/recording/recording.h"
 
 namespace clothfit {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/acting_force.h"
+#include "fitting/diagnosis/classify/acting_force.h"
 #include "tracking/synthetic/recording.h"
 
 namespace clothfit {

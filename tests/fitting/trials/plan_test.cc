@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/sha256.h"
+#include "fitting/files/sha256.h"
 #include "fitting/trials/recording.h"
 
 namespace clothfit {
@@ -207,14 +207,6 @@ TEST(TrialPlan, CanBeReducedToSomeEffects) {
   }
   EXPECT_GT(wind, 12);
   EXPECT_EQ(pose, 12);
-}
-
-// Examples of FIPS 180-4's SHA-256 (NIST, "Examples with Intermediate Values"), and of nothing.
-TEST(Sha256, GivesTheDigestsOfTheStandard) {
-  EXPECT_EQ(Sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(Sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
-            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  EXPECT_EQ(Sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
 TEST(Commitment, IsThatOfTheLabelAndTheNonce) {

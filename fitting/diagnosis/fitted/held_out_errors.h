@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How far what was seen in held-out frames is from what is predicted there.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fitting/diagnosis/fitted/rows.h"
+
+namespace clothfit {
+
+// Times a held-out error: no worse than that.
+inline constexpr double kAsGood = 1.05;
+
+// Mean squared errors of single held-out frames: of markers (m^2) where there are any, else of
+// tracks (px^2), else pixels in which silhouettes differ, squared.
+struct HeldOutErrors {
+  std::vector<double> squared;  // one a held-out frame that was observed
+  bool is_complete = false;     // the simulation got there
+  double Rms() const;
+};
+
+// One open-loop simulation at what was fitted, through all frames or up to `last`.
+HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> last = std::nullopt);
+
+// The source of an observation: a camera's index, or the markers.
+inline constexpr int kMarkers = -1;
+
+// How far what one source saw in the held-out frames is from a motion that follows everything else
+// that was seen, there too: all other markers and tracks pull at the cloth (Start::kGuided). What
+// is wrong with one source shows in that whatever becomes of an open-loop prediction. Markers (m),
+// a camera's tracks (px). Empty where it saw nothing, or nothing else did.
+std::optional<HeldOutErrors> MeasureAgainstOthers(const FittedScene& fitted, int source);
+
+// How far apart two models have what is seen in held-out frames, root mean square: markers (m)
+// where there are any, else tracks (px), else 0. Both of one recording. Infinite where one of them
+// fails before the last frame.
+double HeldOutDistance(const FittedScene& a, const FittedScene& b);
+
+// Holds out the last share of the frames where the recording holds none out.
+Recording WithHeldOutFrames(const Recording& recording, double share);
+
+}  // namespace clothfit

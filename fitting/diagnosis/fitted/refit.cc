@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/fitted/refit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
+
+namespace clothfit {
+namespace {
+
+constexpr double kGuidingRate = 40.0;  // 1/s
+// Weaker and weaker: what pulls also hides a part of what is wrong.
+constexpr double kGuidingShares[] = {1.0, 0.3, 0.1, 0.03};
+constexpr int kGuidedIterations = 4;  // of each
+// Particles a side: where something pulls, the motion is as good on a coarse mesh.
+constexpr int kGuidedSide = 13;
+
+// Where a fit begins that nothing is handed on to.
+FitCheckpoint Beginning(const FreeParameters& free) {
+  FitCheckpoint from;
+  from.theta = free.start();
+  from.information = free.PriorInformation();
+  from.mean = free.PriorMean();
+  return from;
+}
+
+// Where a fit of the same unknowns goes on that is to begin with no offsets of the start.
+FitCheckpoint FromPathsOf(const FitResult& before, const FreeParameters& free) {
+  FitCheckpoint from = Beginning(free);
+  for (int i = 0; i < free.size(); ++i) {
+    if (free.entries()[i].kind == FreeEntry::Kind::kHandle) from.theta[i] = before.theta[i];
+  }
+  return from;
+}
+
+// Begins where what was fitted before has its handles' paths, where there was such a fit.
+FitResult RunAfter(const std::optional<FitResult>& before, const Scene& scene,
+                   const FitConfig& config, const FitRunner& runner) {
+  if (!before) return runner.Run(scene, config);
+  const FreeParameters free(config, scene, MakeParameterTable());
+  const FitCheckpoint from = FromPathsOf(*before, free);
+  return runner.Run(scene, config, &from);
+}
+
+// Begins from what was fitted.
+void BeginFrom(const FitResult& fit, FitConfig* config) {
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    ParameterSetting& setting = config->parameters.at(table[i].name);
+    if (setting.free) setting.value = Inside(fit.parameters[static_cast<Eigen::Index>(i)], setting);
+  }
+}
+
+FitConfig OnGuidedMesh(FitConfig config, const ClothMesh& mesh) {
+  if (mesh.is_grid() && std::max(mesh.grid[0], mesh.grid[1]) > kGuidedSide)
+    config.resolution = GridWithSide(mesh.grid, kGuidedSide);
+  return config;
+}
+
+// What was fitted quickly, to be gone on with as the config `own` says.
+std::optional<FittedScene> MakeModel(Scene scene, const FitConfig& own, FitConfig quick,
+                                     const FitResult& result) {
+  if (result.status == FitStatus::kFailed || !std::isfinite(result.cost_after)) return std::nullopt;
+  quick.max_iterations = own.max_iterations;
+  quick.function_tolerance = own.function_tolerance;
+  return MakeFittedScene(std::move(scene), quick, result);
+}
+
+}  // namespace
+
+double Inside(double value, const ParameterSetting& setting) {
+  return std::clamp(value, setting.lower, setting.upper);
+}
+
+FitConfig QuickConfig(FitConfig config, int most_iterations) {
+  config.coarse_resolution = 0;
+  config.window = 0.0;
+  config.max_iterations = std::min(config.max_iterations, most_iterations);
+  config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
+  return config;
+}
+
+std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double share,
+                                double damping) {
+  const auto markers =
+      std::count_if(scene.markers.begin(), scene.markers.end(), [&](const MarkerObservation& m) {
+        return scene.is_fitted[static_cast<std::size_t>(m.frame)];
+      });
+  const auto tracks =
+      std::count_if(scene.tracks.begin(), scene.tracks.end(),
+                    [&](const TrackObservation& track) { return scene.IsFitted(track); });
+  if (markers + tracks == 0) return {};
+  const double per_frame = static_cast<double>(markers + tracks) / (scene.last_fitted_frame + 1);
+  const double mass =
+      config.parameters.at("cloth.areal_density").value * scene.recording.cloth.size.prod();
+  // Each point as a mass on a spring that moves.
+  const double rate = std::sqrt(share) * kGuidingRate;
+  const double linear = mass * rate * rate / per_frame,
+               drag = damping * 2.0 * mass * rate / per_frame;
+  config.attract = true;
+  config.polish = false;
+  config.max_iterations = kGuidedIterations;
+  for (const std::string term : {"attraction_point", "attraction_ray"}) {
+    for (const auto& [name, value] : {std::pair{".linear", linear}, std::pair{".damping", drag}}) {
+      ParameterSetting& setting = config.parameters.at(term + name);
+      setting.value = std::clamp(value, setting.lower, setting.upper);
+      setting.free = false;
+    }
+  }
+  return config;
+}
+
+ModelStart GoOn(const FittedScene& model) {
+  ModelStart start{model.scene.recording, model.config};
+  for (auto& [name, setting] : start.config.parameters)
+    setting.value = model.values.parameters.at(name).value;
+  return start;
+}
+
+ModelStart GoOnWithout(const FittedScene& model, const std::vector<std::string>& names) {
+  ModelStart start = GoOn(model);
+  for (const std::string& name : names) {
+    ParameterSetting& setting = start.config.parameters.at(name);
+    setting.value = ParameterNamed(name).off;
+    setting.free = false;
+  }
+  return start;
+}
+
+ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model) {
+  ModelStart start = GoOn(before);
+  for (auto& [name, setting] : start.config.parameters) {
+    if (setting.free) setting.value = Inside(model.values.parameters.at(name).value, setting);
+  }
+  return start;
+}
+
+ModelStart FromFabricOf(const FitConfig& told, ModelStart start) {
+  for (auto& [name, setting] : start.config.parameters) {
+    const ParameterSetting& own = told.parameters.at(name);
+    if (own.free) setting.value = own.value;
+  }
+  return start;
+}
+
+std::optional<FittedScene> FitGuided(const ModelStart& start, double damping,
+                                     const FitRunner& runner) {
+  FitConfig next = QuickConfig(start.config, kGuidedIterations);
+  next.attract = true;
+  next = OnGuidedMesh(next, MakeScene(start.recording, next).mesh);
+  const Scene scene = MakeScene(start.recording, next);
+  std::optional<FitResult> before;
+  for (const double share : kGuidingShares) {
+    const std::optional<FitConfig> pulled = Guided(next, scene, share, damping);
+    if (!pulled) return {};
+    before = RunAfter(before, scene, *pulled, runner);
+    if (before->status == FitStatus::kFailed) return {};
+    next = *pulled;
+    BeginFrom(*before, &next);
+  }
+  return MakeFittedScene(scene, next, *before);
+}
+
+std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
+                                     const FitRunner& runner) {
+  const FitConfig quick = QuickConfig(start.config, most_iterations);
+  FitConfig last = quick;
+  std::optional<FitResult> before;
+  if (how == Start::kGuided) {
+    const std::optional<FittedScene> guided = FitGuided(start, kFittingDamping, runner);
+    if (!guided) return {};
+    before = guided->fit;
+    BeginFrom(*before, &last);
+  }
+  Scene scene = MakeScene(start.recording, quick);
+  const FitResult result = RunAfter(before, scene, last, runner);
+  return MakeModel(std::move(scene), start.config, quick, result);
+}
+
+std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
+                                    int most_iterations, const FitRunner& runner) {
+  const FitConfig config = QuickConfig(start.config, most_iterations);
+  Scene scene = MakeScene(start.recording, config, &fitted.scene);
+  // Handles and initial state go on from where they were; they follow the parameters.
+  const FreeParameters free(config, scene, MakeParameterTable());
+  FitCheckpoint from = Beginning(free);
+  from.next_window = 1;
+  from.theta.tail(fitted.unknown.size()) = fitted.unknown;
+  const FitResult result = runner.Run(scene, config, &from);
+  return MakeModel(std::move(scene), start.config, config, result);
+}
+
+std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<FittedScene> b) {
+  const bool is_second = b && (!a || b->fit.cost_after < a->fit.cost_after);
+  return is_second ? std::move(b) : std::move(a);
+}
+
+}  // namespace clothfit

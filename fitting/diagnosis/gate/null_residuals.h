@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a fit leaves where nothing is missing: the fitted baseline simulated on a finer mesh with a
+// shorter step, seen by cameras and markers with the errors of well-made ones, with noise.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fitting/diagnosis/fitted/rows.h"
+
+namespace clothfit {
+
+// One sigma of the amounts of numerical error that are taken out where a force is located.
+inline constexpr double kNumericalSigma = 2.0;
+
+// What mesh and step leave. The first two are recordings of the fit itself with half the step, or
+// on a finer mesh; the draws are recordings on the finer mesh with half the step, at
+// parameters drawn around the fit. In all of them the baseline was fitted again, and these are what
+// that leaves: a fit takes most of what mesh and step change for fabric.
+// The draws, and what is measured at them, are larger by the error that the finer mesh still has.
+struct NumericalErrors {
+  Eigen::VectorXd half_step, finer_mesh;  // rows; at the fit
+  std::vector<Eigen::VectorXd> at_draws;  // rows
+  // How many of all these simulations went so far elsewhere that they are left out.
+  int num_elsewhere = 0;
+  // How far the held-out frames are predicted from where the finer simulation has them, over the
+  // draws; see HeldOutProof. 0 where there are neither markers nor tracks.
+  double held_out_rms = 0.0;
+};
+
+// `baseline`: the rows of the fit with its Jacobian, from which the draws are made.
+NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrames& frames,
+                                       const Rows& baseline, int draws, std::uint64_t seed);
+
+// The finer mesh and step that stand for the truth.
+FittedScene Finer(const FittedScene& fitted, bool mesh, bool step);
+
+// A finer mesh has an error of its own: that of the fit's is this much more than the difference
+// between both.
+double OfDifference();
+
+// The fit with its free vector drawn around where it ended, so near that what is simulated with it
+// still looks like the recording.
+std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& baseline, int count,
+                                     std::uint64_t seed);
+
+// What mesh and step do to a fit: a scene that is drawn near it, simulated finer and fitted again.
+struct NumericalShift {
+  Eigen::VectorXd by;         // how far the free vector ends from where it should; own scale
+  double left_squared = 0.0;  // sum of squares of what the fit leaves, in sigmas
+};
+// Fewer than so many draws where a fit fails.
+std::vector<NumericalShift> MeasureShifts(const FittedScene& fitted, const LinearisedFit& linear,
+                                          int draws, std::uint64_t seed);
+
+// The recording with its markers and tracks where the scene has them, simulated finer, with their
+// noise; masks are left out. Nothing is missing in it that the scene does not lack. Empty where it
+// cannot be simulated.
+std::optional<Recording> TwinRecording(const FittedScene& scene, std::uint64_t seed);
+
+// A null residual, by its products with all columns of a Gram matrix and with itself.
+struct NullResidual {
+  Eigen::VectorXd products;
+  double squared = 0.0;
+};
+
+// A column and how much of it a draw contains: about once its amount, of either sign, or its amount
+// times a normal variate. Amounts are in the columns' own scale.
+struct DrawnColumn {
+  int column;
+  double amount;
+};
+
+// Draws: noise of unit variance in each of `num_rows` rows, plus one of the columns `numerical` and
+// all of `faults`. Columns should be of about one length.
+std::vector<NullResidual> DrawNulls(const Eigen::MatrixXd& gram, Eigen::Index num_rows,
+                                    const std::vector<DrawnColumn>& numerical,
+                                    const std::vector<DrawnColumn>& faults, int count,
+                                    std::uint64_t seed);
+
+}  // namespace clothfit

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/model/switch_on.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
+#include "fitting/rollout/window_cost.h"
+
+namespace clothfit {
+namespace {
+
+// Where a fit may begin: what is linear at nothing need not be so at the estimate.
+constexpr double kSharesOfEstimate[] = {1.0, 0.3, 0.1, 3.0};
+
+// The shapes of a term that a fit may move once it is on.
+void FreeShapes(const Probe& probe, FitConfig* config) {
+  for (const auto& [name, value] : probe) {
+    ParameterSetting& setting = config->parameters.at(name);
+    setting.value = setting.prior = Inside(value, setting);
+    setting.free = true;
+  }
+}
+
+// Of a start as FitModel begins it, without derivatives; infinite where the simulation fails.
+double CostOf(const FittedScene& fitted, const ModelStart& start) {
+  const FitConfig config = QuickConfig(start.config, 0);
+  const Scene scene = MakeScene(start.recording, config, &fitted.scene);
+  const FreeParameters free(config, scene, MakeParameterTable());
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::VectorXd& theta : {ThetaOfPass(free, fitted.unknown), free.start()}) {
+    Eigen::VectorXd residuals;
+    if (EvaluateResiduals(scene, config, free, theta, scene.last_fitted_frame, &residuals, nullptr))
+      least = std::min(least, 0.5 * residuals.squaredNorm());
+  }
+  return least;
+}
+
+}  // namespace
+
+ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
+                    const std::vector<Fault>& faults) {
+  ModelStart start{fitted.scene.recording, fitted.config};
+  for (auto& [name, setting] : start.config.parameters) {
+    const ParameterSetting& found = fitted.values.parameters.at(name);
+    setting.value = setting.free ? Inside(found.value, setting) : found.value;
+  }
+  if (candidate.summary.kind == CandidateKind::kObservation) {
+    Eigen::VectorXd amounts = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(faults.size()));
+    for (std::size_t i = 0; i < candidate.faults.size(); ++i)
+      amounts[candidate.faults[i]] = candidate.amounts[static_cast<Eigen::Index>(i)];
+    start.recording = WithoutFaults(fitted.scene.recording, faults, amounts);
+    return start;
+  }
+  for (std::size_t i = 0; i < candidate.names.size(); ++i) {
+    ParameterSetting& setting = start.config.parameters.at(candidate.names[i]);
+    const Parameter parameter = ParameterNamed(candidate.names[i]);
+    const double amount = candidate.amounts[static_cast<Eigen::Index>(i)];
+    // The amounts of logarithms are changes of them.
+    const double value = parameter.scale == Scale::kLog && parameter.off > 0.0
+                             ? parameter.off * std::exp(std::clamp(amount, -2.0, 2.0))
+                             : amount;
+    setting.value = Inside(value, setting);
+    setting.free = true;
+  }
+  const bool is_law = IsLaw(candidate.term.term);  // whose middle is as good anywhere
+  for (const auto& [name, value] : candidate.probe)
+    if (is_law) start.config.parameters.at(name).value = value;
+  if (!is_law) FreeShapes(candidate.probe, &start.config);
+  return start;
+}
+
+ModelStart WithOnly(const FittedScene& before, const FittedScene& model,
+                    const RankedCandidate& candidate) {
+  ModelStart start = WithoutEffect(before, model);
+  std::vector<std::string> names = candidate.names;
+  for (const auto& [name, value] : candidate.probe) names.push_back(name);
+  for (const std::string& name : names) {
+    ParameterSetting& setting = start.config.parameters.at(name);
+    setting = model.config.parameters.at(name);
+    setting.value = Inside(model.values.parameters.at(name).value, setting);
+  }
+  return start;
+}
+
+ModelStart FromNothing(const FitConfig& told, ModelStart start, const RankedCandidate& candidate) {
+  start = FromFabricOf(told, std::move(start));
+  if (candidate.summary.kind == CandidateKind::kObservation) return start;
+  for (const std::string& name : candidate.names) {
+    ParameterSetting& setting = start.config.parameters.at(name);
+    setting.value = std::clamp(ParameterNamed(name).initial, setting.lower, setting.upper);
+  }
+  return start;
+}
+
+ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,
+                       const RankedCandidate& candidate, const FitRunner& runner) {
+  if (candidate.summary.kind == CandidateKind::kObservation) return start;
+  ModelStart best = start;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double share : kSharesOfEstimate) {
+    if (runner.IsStopped()) break;
+    RankedCandidate smaller = candidate;
+    smaller.amounts *= share;
+    ModelStart tried = start;
+    const FitConfig scaled = SwitchOn(fitted, smaller, {}).config;
+    for (const std::string& name : candidate.names)
+      tried.config.parameters.at(name).value = scaled.parameters.at(name).value;
+    const double cost = CostOf(fitted, tried);
+    if (cost >= least) continue;
+    least = cost;
+    best = std::move(tried);
+  }
+  return best;
+}
+
+std::optional<FittedScene> FitFirst(const FittedScene& fitted, const ModelStart& start,
+                                    const FitConfig& told, const RankedCandidate& candidate,
+                                    int most_iterations, const FitRunner& runner) {
+  std::optional<FittedScene> model =
+      FitModel(fitted, AtBestShare(fitted, start, candidate, runner), most_iterations, runner);
+  if (runner.IsStopped()) return model;
+  if (model && !IsFarOff(model->scene, model->config, model->fit)) return model;
+  const ModelStart afresh = FromNothing(told, start, candidate);
+  std::optional<FittedScene> other = FitAfresh(afresh, Start::kGuided, most_iterations, runner);
+  if (!other) other = FitModel(fitted, afresh, most_iterations, runner);
+  return Cheaper(std::move(model), std::move(other));
+}
+
+}  // namespace clothfit

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A candidate switched on and everything fitted again.
+#pragma once
+
+#include <optional>
+
+#include "fitting/diagnosis/fitted/fit_runner.h"
+#include "fitting/diagnosis/fitted/refit.h"
+#include "fitting/diagnosis/rank/ranking.h"
+
+namespace clothfit {
+
+// The fitted baseline's own config, started from what it found, with a candidate's parameters and
+// shapes free from their estimates; for an observation fault the recording is put right instead.
+ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
+                    const std::vector<Fault>& faults);
+
+// The scene of a fit with one candidate of a model that has others besides, begun from what the
+// model found for that candidate and the fabric.
+ModelStart WithOnly(const FittedScene& before, const FittedScene& model,
+                    const RankedCandidate& candidate);
+
+// From the fabric that a config was told, where that is free, and with a candidate's amounts where
+// a fit of its term begins: an estimate that was made far off may be anything.
+ModelStart FromNothing(const FitConfig& told, ModelStart start, const RankedCandidate& candidate);
+
+// The start of an effect that was just switched on, at the share of its linear estimate that comes
+// nearest to the recording: all of it, or less.
+ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,
+                       const RankedCandidate& candidate, const FitRunner& runner);
+
+// The same of a candidate that was just switched on, from its best share. Where that is left far
+// off, a fabric that had to stand for what was missing is no good start: then from nothing, too,
+// guided where there is something to guide it. The better one of both.
+std::optional<FittedScene> FitFirst(const FittedScene& fitted, const ModelStart& start,
+                                    const FitConfig& told, const RankedCandidate& candidate,
+                                    int most_iterations, const FitRunner& runner);
+
+}  // namespace clothfit

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A diagnosis under way: what is known so far, and its steps. Its answer is looked at in
+// diagnoser_answer.cc and, on a finer mesh, in diagnoser_refine.cc; what was kept first once more
+// beside a second effect in diagnoser_first.cc; all else is in diagnose.cc.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fitting/diagnosis/ambiguity/ambiguity.h"
+#include "fitting/diagnosis/answer/diagnosis.h"
+#include "fitting/diagnosis/answer/parameter_intervals.h"
+#include "fitting/diagnosis/answer/verdict.h"
+#include "fitting/diagnosis/fitted/fit_runner.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
+#include "fitting/diagnosis/fitted/options.h"
+#include "fitting/diagnosis/locate/residual_force.h"
+#include "fitting/diagnosis/model/race.h"
+#include "fitting/diagnosis/prove/held_out_proof.h"
+#include "fitting/diagnosis/prove/model_proof.h"
+#include "fitting/diagnosis/rank/ranking.h"
+
+namespace clothfit {
+
+class Diagnoser {
+ public:
+  Diagnoser(const Recording& recording, const FitConfig& baseline, const DiagnosisOptions& options)
+      : recording_(WithHeldOutFrames(recording, options.held_out_share)),
+        baseline_(baseline),
+        options_(options),
+        runner_(options) {}
+
+  Diagnosis Run();
+
+ private:
+  FittedScene UndoSwaps(FittedScene fitted);
+  // Ranks; where mesh and step make much of what is left, on a finer mesh.
+  Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
+  // A baseline's fit begun anew on its mesh: what a coarser one has come to may be a wrong valley.
+  std::optional<FittedScene> FitGuidedOnFineMesh(const FittedScene& fitted);
+  // Where, when and of what class a force is missing.
+  void LocateMismatch(const FittedScene& fitted, const Ranking& ranking);
+  // The model of `fitted` held to what was seen, from the fabric that the baseline was told; null
+  // where that cannot be or would be of no use. Fitted once for one fit.
+  const FittedScene* Held(const FittedScene& fitted, const Ranking& ranking);
+  // One more effect. False where there is none to be had.
+  bool AddEffect(FittedScene* current, HeldOutErrors* errors);
+  // Whether a fit without the effect, begun where the model has ended, comes (nearly) as far: then
+  // the model had found a better valley, not an effect. What is explained is held against that
+  // fit then.
+  bool CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors);
+  // What physics was kept first, taken out again where what was kept after it does without it: that
+  // had stood for a part of the other. Else what could make the same force is fitted in its place,
+  // and takes it where it comes first beside the second.
+  void LookBackAtFirst(FittedScene* current, HeldOutErrors* errors);
+  // By other means, too, where the held-out frames do not prove it and it leaves far less than
+  // that.
+  HeldOutProof Prove(const FittedModel& model, double other_cost, const ProofStart& start) const;
+  // Forgets a round, so that it can be held again from a better fit.
+  void BeginAgain(std::size_t first_model, const FittedScene& better, const HeldOutErrors& errors);
+  void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
+  Model Describe(const FittedModel& model, const FittedScene& before, const HeldOutErrors& errors);
+  // Of the model at `index` of diagnosis_.models, whose proof it replaces.
+  void ProveOtherwiseToo(const FittedModel& model, std::size_t index, const ProofStart& start);
+  void TellApart(const Ambiguity& ambiguity);
+  void KeepRivals(const std::vector<FittedModel>& models, std::size_t winner);
+  // A law instead of names, where those explain too little and it explains more.
+  void LearnInstead(FittedScene* current);
+  // The answer without those of its amounts that may be anything about nothing.
+  void TakeOutUndetermined(FittedScene* current, const HeldOutErrors& errors);
+  // What mesh and step do to the answer: to its parameters, and what they leave of it.
+  void MeasureAnswer(const FittedScene& model);
+  void WithdrawWhatMayBeNothing(FittedScene* current);
+  // What was kept last is not any more.
+  void TakeBack(FittedScene* current);
+  // The answer and what it is held against on a finer mesh, where a fit may use one; taken back
+  // where it does not stand there.
+  void RefineAnswer(FittedScene* current, HeldOutErrors* errors);
+  bool MayRefine(const ClothMesh& mesh) const;
+  // Each gone on with on that mesh; empty where it fails.
+  std::vector<std::optional<FittedScene>> FitOn(
+      const std::array<int, 2>& grid, const std::vector<const FittedScene*>& coarse) const;
+  FittedScene GoneOnWith(FittedScene fitted) const;
+  // Each from the fabric of the answer, too, on whose mesh they are.
+  void FitFromFabricOf(const FittedScene& answer, std::vector<FittedModel>* rivals) const;
+  // Of the answer and its rivals, all on the finer mesh, the one that comes first there.
+  void ChooseAgain(std::vector<FittedModel> rivals, FittedScene* current, HeldOutErrors* errors);
+  // Its amounts, cost and proof, and what mesh and step do to it, on the mesh that it is on now.
+  void DescribeAnswerAgain(const FittedScene& current, const HeldOutErrors& errors);
+  // The answer among the models; null where it was fitted on another mesh than they.
+  Model* AnswerAmongModels();
+  // Share of what the baseline does not explain that the answer does.
+  double ExplainedBy(const FittedScene& model) const;
+  void WidenIntervals(const FittedScene& model);
+  // Where, when and how the physics that was named acts.
+  void MeasureWhatActs(const FittedScene& model);
+  void Conclude(const FittedScene& current);
+  void Say(const std::string& stage, double fraction) {
+    if (options_.progress) options_.progress(stage, fraction);
+  }
+  void Log(const std::string& line) const {
+    if (options_.log) options_.log(line);
+  }
+  bool Stopped() const { return runner_.IsStopped(); }
+  ChoiceRules RulesOf(const FittedScene& before) const {
+    return {before.fit.cost_after, options_.least_share, options_.prove};
+  }
+  void Spend(const std::string& stage);
+  void SpendOn(const Ranking& ranking);
+
+  Recording recording_;
+  FitConfig baseline_;
+  const DiagnosisOptions& options_;
+  FitRunner runner_;
+  Diagnosis diagnosis_;
+  Ranking last_ranking_;
+  std::vector<std::string> kept_parameters_;
+  // What was kept last, and what it was held against.
+  struct Kept {
+    std::size_t model;  // of diagnosis_.models
+    RankedCandidate candidate;
+    FittedScene before;
+    HeldOutErrors before_errors;
+  };
+  std::optional<Kept> kept_;
+  // The first physics that was kept, alone so far, with the round that it was found in.
+  struct First {
+    Kept kept;
+    Ranking ranking;
+    std::vector<FittedModel> models;
+    std::vector<std::string> effects, parameters;  // that were kept before
+  };
+  // What was kept last without it. Empty where the fit fails.
+  std::optional<FittedModel> WithoutFirst(const First& first, const FittedScene& current);
+  // Does the second alone explain nearly as much as `current`, which has both, and is it proven?
+  bool IsIdle(const First& first, const FittedModel& second, const FittedScene& current);
+  void DropFirst(First first, FittedModel second, FittedScene* current, HeldOutErrors* errors);
+  void ExchangeFirst(const First& first, const FittedModel& second, FittedScene* current,
+                     HeldOutErrors* errors);
+  // Takes the rival in its place, which has the second besides, where both are proven.
+  bool TakesFirstPlace(const First& first, const FittedModel& second, const FittedModel& rival,
+                       FittedScene* current, HeldOutErrors* errors);
+  // Of models that all have the second effect besides.
+  void TellApartBeside(const First& first, const FittedModel& second,
+                       const std::vector<FittedModel>& models, std::size_t winner);
+  void Keep(const FittedModel& model, FittedScene before, HeldOutErrors before_errors);
+  // One of diagnosis_.models.
+  void TakeForAnswer(Kept kept);
+  // It and what was kept last.
+  void ForgetFirst(const First& first);
+  std::optional<First> first_kept_;
+  int rounds_left_ = 0;
+  std::vector<FittedModel> rivals_;  // physics that was fitted and cannot be told from the first
+  double kept_score_ = 0.0;          // the highest of what was kept
+  double baseline_cost_ = 0.0;
+  bool is_above_floor_ = false;
+  std::optional<FittedScene> first_scene_;  // the baseline that was ranked first
+  std::optional<Ranking> first_ranking_;
+  HeldOutErrors first_errors_;
+  int rematches_ = 0;
+  double first_unexplained_ = 0.0;  // sum of squares
+  NumericalShifts shifts_;          // of the answer
+  // What the answer explained on the mesh on which it was found, where it was refined.
+  std::optional<double> explained_;
+  std::optional<MissingForce> missing_;
+  // Of the fit that is looked at now, once it has been asked for: its guided motion, where that can
+  // be simulated.
+  std::optional<std::optional<FittedScene>> held_;
+  std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace clothfit

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whole diagnoses of small recordings that were simulated on a finer mesh with a shorter step.
+#include "fitting/diagnosis/pipeline/diagnose.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "autodiff_sim/term/tilted_down.h"
+#include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/answer/words.h"
+#include "fitting/diagnosis/evidence/candidates.h"
+#include "fitting/diagnosis/rank/ranking.h"
+#include "tracking/synthetic/recording.h"
+
+namespace clothfit {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+SyntheticOptions Small() {
+  SyntheticOptions options;
+  options.resolution = {6, 6};
+  options.refinement = 2;
+  options.frame_rate = 30.0;
+  options.frame_count = 36;
+  options.steps_per_frame = 8;
+  options.seed = 5;
+  return options;
+}
+
+// A baseline that knows most of the fabric, so that a test takes seconds, and its drag, without
+// which a wind's speed cannot be told.
+FitConfig Baseline(const Recording& recording) {
+  FitConfig config = DefaultConfig(recording);
+  for (auto& [name, setting] : config.parameters) setting.free = false;
+  for (const char* name : {"stretch.stiffness", "shear.stiffness", "bending.stiffness"})
+    config.parameters.at(name).free = true;
+  config.max_iterations = 8;
+  return config;
+}
+
+DiagnosisOptions Quick() {
+  DiagnosisOptions options;
+  options.max_models = 2;
+  options.max_effects = 1;
+  options.num_nulls = 200;
+  return options;
+}
+
+TEST(Diagnose, NamesTheWind) {
+  SyntheticOptions options = Small();
+  options.parameters["wind.x"] = 2.5;  // so much that the coarse mesh matters little
+  const Recording recording = MakeSyntheticRecording(options).recording;
+  DiagnosisOptions quick = Quick();
+  std::string log;
+  quick.log = [&](const std::string& line) { log += line + "\n"; };
+  const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), quick);
+  EXPECT_EQ(diagnosis.verdict, Verdict::kNamed) << diagnosis.words;
+  ASSERT_TRUE(diagnosis.answer.has_value());
+  EXPECT_EQ(diagnosis.answer->effects, std::vector<std::string>{"wind"});
+  const auto x =
+      std::find_if(diagnosis.answer->parameters.begin(), diagnosis.answer->parameters.end(),
+                   [](const EffectParameter& p) { return p.name == "wind.x"; });
+  ASSERT_NE(x, diagnosis.answer->parameters.end());
+  EXPECT_NEAR(x->value, 2.5, 0.15);
+  EXPECT_LT(x->lower90, x->upper90);
+  EXPECT_TRUE(diagnosis.answer->proof.is_proven);
+  EXPECT_LT(diagnosis.answer->proof.after, diagnosis.answer->proof.before);
+  EXPECT_THAT(diagnosis.words, HasSubstr("wind"));
+  EXPECT_THAT(DiagnosisAsJson(diagnosis), HasSubstr("\"verdict\": \"named\""));
+  // On a finer mesh in the end, all of it.
+  EXPECT_THAT(log, HasSubstr("particles: cost"));
+  const DiagnosisMotions& motions = diagnosis.motions;
+  const Eigen::Index size = 3 * motions.resolution[0] * motions.resolution[1];
+  EXPECT_GT(motions.resolution[0], 6);
+  ASSERT_FALSE(motions.missing_force.empty());
+  for (const auto* frames : {&motions.baseline, &motions.answer, &motions.missing_force})
+    EXPECT_EQ(frames->front().size(), size);
+  EXPECT_LT(diagnosis.gate_p_value, 0.01);
+  const std::vector<double>& draws = diagnosis.null_left_rms;
+  ASSERT_EQ(draws.size(), static_cast<std::size_t>(Quick().num_nulls));
+  EXPECT_GT(diagnosis.left_rms, *std::max_element(draws.begin(), draws.end()));
+  EXPECT_LE(diagnosis.left_rms,
+            diagnosis.residual_rms);  // faults of the observation only take away
+}
+
+TEST(Diagnose, FindsNothingMissingWhereNothingIs) {
+  const Recording recording = MakeSyntheticRecording(Small()).recording;
+  const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), Quick());
+  EXPECT_EQ(diagnosis.verdict, Verdict::kNothingMissing) << diagnosis.words;
+  EXPECT_TRUE(diagnosis.effects.empty());
+}
+
+TEST(Diagnose, UsesNoFinerMeshThanItMay) {
+  const Recording recording = MakeSyntheticRecording(Small()).recording;
+  DiagnosisOptions options = Quick();
+  options.finest_side = 4;
+  const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), options);
+  ASSERT_GT(recording.cloth.resolution.x(), 4);
+  EXPECT_EQ(diagnosis.motions.resolution, (std::array<int, 2>{4, 4}));
+}
+
+TEST(Diagnose, SaysThatAFinerMeshWouldShowMore) {
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::kUndecided;
+  diagnosis.floor_rms = 2.0;
+  EXPECT_THAT(DescribeDiagnosis(diagnosis), Not(HasSubstr("--finest")));
+  EXPECT_THAT(DiagnosisAsJson(diagnosis), HasSubstr("\"finer_mesh\": null"));
+  diagnosis.finer_side = 19;
+  EXPECT_THAT(DescribeDiagnosis(diagnosis), HasSubstr("(--finest 19)"));
+  EXPECT_THAT(DiagnosisAsJson(diagnosis), HasSubstr("\"finer_mesh\": 19"));
+  diagnosis.verdict = Verdict::kNamed;
+  EXPECT_THAT(DescribeDiagnosis(diagnosis), Not(HasSubstr("--finest")));
+}
+
+TEST(Diagnose, BlamesTheCameraThatStandsElsewhere) {
+  SyntheticOptions options = Small();
+  options.markers = {0, 0};
+  options.num_cameras = 3;
+  Recording recording = MakeSyntheticRecording(options).recording;
+  const Eigen::Vector3d shift(0.015, -0.01, 0.0);
+  Camera& camera = recording.cameras[1];
+  camera.camera_from_world_translation -= camera.camera_from_world_rotation * shift;
+  FitConfig config = Baseline(recording);
+  config.loss = LossKind::kNone;
+  const Diagnosis diagnosis = Diagnose(recording, config, Quick());
+  EXPECT_EQ(diagnosis.verdict, Verdict::kObservationFault) << diagnosis.words;
+  EXPECT_THAT(diagnosis.effects, Contains("camera " + camera.name + ": pose"));
+}
+
+TEST(Candidates, AreWhatIsOffAndCouldAct) {
+  const Recording recording = MakeSyntheticRecording(Small()).recording;
+  FitConfig config = DefaultConfig(recording);
+  SwitchOff("test", "air_drag", &config);
+  SetParameter("test", "bending.damping=0", &config);
+  SetFree("test", "bending.damping", false, &config);
+  const Scene scene = MakeScene(recording, config);
+  Extent extent{{-1, -1, -1}, {1, 1, 1}, {0.4, 0.4}, 1.5};
+  std::vector<std::string> names;
+  for (const CandidateTerm& c : ListCandidates(config, scene, extent, {"gust"}, 8)) {
+    names.push_back(c.name);
+    EXPECT_LE(c.probes.size(), 8U) << c.name;
+    EXPECT_GE(c.probes.size(), 1U) << c.name;
+    EXPECT_EQ(c.switches.size(), c.is_one_sided.size());
+  }
+  EXPECT_THAT(names, Contains("wind"));
+  EXPECT_THAT(names, Contains("air_drag"));
+  EXPECT_THAT(names, Contains("bending.damping"));
+  EXPECT_THAT(names, Not(Contains("gust")));      // excluded
+  EXPECT_THAT(names, Not(Contains("adhesion")));  // no ground
+  EXPECT_THAT(names, Not(Contains("gravity")));   // on
+  EXPECT_THAT(names, Not(Contains("attraction_point")));
+}
+
+// A plane may be a table or a wall on any side; each that is tried cuts what the cloth passes
+// through.
+TEST(Candidates, PlanesAreTriedFromAllSides) {
+  const Recording recording = MakeSyntheticRecording(Small()).recording;
+  const FitConfig config = DefaultConfig(recording);
+  const Scene scene = MakeScene(recording, config);
+  const Extent extent{{2.0, -0.3, 0.5}, {2.5, 0.1, 1.0}, {0.4, 0.4}, 1.5};
+  const DownFrame frame = MakeDownFrame(extent.gravity);
+  const auto check = [&](const Probe& probe) {
+    const Eigen::Vector3d up = -TiltedDown<double>(frame, probe.at("obstacle_plane.angle_1"),
+                                                   probe.at("obstacle_plane.angle_2"));
+    const double height = probe.at("obstacle_plane.height");
+    const double middle = 0.5 * up.dot(extent.low + extent.high);
+    const double reach = 0.5 * up.cwiseAbs().dot(extent.high - extent.low);
+    EXPECT_GT(height, middle - reach - 0.1) << up.transpose();
+    EXPECT_LT(height, middle + reach) << up.transpose();
+    return up;
+  };
+  Eigen::Matrix<double, 3, 2> sides = Eigen::Matrix<double, 3, 2>::Zero();
+  int count = 0;
+  for (const CandidateTerm& c : ListCandidates(config, scene, extent, {}, 8)) {
+    if (c.name != "obstacle_plane") continue;
+    for (const Probe& probe : c.probes) {
+      const Eigen::Vector3d up = check(probe);
+      sides.col(0) = sides.col(0).cwiseMax(up);
+      sides.col(1) = sides.col(1).cwiseMin(up);
+      for (const Probe& near : ProbesNear(c, probe, extent, 0.25)) check(near);
+      ++count;
+    }
+  }
+  EXPECT_EQ(count, 8);
+  EXPECT_NEAR(sides(0, 0), 1.0, 1e-12);
+  EXPECT_NEAR(sides(1, 0), 1.0, 1e-12);
+  EXPECT_NEAR(sides(2, 0), 1.0, 1e-12);
+  EXPECT_NEAR(sides(0, 1), -1.0, 1e-12);
+  EXPECT_NEAR(sides(1, 1), -1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace clothfit
