@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 
 #include "fitting/fit/evaluation.h"
+#include "fitting/optimise/checked_factor.h"
 #include "fitting/optimise/levenberg_marquardt.h"
 #include "fitting/optimise/simulation_cost.h"
 
@@ -138,18 +138,18 @@ void Fitter::Marginalise(const std::vector<int>& entries) {
   for (int i = 0; i < free_.size(); ++i) {
     if (std::find(entries.begin(), entries.end(), i) == entries.end()) others.push_back(i);
   }
-  const Eigen::MatrixXd all = progress_.information.transpose() * progress_.information;
-  const Eigen::MatrixXd cross = all(others, entries);
-  const Eigen::MatrixXd own = all(entries, entries);
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(free_.size(), free_.size());
-  information(others, others) =
-      all(others, others) - cross * own.llt().solve(cross.transpose());  // Schur complement
+  std::vector<int> order = entries;
+  order.insert(order.end(), others.begin(), others.end());
+  const auto left = static_cast<Eigen::Index>(others.size());
+  // What remains of the others where the entries are free: the Schur complement's factor.
+  const Eigen::MatrixXd root =
+      TriangularRoot(progress_.information(Eigen::all, order)).bottomRightCorner(left, left);
+  progress_.information.setZero();
+  progress_.information(others, others) = root;
   for (const int i : entries) {
-    const double sigma = free_.entries()[i].prior_sigma;
-    information(i, i) = 1.0 / (sigma * sigma);
+    progress_.information(i, i) = 1.0 / free_.entries()[i].prior_sigma;
     progress_.mean[i] = free_.entries()[i].prior;
   }
-  progress_.information = information.llt().matrixU();
 }
 
 void Fitter::FreeWindowStart(WindowStart* start) {
@@ -166,13 +166,13 @@ void Fitter::FreeWindowStart(WindowStart* start) {
 
 void Fitter::CutRunawayTies(WindowStart* start) const {
   const double largest = 0.1 * scene_.recording.cloth.size.norm();  // m, within the uncertainty
-  const Eigen::MatrixXd inverse = (progress_.information.transpose() * progress_.information)
-                                      .ldlt()
-                                      .solve(Eigen::MatrixXd::Identity(free_.size(), free_.size()));
+  // Rows of R^-1, whose squares add up to the variances.
+  const Eigen::MatrixXd inverse = progress_.information.triangularView<Eigen::Upper>().solve(
+      Eigen::MatrixXd::Identity(free_.size(), free_.size()));
   const Eigen::MatrixXd dx = start->sensitivity.x();
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(dx.rows());
   for (int i = 0; i < free_.size(); ++i) {
-    const double moved = dx.col(i).lpNorm<Eigen::Infinity>() * std::sqrt(inverse(i, i));
+    const double moved = dx.col(i).lpNorm<Eigen::Infinity>() * inverse.row(i).norm();
     if (moved < largest) continue;
     start->sensitivity.ReplaceDirection(i, none, none, start->state.previous_step);
     Log(fmt::format("{}: its end follows {} too wildly to be handed on as more than a state",
@@ -205,9 +205,9 @@ bool Fitter::RunWindow(int window, WindowStart* start) {
   // What this window knows of theta, at the size that its residuals really have.
   const double noise2 = std::max(
       1.0, residuals.squaredNorm() / std::max<double>(1.0, observations_.NumObserved(first, last)));
-  const Eigen::MatrixXd information = jacobian.transpose() * jacobian / noise2 +
-                                      progress_.information.transpose() * progress_.information;
-  progress_.information = information.llt().matrixU();
+  Eigen::MatrixXd known(jacobian.rows() + free_.size(), free_.size());
+  known << jacobian / std::sqrt(noise2), progress_.information;
+  progress_.information = TriangularRoot(known);
   progress_.mean = progress_.theta;
   progress_.next_window = window + 1;
   std::string values;

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include "fitting/fit/evaluation.h"
 #include "fitting/fit/fitter.h"
+#include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 
@@ -33,7 +33,9 @@ double Fitter::ExpectedDecrease(const Eigen::VectorXd& residuals,
   const Eigen::VectorXd g = gradient(inner);
   const Eigen::MatrixXd h = information(inner, inner);
   const double cost = 0.5 * (residuals.squaredNorm() + prior.squaredNorm());
-  return 0.5 * g.dot(h.ldlt().solve(g)) / std::max(cost, 1e-300);
+  const auto factor = TrySemidefinite(h);
+  if (!factor) return std::numeric_limits<double>::infinity();  // nothing is known of it
+  return 0.5 * g.dot(factor->solve(g)) / std::max(cost, 1e-300);
 }
 
 void Fitter::Finish(FitResult* result) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <Eigen/Cholesky>
+#include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 namespace {
@@ -45,7 +45,9 @@ double LeastGrowth(const ResponseModel& model, int held, Eigen::VectorXd* d) {
     hessian.col(held).setZero();
     hessian(held, held) = 1.0;
     gradient[held] = 0.0;
-    const Eigen::VectorXd step = hessian.ldlt().solve(-gradient);
+    const auto factor = TrySemidefinite(hessian);
+    if (!factor) return growth;  // no way on from here
+    const Eigen::VectorXd step = factor->solve(-gradient);
     double share = 1.0, reached = growth;
     for (; share > 1e-4; share *= 0.5) {
       reached = Growth(model, *d + share * step);

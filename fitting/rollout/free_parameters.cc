@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
 
 #include "autodiff_sim/base/error.h"
+#include "fitting/optimise/checked_factor.h"
 #include "fitting/scene/path_guess.h"
 
 namespace clothfit {
@@ -200,7 +200,8 @@ Eigen::VectorXd FreeParameters::WithHandlePaths(Eigen::VectorXd theta, const Sce
       information += directions.transpose() * directions;
       right += directions.transpose() * point.position / sigma;
     }
-    const Eigen::VectorXd controls = information.llt().solve(right);
+    const Eigen::VectorXd controls =
+        Cholesky(information, "the path of handle " + scene.handles[h].name).solve(right);
     for (int i = 0; i < size(); ++i) {
       const bool own =
           entries_[i].kind == FreeEntry::Kind::kHandle && entries_[i].index == static_cast<int>(h);
@@ -282,10 +283,7 @@ Eigen::VectorXd FreeParameters::PriorResiduals(const Eigen::VectorXd& theta) con
   return prior_jacobian_ * theta - prior_target_;
 }
 
-Eigen::MatrixXd FreeParameters::PriorInformation() const {
-  const Eigen::MatrixXd information = prior_jacobian_.transpose() * prior_jacobian_;
-  return information.llt().matrixU();
-}
+Eigen::MatrixXd FreeParameters::PriorInformation() const { return TriangularRoot(prior_jacobian_); }
 
 Eigen::VectorXd FreeParameters::PriorMean() const {
   if (size() == 0) return {};  // which Eigen does not decompose

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
+#include "fitting/optimise/checked_factor.h"
 #include "fitting/residuals/node_sums.h"
 
 namespace clothfit {
@@ -31,21 +30,24 @@ class RowCompressor {
     of_frame_.AddTo(*sensitivity, &sums_);
   }
 
-  void Finish(Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const {
+  // False where what was added is of no use.
+  bool Finish(Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const {
     const Eigen::Index n = sums_.rows() - 1;
     residuals->setZero(n + 1);
     if (jacobian == nullptr) {
       (*residuals)[0] = std::sqrt(sums_(n, n));
-      return;
+      return true;
     }
     // P'LDL'P, as columns that nothing depends on are zero.
-    const Eigen::LDLT<Eigen::MatrixXd> factor(sums_.selfadjointView<Eigen::Lower>());
-    const Eigen::VectorXd root = factor.vectorD().cwiseMax(0.0).cwiseSqrt();
-    Eigen::MatrixXd columns = Eigen::MatrixXd(factor.matrixL()) * root.asDiagonal();
-    columns = factor.transpositionsP().transpose() * columns;
+    const auto factor = TrySemidefinite(sums_);
+    if (!factor) return false;
+    const Eigen::VectorXd root = factor->vectorD().cwiseMax(0.0).cwiseSqrt();
+    Eigen::MatrixXd columns = Eigen::MatrixXd(factor->matrixL()) * root.asDiagonal();
+    columns = factor->transpositionsP().transpose() * columns;
     const Eigen::MatrixXd rows = columns.transpose();
     *jacobian = rows.leftCols(n);
     *residuals = rows.col(n);
+    return true;
   }
 
  private:
@@ -84,7 +86,7 @@ WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
   const WindowSimulator::Outcome outcome =
       simulator->Run(start, theta, last, derivatives, observer, end);
   if (outcome != WindowSimulator::Outcome::kComplete) return outcome;
-  if (usable && !all) compressor.Finish(residuals, jacobian);
+  if (usable && !all) usable = compressor.Finish(residuals, jacobian);
   usable = usable && residuals->allFinite() && (jacobian == nullptr || jacobian->allFinite());
   return usable ? outcome : WindowSimulator::Outcome::kDiverged;
 }

@@ -24,7 +24,7 @@ fs::path FolderOf(const Trial& trial, const TrialRunOptions& options) {
 }
 
 TrialScore DiagnoseAndScore(const Trial& trial, const TrialRecording& made,
-                            const Diagnoser& diagnose, const TrialRunOptions& options,
+                            const DiagnoseFunction& diagnose, const TrialRunOptions& options,
                             const JobContext& context) {
   DiagnosisOptions of_trial = options.diagnosis;
   of_trial.seed = trial.seed;
@@ -62,8 +62,8 @@ void Describe(const Trial& trial, const TrialTruth& truth, TrialScore* score) {
 
 }  // namespace
 
-TrialScore RunTrial(const Trial& trial, const Diagnoser& diagnose, const TrialRunOptions& options,
-                    const JobContext& context) {
+TrialScore RunTrial(const Trial& trial, const DiagnoseFunction& diagnose,
+                    const TrialRunOptions& options, const JobContext& context) {
   const TrialTruth truth = PlantedTruth(trial);
   const Commitment commitment = Commit(trial, truth);
   const fs::path folder = FolderOf(trial, options);
@@ -93,7 +93,7 @@ std::vector<TrialScore> ScoresSoFar(const std::vector<Trial>& trials, const fs::
   return scores;
 }
 
-JobRunResult RunTrials(const std::vector<Trial>& trials, const Diagnoser& diagnose,
+JobRunResult RunTrials(const std::vector<Trial>& trials, const DiagnoseFunction& diagnose,
                        const TrialRunOptions& options, const JobRunOptions& jobs) {
   std::vector<Job> list;
   for (const Trial& trial : trials) list.push_back({trial.name, nullptr});

@@ -17,8 +17,8 @@
 namespace clothfit {
 
 // What is measured: Diagnose, or a stand-in. It may be called from several threads at once.
-using Diagnoser = std::function<Diagnosis(const Recording& recording, const FitConfig& baseline,
-                                          const DiagnosisOptions& options)>;
+using DiagnoseFunction = std::function<Diagnosis(
+    const Recording& recording, const FitConfig& baseline, const DiagnosisOptions& options)>;
 
 struct TrialRunOptions {
   DiagnosisOptions diagnosis;    // ablations; the seed is each trial's own
@@ -32,8 +32,8 @@ struct TrialRunOptions {
 };
 
 // One trial. A diagnosis that throws makes a failed score.
-TrialScore RunTrial(const Trial& trial, const Diagnoser& diagnose, const TrialRunOptions& options,
-                    const JobContext& context);
+TrialScore RunTrial(const Trial& trial, const DiagnoseFunction& diagnose,
+                    const TrialRunOptions& options, const JobContext& context);
 
 // The scores of those that are done, in the plan's order.
 std::vector<TrialScore> ScoresSoFar(const std::vector<Trial>& trials,
@@ -41,7 +41,7 @@ std::vector<TrialScore> ScoresSoFar(const std::vector<Trial>& trials,
 
 // Runs what the ledger (see JobRunOptions) does not hold yet, a trial a job, whose output is its
 // score. Trials that were stopped are no part of the result.
-JobRunResult RunTrials(const std::vector<Trial>& trials, const Diagnoser& diagnose,
+JobRunResult RunTrials(const std::vector<Trial>& trials, const DiagnoseFunction& diagnose,
                        const TrialRunOptions& options, const JobRunOptions& jobs);
 
 // Every trial's name and digest, to be written before any is scored.

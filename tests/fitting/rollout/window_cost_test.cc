@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/rollout/window_cost.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
@@ -49,6 +51,23 @@ TEST(EvaluateWindow, CompressesRowsOfMarkersWithoutLoss) {
   config.loss = LossKind::kCauchy;  // which ties the three coordinates of a marker
   config.loss_scale = 0.5;
   ExpectTheSameSums(MakeScene(recording, config), config, 20);
+}
+
+TEST(EvaluateWindow, IsOfNoUseWhereARowIsNoNumber) {
+  Recording recording = MakeSmallRecording();
+  recording.markers[20].position.x() = std::numeric_limits<double>::quiet_NaN();
+  const FitConfig config = DefaultConfig(recording);
+  const Scene scene = MakeScene(recording, config);
+  const FreeParameters free(config, scene, MakeParameterTable());
+  WindowSimulator simulator(scene, config, free, false, nullptr);
+  Eigen::VectorXd residuals;
+  RowMajorMatrix jacobian;
+  for (const WindowRows rows : {WindowRows::kAll, WindowRows::kCompressed}) {
+    EXPECT_EQ(EvaluateWindow(&simulator, ObservationResiduals(scene, config),
+                             simulator.FirstStart(free.start()), free.start(), 0, 5, rows,
+                             &residuals, &jacobian),
+              WindowSimulator::Outcome::kDiverged);
+  }
 }
 
 TEST(EvaluateWindow, CompressesRowsOfSilhouettesWithoutLoss) {

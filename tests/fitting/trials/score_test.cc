@@ -371,7 +371,7 @@ JobContext Alone() {
   return {nullptr, [] {}};
 }
 
-std::vector<TrialScore> RunInto(const TestFolder& folder, const Diagnoser& diagnose,
+std::vector<TrialScore> RunInto(const TestFolder& folder, const DiagnoseFunction& diagnose,
                                 JobRunOptions jobs = {}) {
   const std::vector<Trial> trials = QuickTrials();
   jobs.folder = folder.path() / "jobs";
@@ -410,8 +410,8 @@ TEST(RunTrials, GivesTheSameForAnyNumberOfThreadsAndWhenItGoesOn) {
   EXPECT_EQ(Text(RunInto(three_folder, Oracle, three)), Text(one));
   std::filesystem::remove(three_folder.path() / "jobs" / (one[4].name + ".json"));
   int calls = 0;
-  const Diagnoser counting = [&](const Recording& recording, const FitConfig& config,
-                                 const DiagnosisOptions& diagnosis) {
+  const DiagnoseFunction counting = [&](const Recording& recording, const FitConfig& config,
+                                        const DiagnosisOptions& diagnosis) {
     ++calls;
     return Oracle(recording, config, diagnosis);
   };
@@ -425,7 +425,8 @@ TEST(RunTrials, KeepsNothingOfTheTrialThatWasStopped) {
   JobRunOptions jobs;
   jobs.stop = &stop;
   int calls = 0;
-  const Diagnoser stopping = [&](const Recording&, const FitConfig&, const DiagnosisOptions& of) {
+  const DiagnoseFunction stopping = [&](const Recording&, const FitConfig&,
+                                        const DiagnosisOptions& of) {
     EXPECT_EQ(of.stop, &stop);
     if (++calls == 3) stop = true;
     return Diagnosis();
@@ -436,7 +437,8 @@ TEST(RunTrials, KeepsNothingOfTheTrialThatWasStopped) {
 
 TEST(RunTrials, GivesSignsOfLifeWhileItDiagnoses) {
   int signs = 0;
-  const Diagnoser talking = [](const Recording&, const FitConfig&, const DiagnosisOptions& of) {
+  const DiagnoseFunction talking = [](const Recording&, const FitConfig&,
+                                      const DiagnosisOptions& of) {
     of.log("half of it");
     of.progress("fit", 0.5);
     return Diagnosis();
@@ -449,7 +451,8 @@ TEST(RunTrials, PassesTheAblationsOn) {
   TrialRunOptions options = WithoutTruth();
   options.diagnosis.project = options.diagnosis.prove = options.diagnosis.simulate_null = false;
   int calls = 0;
-  const Diagnoser checking = [&](const Recording&, const FitConfig&, const DiagnosisOptions& of) {
+  const DiagnoseFunction checking = [&](const Recording&, const FitConfig&,
+                                        const DiagnosisOptions& of) {
     EXPECT_FALSE(of.project || of.prove || of.simulate_null);
     ++calls;
     return Diagnosis();

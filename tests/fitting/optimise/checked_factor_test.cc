@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/optimise/checked_factor.h"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace clothfit {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Eigen::MatrixXd Symmetric(double diagonal, double beside) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Constant(3, 3, beside);
+  matrix.diagonal().setConstant(diagonal);
+  return matrix;
+}
+
+TEST(Cholesky, SolvesWhatIsPositiveDefinite) {
+  const Eigen::MatrixXd matrix = Symmetric(2.0, 0.5);
+  const Eigen::Vector3d right(1.0, 2.0, 3.0);
+  EXPECT_LT((matrix * Cholesky(matrix, "it").solve(right) - right).norm(), 1e-14);
+  EXPECT_TRUE(TryCholesky(Eigen::Matrix3d(matrix)));
+  EXPECT_TRUE(TryCholesky(Eigen::MatrixXd(0, 0)));
+}
+
+TEST(Cholesky, IsNoneOfWhatIsNot) {
+  EXPECT_FALSE(TryCholesky(Symmetric(1.0, 2.0)));
+  EXPECT_FALSE(TryCholesky(Symmetric(1.0, 1.0)));
+  EXPECT_FALSE(TryCholesky(Symmetric(0.0, 0.0)));
+  EXPECT_FALSE(TryCholesky(Symmetric(kNan, 0.0)));
+  EXPECT_FALSE(TryCholesky(Symmetric(1.0, kNan)));
+  EXPECT_FALSE(TryCholesky(Symmetric(std::numeric_limits<double>::infinity(), 0.0)));
+  try {
+    Cholesky(Symmetric(1.0, 2.0), "the prior");
+    ADD_FAILURE();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "the prior cannot be factored: not positive definite");
+  }
+}
+
+TEST(TrySemidefinite, AllowsNothingBelowRounding) {
+  EXPECT_TRUE(TrySemidefinite(Symmetric(2.0, 0.5)));
+  EXPECT_TRUE(TrySemidefinite(Symmetric(1.0, 1.0)));
+  EXPECT_TRUE(TrySemidefinite(Symmetric(0.0, 0.0)));
+  EXPECT_TRUE(TrySemidefinite(Eigen::MatrixXd(0, 0)));
+  EXPECT_FALSE(TrySemidefinite(Symmetric(1.0, 2.0)));
+  EXPECT_FALSE(TrySemidefinite(Symmetric(-1.0, 0.0)));
+  EXPECT_FALSE(TrySemidefinite(Symmetric(kNan, 0.0)));
+  EXPECT_FALSE(TrySemidefinite(Symmetric(1.0, kNan)));
+}
+
+TEST(TriangularRoot, IsCholeskysFactorOfTheSquares) {
+  Eigen::MatrixXd rows(4, 3);
+  rows << 1.0, 2.0, 0.5, -1.0, 0.3, 2.0, 0.0, 1.0, 1.0, 4.0, -2.0, 0.1;
+  const Eigen::MatrixXd expected = Cholesky(rows.transpose() * rows, "it").matrixU();
+  EXPECT_LT((TriangularRoot(rows) - expected).norm(), 1e-14);
+  EXPECT_EQ(TriangularRoot(rows.topRows(2)).row(2).norm(), 0.0);
+  EXPECT_EQ(TriangularRoot(Eigen::MatrixXd(0, 0)).size(), 0);
+}
+
+// One direction is known 1e10 times as well as the other: their squares do not fit into a double.
+TEST(TriangularRoot, KeepsWhatTheSquaresLose) {
+  const double little = 1e-10;
+  Eigen::MatrixXd rows(2, 2);
+  rows << 1.0, 1.0, 0.0, little;
+  EXPECT_FALSE(TryCholesky(rows.transpose() * rows));
+  EXPECT_NEAR(TriangularRoot(rows)(1, 1), little, 1e-14);
+}
+
+}  // namespace
+}  // namespace clothfit
