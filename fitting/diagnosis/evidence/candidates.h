@@ -38,7 +38,7 @@ struct Extent {
 // stretch_stiffening).
 bool CanBeMissing(const std::string& term);
 
-// Features of which a law is learned, see learn_law.h.
+// Features of which a law is learned, see law/learn.h.
 bool IsLaw(const std::string& term);
 
 enum class CandidateSet {
