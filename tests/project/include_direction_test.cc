@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Includes flow one way: autodiff_sim <- tracking <- fitting <- apps, and inside each of these from
-// floor to floor.
+// Includes flow one way: autodiff_sim <- tracking <- fitting <- apps, and inside each of these and
+// of their rooms that have rooms themselves from floor to floor.
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -21,8 +21,9 @@ namespace {
 // A floor is one or more rooms; a room may include itself and the floors before its own.
 using Floors = std::vector<std::set<std::string>>;
 
-const Floors kLayers = {{"autodiff_sim"}, {"tracking"}, {"fitting"}, {"apps"}};
+// By folder; "" is the project's own.
 const std::map<std::string, Floors> kRooms = {
+    {"", {{"autodiff_sim"}, {"tracking"}, {"fitting"}, {"apps"}}},
     {"autodiff_sim",
      {{"base"}, {"linear", "mesh"}, {"contact"}, {"term"}, {"terms"}, {"step"}, {"scenes"}}},
     {"tracking",
@@ -44,7 +45,21 @@ const std::map<std::string, Floors> kRooms = {
       {"export", "studies"},
       {"diagnosis", "report"},
       {"trials"}}},
+    {"fitting/diagnosis",
+     {{"fitted"},
+      {"evidence"},
+      {"gate"},
+      {"locate"},
+      {"rank"},
+      {"classify"},
+      {"model"},
+      {"prove"},
+      {"ambiguity"},
+      {"law"},
+      {"answer"},
+      {"pipeline"}}},
 };
+const Floors& kLayers = kRooms.at("");
 
 // The nth folder of a path, "" where it has no more.
 std::string FolderOf(const std::string& path, int n) {
@@ -71,10 +86,14 @@ bool MayInclude(const Floors& floors, const std::string& own, const std::string&
 }
 
 bool MayInclude(const std::string& own, const std::string& other) {
-  const std::string layer = FolderOf(other, 0);
-  if (!MayInclude(kLayers, FolderOf(own, 0), layer)) return false;
-  if (layer != FolderOf(own, 0) || kRooms.count(layer) == 0) return true;
-  return MayInclude(kRooms.at(layer), FolderOf(own, 1), FolderOf(other, 1));
+  std::string folder;
+  for (int level = 0; kRooms.count(folder) > 0; ++level) {
+    const std::string room = FolderOf(own, level);
+    if (!MayInclude(kRooms.at(folder), room, FolderOf(other, level))) return false;
+    if (room != FolderOf(other, level)) return true;
+    folder += (folder.empty() ? "" : "/") + room;
+  }
+  return true;
 }
 
 // One line for every include of this file that points the wrong way. Quotes are for clothfit's own
@@ -111,9 +130,13 @@ TEST(IncludeDirection, EverySourcePointsDownwards) {
 
 TEST(IncludeDirection, EverySourceHasARoom) {
   for (const SourceFile& file : ReadFolders(CLOTHFIT_SOURCE_DIR, Layers())) {
-    const auto rooms = kRooms.find(FolderOf(file.path, 0));
-    if (!IsCpp(file) || rooms == kRooms.end()) continue;
-    EXPECT_GE(FloorOf(rooms->second, FolderOf(file.path, 1)), 0) << file.path;
+    if (!IsCpp(file)) continue;
+    std::string folder;
+    for (int level = 0; kRooms.count(folder) > 0; ++level) {
+      const std::string room = FolderOf(file.path, level);
+      ASSERT_GE(FloorOf(kRooms.at(folder), room), 0) << file.path;
+      folder += (folder.empty() ? "" : "/") + room;
+    }
   }
 }
 
@@ -124,6 +147,21 @@ TEST(IncludeDirection, AcceptsOwnLowerAndForeignHeaders) {
        "#include <opencv2/tracking/tracking.hpp>", "#include \"tracking/text/csv.h\"",
        "#include \"autodiff_sim/scenes/scene.h\"  // the triangles"}};
   EXPECT_THAT(WrongIncludes(file), testing::IsEmpty());
+}
+
+TEST(IncludeDirection, HoldsRoomsInsideRooms) {
+  const SourceFile file{
+      "fitting/diagnosis/rank/ranking.cc",
+      {"#include \"fitting/diagnosis/rank/ranking.h\"",
+       "#include \"fitting/diagnosis/gate/gate.h\"", "#include \"fitting/runs/folder.h\"",
+       "#include \"fitting/diagnosis/answer/verdict.h\"", "#include \"fitting/diagnosis/gate.h\"",
+       "#include \"fitting/trials/plan.h\""}};
+  EXPECT_THAT(
+      WrongIncludes(file),
+      testing::ElementsAre(
+          "fitting/diagnosis/rank/ranking.cc:4: #include \"fitting/diagnosis/answer/verdict.h\"",
+          "fitting/diagnosis/rank/ranking.cc:5: #include \"fitting/diagnosis/gate.h\"",
+          "fitting/diagnosis/rank/ranking.cc:6: #include \"fitting/trials/plan.h\""));
 }
 
 TEST(IncludeDirection, ReportsEveryWrongInclude) {
