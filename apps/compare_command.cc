@@ -14,9 +14,9 @@
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
 #include "autodiff_sim/base/error.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/runs/fit_run.h"
 #include "fitting/studies/comparison.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -19,11 +19,11 @@
 #include "fitting/diagnosis/pipeline/diagnose.h"
 #include "fitting/files/sha256.h"
 #include "fitting/files/version.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/trials/effect_table.h"
 #include "fitting/trials/plan.h"
 #include "fitting/trials/run.h"
 #include "fitting/trials/summary.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

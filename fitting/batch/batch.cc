@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "tracking/files/whole_file.h"
 #include "fitting/runs/fit_run.h"
 #include "tracking/features/tracking_folder.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/jobs/ledger.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/runs/run_folder.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "tracking/files/whole_file.h"
 #include "fitting/runs/run_folder.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 #include "tracking/text/yaml_reader.h"
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "fitting/files/version.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/runs/run_folder.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {

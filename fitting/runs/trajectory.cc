@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "fitting/files/npy_file.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/runs/run_folder.h"
 #include "tracking/camera/camera.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "tracking/files/whole_file.h"
 #include "fitting/pictures/line_chart.h"
 #include "fitting/studies/study.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {

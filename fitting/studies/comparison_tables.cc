@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/pictures/line_chart.h"
 #include "fitting/studies/comparison.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

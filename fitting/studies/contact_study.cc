@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/scenes/hard_scenes.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/pictures/line_chart.h"
 #include "fitting/pictures/picture.h"
 #include "fitting/studies/study.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {

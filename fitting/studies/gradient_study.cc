@@ -13,12 +13,12 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/fit/gradient_report.h"
 #include "fitting/pictures/line_chart.h"
 #include "fitting/rollout/window_cost.h"
 #include "fitting/studies/recovery_study.h"
 #include "fitting/studies/study.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

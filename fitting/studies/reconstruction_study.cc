@@ -6,10 +6,10 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "tracking/files/whole_file.h"
 #include "fitting/pictures/picture.h"
 #include "fitting/studies/study.h"
 #include "fitting/studies/study_recording.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {

@@ -3,9 +3,9 @@
 #include "fitting/studies/run_study.h"
 
 #include "fitting/files/version.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/jobs/ledger.h"
 #include "fitting/studies/study_recording.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {

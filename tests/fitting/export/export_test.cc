@@ -15,9 +15,9 @@
 #include "fitting/export/mesh_files.h"
 #include "fitting/export/point_cache.h"
 #include "fitting/files/npy_file.h"
-#include "tracking/files/whole_file.h"
 #include "tests/support/small_run.h"
 #include "tests/support/test_folder.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"
 

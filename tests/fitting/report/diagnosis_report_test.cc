@@ -4,11 +4,11 @@
 // A diagnosis becomes a page: the baseline beside the model, and every step of the answer.
 #include <cmath>
 
-#include "tracking/files/whole_file.h"
 #include "fitting/report/report.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_diagnosis.h"
 #include "tests/support/test_folder.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "fitting/files/npy_file.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/report/html.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_run.h"
 #include "tests/support/test_folder.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Comparisons and studies become pages, and what is neither is told so.
-#include "tracking/files/whole_file.h"
 #include "fitting/report/kinds.h"
 #include "fitting/report/markdown_blocks.h"
 #include "fitting/studies/comparison.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/test_folder.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {

@@ -9,11 +9,11 @@
 #include "autodiff_sim/mesh/obj_file.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/files/npy_file.h"
-#include "tracking/files/whole_file.h"
 #include "fitting/runs/fit_run.h"
 #include "fitting/runs/run_folder.h"
 #include "tests/support/small_recording.h"
 #include "tests/support/test_folder.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"
 
