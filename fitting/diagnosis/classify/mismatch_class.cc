@@ -248,11 +248,11 @@ void FillPower(const MissingForce& missing, const ForcePatch& patch, const Balan
 
 // What the best family is tied to, where it is clearly better than any force at all and than the
 // families of other ties. Empty where none is.
-std::string ClearTie(const std::vector<Tie>& ties) {
+std::string ClearTie(const std::vector<TriedTie>& ties) {
   constexpr double kClearly = 10.0;  // log evidence: what is correlated and what is not are models
   const auto best =
-      std::find_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_of_patch; });
-  for (const Tie& other : ties) {
+      std::find_if(ties.begin(), ties.end(), [](const TriedTie& tie) { return !tie.is_of_patch; });
+  for (const TriedTie& other : ties) {
     if (other.is_of_patch || other.to == best->to) continue;
     if (other.log_evidence > best->log_evidence - kClearly) return "";
   }

@@ -15,7 +15,7 @@
 namespace clothfit {
 
 // A missing force that is tied to something spans fewer dimensions than any force at all.
-struct Tie {
+struct TriedTie {
   std::string to;             // as in MismatchClass::tied_to; "" for any force at all
   std::string family;         // "one vector", "field in the world", ...
   double log_evidence = 0.0;  // against no force
@@ -42,7 +42,7 @@ struct MismatchBalance {
 struct MismatchReport {
   MismatchClass mismatch_class;
   MismatchBalance balance;
-  std::vector<Tie> ties;  // all that were tried, best first
+  std::vector<TriedTie> ties;  // all that were tried, best first
 };
 
 // `scene` is the one that the force was estimated in.

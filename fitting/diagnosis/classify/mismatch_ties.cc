@@ -20,7 +20,7 @@ class Families {
   Families(const Scene& scene, const MissingForce& missing, const ForcePatch& patch)
       : scene_(scene), missing_(missing), patch_(patch), poses_(KnotPoses(scene, missing)) {}
 
-  std::vector<Tie> Run() {
+  std::vector<TriedTie> Run() {
     ties_.push_back(
         {"", "any force", missing_.log_evidence, Gain(missing_.system, missing_.posterior), false});
     AddWorld();
@@ -28,9 +28,10 @@ class Families {
     AddContact();
     AddClock();
     const double whole = ties_.front().explained;
-    for (Tie& tie : ties_) tie.explained = whole > 0.0 ? tie.explained / whole : 0.0;
-    std::stable_sort(ties_.begin(), ties_.end(),
-                     [](const Tie& a, const Tie& b) { return a.log_evidence > b.log_evidence; });
+    for (TriedTie& tie : ties_) tie.explained = whole > 0.0 ? tie.explained / whole : 0.0;
+    std::stable_sort(ties_.begin(), ties_.end(), [](const TriedTie& a, const TriedTie& b) {
+      return a.log_evidence > b.log_evidence;
+    });
     return ties_;
   }
 
@@ -156,7 +157,7 @@ class Families {
   const MissingForce& missing_;
   const ForcePatch& patch_;
   std::vector<KnotPose> poses_;
-  std::vector<Tie> ties_;
+  std::vector<TriedTie> ties_;
 };
 
 }  // namespace
@@ -183,8 +184,8 @@ std::vector<KnotPose> KnotPoses(const Scene& scene, const MissingForce& missing)
   return poses;
 }
 
-std::vector<Tie> FindTies(const Scene& scene, const MissingForce& missing,
-                          const ForcePatch& patch) {
+std::vector<TriedTie> FindTies(const Scene& scene, const MissingForce& missing,
+                               const ForcePatch& patch) {
   return Families(scene, missing, patch).Run();
 }
 

@@ -21,6 +21,7 @@ std::vector<KnotPose> KnotPoses(const Scene& scene, const MissingForce& missing)
 int FrameOfKnot(const MissingForce& missing, int knot);
 
 // Best first; the one of any force at all among them.
-std::vector<Tie> FindTies(const Scene& scene, const MissingForce& missing, const ForcePatch& patch);
+std::vector<TriedTie> FindTies(const Scene& scene, const MissingForce& missing,
+                               const ForcePatch& patch);
 
 }  // namespace clothfit

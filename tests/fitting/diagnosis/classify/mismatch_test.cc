@@ -164,7 +164,7 @@ Found Find(const char* name, const MismatchProblemOptions& options, bool by_sour
               found.report.mismatch_class.net_moment_sigmas, found.report.balance.coherence,
               found.report.mismatch_class.power, found.report.mismatch_class.power_sigma,
               found.report.mismatch_class.words.c_str());
-  for (const Tie& tie : found.report.ties)
+  for (const TriedTie& tie : found.report.ties)
     std::printf("  %8.1f %.2f %s %s\n", tie.log_evidence, tie.explained, tie.to.c_str(),
                 tie.family.c_str());
 #ifdef CLOTHFIT_PICTURES
