@@ -72,7 +72,7 @@ std::vector<double> ScaledPlaces(const SceneFrame& frame, double side) {
   return {x.begin(), x.end()};
 }
 
-nlohmann::json Work(const StudyOptions&, const Job& job, const JobContext& context) {
+nlohmann::json RunContactJob(const StudyOptions&, const Job& job, const JobContext& context) {
   const HardScene scene = FindHardScene(job.input.at("scene"));
   SceneOptions how;
   how.particles = job.input.at("particles");
@@ -242,7 +242,7 @@ Study ContactStudy() {
   study.doc = "hard scenes of contact: convergence, intersections, energy and cost";
   study.uses_recordings = false;
   study.jobs = Jobs;
-  study.work = Work;
+  study.work = RunContactJob;
   study.report = Report;
   return study;
 }

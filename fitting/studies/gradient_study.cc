@@ -120,7 +120,8 @@ double DifferenceError(const Problem& problem, const FreeParameters& free, doubl
   return worst;
 }
 
-nlohmann::json Work(const StudyOptions& options, const Job& job, const JobContext& context) {
+nlohmann::json RunGradientJob(const StudyOptions& options, const Job& job,
+                              const JobContext& context) {
   Problem problem = MakeProblem(job.input, options.seed);
   const double loose = problem.config.tolerance;
   const FreeParameters free(problem.config, problem.scene, MakeParameterTable());
@@ -235,7 +236,7 @@ Study GradientStudy() {
   study.doc = "derivatives: accuracy and cost against step, mesh, parameters and horizon";
   study.uses_recordings = false;
   study.jobs = Jobs;
-  study.work = Work;
+  study.work = RunGradientJob;
   study.report = Report;
   return study;
 }

@@ -91,7 +91,7 @@ std::string LocalOverTwoLoops(const std::vector<DoneFit>& fits) {
   return text;
 }
 
-std::string Work(const StudyOptions& options) {
+std::string WorkTable(const StudyOptions& options) {
   return fmt::format(
       "\nOne fit: {} frames of 7 cameras of {} x {} px, {} x {} particles, 4 steps a frame, {} "
       "parameters of the fabric, all paths of handles unknown, one core; ended by the pass that "
@@ -134,7 +134,7 @@ Study LocalParameterStudy() {
 Study RuntimeStudy() {
   return SearchStudy(
       "runtime", "section 7: what a fit takes", {"lm/joint", "pattern/two-loop"},
-      [](const StudyOptions& options, const std::vector<DoneFit>&) { return Work(options); });
+      [](const StudyOptions& options, const std::vector<DoneFit>&) { return WorkTable(options); });
 }
 
 Study OptimiserStudy() {
