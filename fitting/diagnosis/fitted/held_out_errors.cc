@@ -55,7 +55,7 @@ FrameMean TracksOf(const Scene& scene, int frame, const Eigen::VectorXd& x,
 Scene WithoutSource(const FittedScene& fitted, const FitConfig& config, int source) {
   Recording others = fitted.scene.recording;
   others.splits.held_out_frames.reset();
-  if (source == kMarkers) {
+  if (source == kMarkerSource) {
     others.markers.clear();
   } else {
     const auto is_of_source = [&](const Track& track) { return track.camera == source; };
@@ -140,15 +140,15 @@ std::optional<HeldOutErrors> MeasureAgainstOthers(const FittedScene& fitted, int
   const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);
   WindowSimulator simulator(others, config, free, config.attract, nullptr);
   HeldOutErrors errors;
-  const auto outcome =
-      simulator.Run(simulator.FirstStart(theta), theta, scene.recording.frame_count - 1, false,
-                    [&](int frame, const State& state, const Sensitivity*) {
-                      if (!scene.IsHeldOut(frame)) return;
-                      const Eigen::VectorXd x = MovedToWhatWasSeen(others, frame, state.x);
-                      const FrameMean mean = source == kMarkers ? MarkersOf(scene, frame, x)
-                                                                : TracksOf(scene, frame, x, source);
-                      if (mean.count > 0) errors.squared.push_back(mean.sum / mean.count);
-                    });
+  const auto outcome = simulator.Run(
+      simulator.FirstStart(theta), theta, scene.recording.frame_count - 1, false,
+      [&](int frame, const State& state, const Sensitivity*) {
+        if (!scene.IsHeldOut(frame)) return;
+        const Eigen::VectorXd x = MovedToWhatWasSeen(others, frame, state.x);
+        const FrameMean mean = source == kMarkerSource ? MarkersOf(scene, frame, x)
+                                                       : TracksOf(scene, frame, x, source);
+        if (mean.count > 0) errors.squared.push_back(mean.sum / mean.count);
+      });
   if (errors.squared.empty()) return {};
   errors.is_complete = outcome == WindowSimulator::Outcome::kComplete;
   return errors;

@@ -26,7 +26,7 @@ struct HeldOutErrors {
 HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> last = std::nullopt);
 
 // The source of an observation: a camera's index, or the markers.
-inline constexpr int kMarkers = -1;
+inline constexpr int kMarkerSource = -1;
 
 // How far what one source saw in the held-out frames is from a motion that follows everything else
 // that was seen, there too: all other markers and tracks pull at the cloth (Start::kGuided). What

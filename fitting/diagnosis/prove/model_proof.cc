@@ -29,7 +29,7 @@ std::optional<int> FaultySource(const FittedModel& model, const Ranking& ranking
   const std::vector<int>& faults = model.candidate.faults;
   if (faults.empty()) return {};
   const Fault& fault = ranking.faults[static_cast<std::size_t>(faults.front())];
-  if (IsOfMarkers(fault.kind)) return kMarkers;
+  if (IsOfMarkers(fault.kind)) return kMarkerSource;
   if (!ShowsInTracks(fault)) return {};
   return fault.source;
 }
@@ -55,7 +55,7 @@ std::optional<HeldOutProof> ProveAgainstOthers(int source, const FittedModel& mo
   const std::optional<HeldOutErrors> before = MeasureAgainstOthers(start.before, source);
   const std::optional<HeldOutErrors> after = MeasureAgainstOthers(model.scene, source);
   if (!before || !after) return {};
-  const bool is_in_pixels = source != kMarkers;
+  const bool is_in_pixels = source != kMarkerSource;
   const double noise = NoiseOf(start.before.scene, is_in_pixels);
   HeldOutProof proof = ProveBy(*before, *after, is_in_pixels, {noise, 0.0}, start);
   proof.is_against_others = true;

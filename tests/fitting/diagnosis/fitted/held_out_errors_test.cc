@@ -62,7 +62,7 @@ TEST(HeldOutErrors, AgainstOthersTheModelHardlyMatters) {
   for (FitConfig* config : {&windy.config, &windy.values})
     config->parameters.at("wind.y").value = 3.0;
   const double open_loop = MeasureHeldOut(windy).Rms();
-  const auto markers = MeasureAgainstOthers(windy, kMarkers);
+  const auto markers = MeasureAgainstOthers(windy, kMarkerSource);
   ASSERT_TRUE(markers.has_value());
   EXPECT_LT(markers->Rms(), 0.2 * open_loop);
 }
@@ -73,7 +73,7 @@ TEST(HeldOutErrors, NothingIsMeasuredAgainstNothing) {
   options.frame_count = 6;
   Recording recording = WithHeldOutFrames(MakeSyntheticRecording(options).recording, 0.5);
   recording.tracks.clear();
-  EXPECT_FALSE(MeasureAgainstOthers(UnfittedScene(recording), kMarkers).has_value());
+  EXPECT_FALSE(MeasureAgainstOthers(UnfittedScene(recording), kMarkerSource).has_value());
 }
 
 }  // namespace
