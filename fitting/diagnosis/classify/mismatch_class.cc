@@ -10,6 +10,7 @@
 #include "fitting/diagnosis/classify/class_words.h"
 #include "fitting/diagnosis/classify/mismatch_ties.h"
 #include "fitting/diagnosis/evidence/rao_score.h"
+#include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 namespace {
@@ -76,8 +77,10 @@ double SigmasOfRows(const MissingForce& missing, const Eigen::MatrixXd& rows) {
   if (rows.rows() == 0) return 0.0;
   Eigen::MatrixXd covariance = missing.posterior.Covariance(rows);
   covariance.diagonal().array() += 1e-9 * covariance.diagonal().maxCoeff();
+  const auto factor = TryCholesky(covariance);
+  if (!factor) return 0.0;  // nothing is known of these sums
   const Eigen::VectorXd sums = rows * missing.force;
-  return NormalDeviate(sums.dot(covariance.llt().solve(sums)), static_cast<double>(rows.rows()));
+  return NormalDeviate(sums.dot(factor->solve(sums)), static_cast<double>(rows.rows()));
 }
 
 Eigen::VectorXd Deviations(const MissingForce& missing, const Eigen::MatrixXd& rows) {
