@@ -276,8 +276,8 @@ MismatchReport ClassifyMismatch(const Scene& scene, const MissingForce& missing,
   // internal force look as if it did not, and one from outside as if it did.
   constexpr double kCancels = 0.3;  // of the sum without signs
   constexpr double kSure = 10.0;    // sigmas of the net sums
-  c.is_internal_known = report.balance.is_testable && location.mismatch.is_significant &&
-                        report.balance.coherence > kCancels && c.net_moment_sigmas > kSure;
+  c.is_from_outside = report.balance.is_testable && location.mismatch.is_significant &&
+                      report.balance.coherence > kCancels && c.net_moment_sigmas > kSure;
   FillPower(missing, location.patch, balance, &c);
   report.ties = FindTies(scene, missing, location.patch);
   c.tied_to = ClearTie(report.ties);
