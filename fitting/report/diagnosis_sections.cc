@@ -234,14 +234,15 @@ ReportJson ClassSection(const DiagnosisRecord& record) {
   ReportJson blocks = ReportJson::array();
   const ReportJson found = record.json.value("class", ReportJson());
   if (!found.is_object()) return SectionOf("class", "Of what class it is", blocks, "Class");
-  const auto yes_no = [](const ReportJson& value) {
-    return value.is_null() ? "cannot be told" : value == true ? "yes" : "no";
+  const auto yes_or = [](const ReportJson& value, const char* no) {
+    return value == true ? "yes" : no;
   };
   const std::string tied_to = found.value("tied_to", "");
   ReportJson rows = ReportJson::array();
-  rows.push_back({"comes from within the cloth", yes_no(found.at("internal"))});
-  rows.push_back({"takes energy out", yes_no(found.at("dissipative"))});
-  rows.push_back({"puts energy in", yes_no(found.at("driving"))});
+  rows.push_back(
+      {"comes from outside the cloth", yes_or(found.at("from_outside"), "cannot be told")});
+  rows.push_back({"takes energy out", yes_or(found.at("dissipative"), "no")});
+  rows.push_back({"puts energy in", yes_or(found.at("driving"), "no")});
   rows.push_back({"tied to", tied_to.empty() ? "cannot be told" : tied_to});
   const auto number = [&](const char* key) {
     return found.at(key).is_number() ? fmt::format("{:.3g}", found.at(key).get<double>()) : "–";

@@ -167,8 +167,7 @@ void ScoreClass(const TrialTruth& truth, const Diagnosis& diagnosis, TrialScore*
   // What is neither dissipative nor driving may look like either for a while, as it stores energy.
   const bool contradicts =
       (right.is_dissipative && found.is_driving) || (right.is_driving && found.is_dissipative);
-  if (found.is_internal_known)
-    score->class_right = found.is_internal == right.is_internal && !contradicts;
+  if (found.is_from_outside) score->class_right = !right.is_internal && !contradicts;
   if (!found.tied_to.empty() && !right.tied_to.empty())
     score->tie_right = Contains(right.tied_to, found.tied_to);
 }

@@ -10,6 +10,7 @@
 #include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/diagnosis/fitted/residual_correlation.h"
 #include "fitting/diagnosis/gate/null_residuals.h"
+#include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 namespace {
@@ -55,6 +56,10 @@ NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t 
   NumericalShifts shifts;
   const std::optional<LinearisedFit> linear = Linearise(fitted);
   if (!linear) return shifts;
+  Eigen::MatrixXd information = linear->rows.jacobian.transpose() * linear->rows.jacobian;
+  AddPriors(linear->rows.entries, &information);
+  const auto root = TrySemidefinite(information);
+  if (!root) return shifts;
   shifts.entries = linear->rows.entries;
   const auto num_entries = static_cast<Eigen::Index>(shifts.entries.size());
   const std::vector<NumericalShift> draws = MeasureShifts(fitted, *linear, kDraws, seed);
@@ -64,11 +69,9 @@ NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t 
     shifts.by.col(static_cast<Eigen::Index>(k)) = draws[k].by;
     shifts.left_squared += draws[k].left_squared / static_cast<double>(draws.size());
   }
-  Eigen::MatrixXd information = linear->rows.jacobian.transpose() * linear->rows.jacobian;
-  AddPriors(shifts.entries, &information);
   const double factor = std::max(1.0, fitted.fit.noise_factor);
   shifts.noise = factor * factor * ResidualCorrelationTime(fitted) *
-                 information.ldlt().solve(Eigen::MatrixXd::Identity(num_entries, num_entries));
+                 root->solve(Eigen::MatrixXd::Identity(num_entries, num_entries));
   return shifts;
 }
 
@@ -94,8 +97,9 @@ bool MayBeNothing(const NumericalShifts& shifts, const FitConfig& values,
       wider * wider / static_cast<double>(by.cols()) * (by * by.transpose());
   const Eigen::Map<const Eigen::VectorXd> away(from_off.data(),
                                                static_cast<Eigen::Index>(from_off.size()));
-  return NormalDeviate(away.dot(covariance.ldlt().solve(away)),
-                       static_cast<double>(which.size())) <= kOneSided90;
+  const auto factor = TrySemidefinite(covariance);
+  return !factor || NormalDeviate(away.dot(factor->solve(away)),
+                                  static_cast<double>(which.size())) <= kOneSided90;
 }
 
 void Widen(const NumericalShifts& shifts, const FitConfig& config,

@@ -167,7 +167,7 @@ Json AsJson(const ActingForce& a, const ActingClass& c) {
 }
 
 Json AsJson(const MismatchClass& c) {
-  return {{"internal", c.is_internal_known ? Json(c.is_internal) : Json(nullptr)},
+  return {{"from_outside", c.is_from_outside},
           {"dissipative", c.is_dissipative},
           {"driving", c.is_driving},
           {"net_force_sigmas", OrNull(c.net_force_sigmas)},

@@ -42,10 +42,7 @@ ActingClass ClassOfActing(const Scene& scene, const ActingForce& force) {
 
 std::string ClassWords(const MismatchClass& c) {
   std::vector<std::string> parts;
-  if (c.is_internal_known) {
-    parts.emplace_back(c.is_internal ? "is the cloth's own, without a net force or a net moment"
-                                     : "comes from outside the cloth");
-  }
+  if (c.is_from_outside) parts.emplace_back("comes from outside the cloth");
   if (c.is_dissipative) parts.emplace_back("takes energy out of the motion");
   if (c.is_driving) parts.emplace_back("drives the motion");
   if (c.tied_to == "world")
@@ -57,7 +54,7 @@ std::string ClassWords(const MismatchClass& c) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     words += (i == 0 ? "The missing force " : i + 1 < parts.size() ? ", " : " and ") + parts[i];
   if (!words.empty()) words += ".";
-  if (c.is_internal_known) return words;
+  if (c.is_from_outside) return words;
   return words + (words.empty() ? "" : " ") +
          "Whether it is the cloth's own or comes from outside cannot be told from this recording.";
 }

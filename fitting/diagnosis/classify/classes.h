@@ -10,11 +10,9 @@ namespace clothfit {
 
 // Of what class the missing force is, each with how sure that is.
 struct MismatchClass {
-  // Shares of the missing force's work: 1 for what is certain.
-  bool is_internal = false;       // no net force, no net moment over the cloth
-  bool is_internal_known = true;  // false: it may be internal or come from outside
-  bool is_dissipative = false;    // takes energy out wherever it acts
-  bool is_driving = false;        // puts energy in
+  bool is_from_outside = false;  // false: it may be the cloth's own or come from outside
+  bool is_dissipative = false;   // takes energy out wherever it acts
+  bool is_driving = false;       // puts energy in
   double net_force_sigmas = 0.0, net_moment_sigmas = 0.0;  // how far each is from nothing
   double power = 0.0, power_sigma = 0.0;                   // W, mean over the time where it acts
   std::string tied_to;  // "world", "material", "contact", "clock" or empty where it cannot be told

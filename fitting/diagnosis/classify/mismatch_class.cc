@@ -10,6 +10,7 @@
 #include "fitting/diagnosis/classify/class_words.h"
 #include "fitting/diagnosis/classify/mismatch_ties.h"
 #include "fitting/diagnosis/evidence/rao_score.h"
+#include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 namespace {
@@ -76,8 +77,10 @@ double SigmasOfRows(const MissingForce& missing, const Eigen::MatrixXd& rows) {
   if (rows.rows() == 0) return 0.0;
   Eigen::MatrixXd covariance = missing.posterior.Covariance(rows);
   covariance.diagonal().array() += 1e-9 * covariance.diagonal().maxCoeff();
+  const auto factor = TryCholesky(covariance);
+  if (!factor) return 0.0;  // nothing is known of these sums
   const Eigen::VectorXd sums = rows * missing.force;
-  return NormalDeviate(sums.dot(covariance.llt().solve(sums)), static_cast<double>(rows.rows()));
+  return NormalDeviate(sums.dot(factor->solve(sums)), static_cast<double>(rows.rows()));
 }
 
 Eigen::VectorXd Deviations(const MissingForce& missing, const Eigen::MatrixXd& rows) {
@@ -273,8 +276,8 @@ MismatchReport ClassifyMismatch(const Scene& scene, const MissingForce& missing,
   // internal force look as if it did not, and one from outside as if it did.
   constexpr double kCancels = 0.3;  // of the sum without signs
   constexpr double kSure = 10.0;    // sigmas of the net sums
-  c.is_internal_known = report.balance.is_testable && location.mismatch.is_significant &&
-                        report.balance.coherence > kCancels && c.net_moment_sigmas > kSure;
+  c.is_from_outside = report.balance.is_testable && location.mismatch.is_significant &&
+                      report.balance.coherence > kCancels && c.net_moment_sigmas > kSure;
   FillPower(missing, location.patch, balance, &c);
   report.ties = FindTies(scene, missing, location.patch);
   c.tied_to = ClearTie(report.ties);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "fitting/optimise/checked_factor.h"
+
 namespace clothfit {
 namespace {
 
@@ -74,7 +76,7 @@ class Families {
     system.data = missing_.system.data(in, std::vector<int>{0});
     system.sum = missing_.system.sum;
     system.rows = missing_.system.rows;
-    AddSystem(to, family, system, correlation.llt().matrixL());
+    AddSystem(to, family, system, Cholesky(correlation, "the correlations of a tie").matrixL());
     ties_.back().is_of_patch = to != "contact";
   }
 

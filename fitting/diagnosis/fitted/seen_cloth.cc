@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include <Eigen/Cholesky>
-
+#include "fitting/optimise/checked_factor.h"
 #include "fitting/residuals/track_residual.h"
 
 namespace clothfit {
@@ -65,7 +64,9 @@ class Equations {
 
   Eigen::VectorXd Moved(const Eigen::VectorXd& x) const {
     if (!is_any_) return x;
-    const Eigen::VectorXd by = -information_.ldlt().solve(gradient_);
+    const auto factor = TrySemidefinite(information_);
+    if (!factor) return x;  // what was seen is no number
+    const Eigen::VectorXd by = -factor->solve(gradient_);
     Eigen::VectorXd moved = x;
     for (std::size_t i = 0; i < scene_.mesh.uv.size(); ++i) {
       for (const NodeWeight& w : WeightsAt(scene_.mesh.uv[i], scene_.recording.cloth.size))

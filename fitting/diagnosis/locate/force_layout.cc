@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
 #include "autodiff_sim/mesh/cloth_box.h"
 #include "autodiff_sim/terms/residual_force.h"
+#include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 namespace {
@@ -23,7 +22,7 @@ Eigen::MatrixXd MaternFactor(int count, double range, const Distance& distance) 
       correlation(i, j) = (1.0 + a) * std::exp(-a);
     }
   }
-  return correlation.llt().matrixL();
+  return Cholesky(correlation, "the correlations of a force").matrixL();
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "fitting/diagnosis/locate/locate.h"
+#include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 namespace {
@@ -141,7 +142,9 @@ class PatchSearch {
                          Candidate candidate) {
     const double ridge = 1e-9 * information.trace() + 1e-30;
     const Eigen::Matrix3d regular = information + ridge * Eigen::Matrix3d::Identity();
-    candidate.amplitude = regular.llt().solve(data);
+    const auto factor = TryCholesky(regular);
+    if (!factor) return candidate;  // with the score of none
+    candidate.amplitude = factor->solve(data);
     candidate.score = data.dot(candidate.amplitude);
     return candidate;
   }

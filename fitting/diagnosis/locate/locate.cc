@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "fitting/diagnosis/locate/mismatch_words.h"
+#include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 namespace {
@@ -29,7 +30,12 @@ Eigen::MatrixXd MapStatistics(const MissingForce& missing, const Eigen::MatrixXd
     constexpr double kNothing = 1e-6;
     const Eigen::Matrix3d covariance =
         blocks.middleCols<3>(3 * part) + kNothing * largest * Eigen::Matrix3d::Identity();
-    const Eigen::MatrixXd white = covariance.llt().matrixL().solve(forces.middleRows<3>(3 * part));
+    const auto factor = TryCholesky(covariance);
+    if (!factor) {
+      statistics.row(part).setZero();
+      continue;
+    }
+    const Eigen::MatrixXd white = factor->matrixL().solve(forces.middleRows<3>(3 * part));
     statistics.row(part) = white.colwise().norm();
   }
   return statistics;

@@ -10,6 +10,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/locate/force_equations.h"
+#include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 namespace {
@@ -24,7 +25,7 @@ Eigen::MatrixXd Whitened(const Eigen::MatrixXd& information, const Eigen::Matrix
 Eigen::LLT<Eigen::MatrixXd> Regularised(const Eigen::MatrixXd& whitened, double strength) {
   Eigen::MatrixXd sum = strength * strength * whitened;
   sum.diagonal().array() += 1.0;
-  return sum.llt();
+  return Cholesky(sum, "the information on the missing force");
 }
 
 double LogLikelihood(double sum, double rows, double log_determinant, double* noise) {

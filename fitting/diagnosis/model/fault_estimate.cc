@@ -7,9 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/Cholesky>
-
 #include "fitting/diagnosis/fitted/effect_parameter.h"
+#include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 namespace {
@@ -40,10 +39,10 @@ std::optional<Left> EstimateLeft(const FittedScene& fitted, const std::vector<Fa
     information(own + i, own + i) += 1.0 / (sigma * sigma);
     rhs[own + i] -= found[i] / (sigma * sigma);
   }
-  const Eigen::LDLT<Eigen::MatrixXd> factor(information);
-  if (factor.info() != Eigen::Success || !factor.isPositive()) return {};
-  const Eigen::VectorXd step = factor.solve(rhs);
-  const Eigen::MatrixXd covariance = factor.solve(Eigen::MatrixXd::Identity(size, size));
+  const auto factor = TrySemidefinite(information);
+  if (!factor || !factor->isPositive()) return {};
+  const Eigen::VectorXd step = factor->solve(rhs);
+  const Eigen::MatrixXd covariance = factor->solve(Eigen::MatrixXd::Identity(size, size));
   const double scale =
       std::max(1.0, rows->residuals.squaredNorm() / std::max<double>(1.0, frames.num_rows()));
   const Eigen::Index count = rows->faults.cols();

@@ -156,6 +156,7 @@ TEST(TrialScore, OfPlaceTimeAndClass) {
   mismatch.high_uv = {0.5, 0.5};
   place.diagnosis.mismatch = mismatch;
   MismatchClass found;
+  found.is_from_outside = true;
   found.tied_to = "world";
   place.diagnosis.mismatch_class = found;
   const TrialScore score = place.Score();
@@ -164,9 +165,11 @@ TEST(TrialScore, OfPlaceTimeAndClass) {
   EXPECT_EQ(score.class_right, true);
   EXPECT_EQ(score.tie_right, false);  // it goes with the material
 
-  place.diagnosis.mismatch_class->is_internal = true;
+  place.truth.effect_class.is_internal = true;
   EXPECT_EQ(place.Score().class_right, false);
-  place.truth.force.first_frame = 0;  // there from the start: no onset to be found
+  place.diagnosis.mismatch_class->is_from_outside = false;
+  EXPECT_FALSE(place.Score().class_right);  // nothing is said of it
+  place.truth.force.first_frame = 0;        // there from the start: no onset to be found
   EXPECT_FALSE(place.Score().onset_error);
   place.diagnosis.mismatch->is_significant = false;
   EXPECT_FALSE(place.Score().region_overlap);
@@ -176,8 +179,9 @@ TEST(TrialScore, OfClassContradictsEnergyTheWrongWay) {
   Case friction;
   friction.truth.effects = {"shear_friction"};
   friction.truth.effect_class = ClassOf("shear_friction");
+  friction.truth.effect_class.is_internal = false;  // which is a matter of its own
   MismatchClass found;
-  found.is_internal = true;
+  found.is_from_outside = true;
   friction.diagnosis.mismatch_class = found;
   EXPECT_EQ(friction.Score().class_right, true);
   friction.diagnosis.mismatch_class->is_driving = true;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <random>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "fitting/diagnosis/classify/mismatch_class.h"
@@ -264,8 +265,8 @@ TEST(MismatchClass, WindComesFromOutside) {
   options.missing = {{"wind.y", 0.6}};
   const Found found = Find("wind", options);
   EXPECT_TRUE(found.location.mismatch.is_significant);
-  EXPECT_FALSE(found.report.mismatch_class.is_internal);
-  EXPECT_TRUE(found.report.mismatch_class.is_internal_known);
+  EXPECT_TRUE(found.report.mismatch_class.is_from_outside);
+  EXPECT_THAT(found.report.mismatch_class.words, testing::HasSubstr("comes from outside"));
   EXPECT_GT(found.report.mismatch_class.net_moment_sigmas, 3.0);
 }
 
@@ -273,7 +274,8 @@ TEST(MismatchClass, FrictionIsNotSaidToComeFromOutside) {
   MismatchProblemOptions options;
   options.missing = {{"bending_friction.moment", 5e-4}, {"bending_friction.onset", 5.0}};
   const Found found = Find("friction", options);
-  EXPECT_FALSE(found.report.mismatch_class.is_internal_known);
+  EXPECT_FALSE(found.report.mismatch_class.is_from_outside);
+  EXPECT_THAT(found.report.mismatch_class.words, testing::HasSubstr("cannot be told"));
   EXPECT_FALSE(found.report.mismatch_class.is_driving);
   // The fabric that is free takes most of it.
   EXPECT_LT(found.missing.sum_after, 1.1 * found.missing.system.rows);
