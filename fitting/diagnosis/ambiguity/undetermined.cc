@@ -8,6 +8,7 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/held_out_errors.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
 
 namespace clothfit {
 
@@ -57,9 +58,10 @@ void TakeValues(const FitConfig& values, std::vector<EffectParameter>* parameter
     if (found == values.parameters.end()) continue;
     const double before = p.value, value = found->second.value;
     p.value = value;
-    if (value == 0.0) {  // taken out: it may be what it may have been
-      p.lower90 = std::min(p.lower90, 0.0);
-      p.upper90 = std::max(p.upper90, 0.0);
+    const double off = ParameterNamed(p.name).off;
+    if (value == off) {  // taken out: it may be what it may have been
+      p.lower90 = std::min(p.lower90, off);
+      p.upper90 = std::max(p.upper90, off);
       continue;
     }
     const bool is_positive = p.lower90 > 0.0 && before > 0.0 && value > 0.0;

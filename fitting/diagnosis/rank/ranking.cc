@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -86,8 +87,9 @@ class Ranker {
 };
 
 void Ranker::RunBaseline() {
-  extent_.low.setConstant(1e9);
-  extent_.high.setConstant(-1e9);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  extent_.low.setConstant(kInfinity);
+  extent_.high.setConstant(-kInfinity);
   extent_.gravity = fitted_.scene.world.gravity;
   extent_.size = fitted_.scene.recording.cloth.size;
   extent_.duration = fitted_.scene.FrameTime(fitted_.scene.last_fitted_frame);

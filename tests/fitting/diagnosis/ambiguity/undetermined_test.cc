@@ -45,6 +45,17 @@ TEST(Undetermined, ValuesAreTheModelsAndInIntervals) {
   EXPECT_NEAR(wind[1].upper90 - wind[1].lower90, 0.1 * 0.31 / 0.26, 1e-12);
 }
 
+// Which need not be 0.
+TEST(Undetermined, WhatWasTakenOutIsAtItsOffValue) {
+  FitConfig values;
+  values.parameters["stretch_orthotropy.ratio"].value = 1.0;
+  std::vector<EffectParameter> found = {{"stretch_orthotropy.ratio", "1", 1.5, 1.2, 2.0}};
+  TakeValues(values, &found);
+  EXPECT_EQ(found[0].value, 1.0);
+  EXPECT_EQ(found[0].lower90, 1.0);
+  EXPECT_EQ(found[0].upper90, 2.0);
+}
+
 // A cloth in wind, which is fitted with a component too many and with one too few.
 class UndeterminedWind : public testing::Test {
  protected:
