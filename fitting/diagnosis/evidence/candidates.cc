@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 #include <random>
-#include <set>
 
 #include "autodiff_sim/term/tilted_down.h"
 #include "autodiff_sim/terms/parameter_table.h"
@@ -15,9 +14,17 @@
 namespace clothfit {
 namespace {
 
-// Terms that act only where there is a ground.
-bool NeedsGround(const std::string& term) {
-  return term == "ground" || term == "adhesion" || term == "sticky_patch";
+// Whether the scene has what the term acts at.
+bool CanAct(const TermInfo& term, const World& world) {
+  return (term.needs != Needs::kGround || world.ground_height) &&
+         (term.needs != Needs::kObstacles || !world.obstacles.empty());
+}
+
+// Others help a fit or an estimate, keep apart what is known to be there, or are a second form of
+// one that is looked for.
+bool IsAskedFor(Role role, CandidateSet set) {
+  if (set == CandidateSet::kLaws) return role == Role::kLaw;
+  return role == Role::kMayBeMissing || role == Role::kOrdinary;
 }
 
 bool IsOff(const NamedParameter& named, const FitConfig& values) {
@@ -25,36 +32,10 @@ bool IsOff(const NamedParameter& named, const FitConfig& values) {
   return setting.value == named.parameter.off && !setting.free;
 }
 
-// A share of what was recorded as a value in the parameter's unit.
-double Resolve(const Parameter& parameter, double share, const Extent& extent) {
-  const auto place = [&](int k) {
-    return extent.low[k] + share * (extent.high[k] - extent.low[k]);
-  };
-  switch (parameter.meaning) {
-    case Meaning::kPlaceX:
-      return place(0);
-    case Meaning::kPlaceY:
-      return place(1);
-    case Meaning::kPlaceZ:
-    case Meaning::kAlongTilt:  // as at no tilt; see PutAlongTilt
-      return place(2);
-    case Meaning::kClothU:
-      return share * extent.size.x();
-    case Meaning::kClothV:
-      return share * extent.size.y();
-    case Meaning::kClothDistance:
-      return share * extent.size.maxCoeff();
-    case Meaning::kTime:
-      return share * extent.duration;
-    default:
-      return share;
-  }
-}
-
 std::vector<double> ProbeValues(const Parameter& parameter, const Extent& extent) {
   std::vector<double> values;
   for (int k = 0; k < parameter.probes.count; ++k) {
-    const double value = Resolve(parameter, parameter.probes.values[k], extent);
+    const double value = AtShare(parameter, parameter.probes.values[k], extent);
     values.push_back(std::clamp(value, parameter.lower, parameter.upper));
   }
   return values;
@@ -142,10 +123,10 @@ std::vector<Probe> Combinations(const std::vector<const NamedParameter*>& shapes
   return probes;
 }
 
-CandidateTerm MakeCandidate(const std::string& name, const std::string& term,
+CandidateTerm MakeCandidate(const std::string& name, const TermInfo& term,
                             const std::vector<const NamedParameter*>& switches,
                             std::vector<Probe> probes) {
-  CandidateTerm candidate{name, term, {}, {}, std::move(probes)};
+  CandidateTerm candidate{name, term.name, term.role, {}, {}, std::move(probes)};
   for (const NamedParameter* named : switches) {
     const Parameter& p = named->parameter;
     candidate.switches.push_back(named->name);
@@ -163,28 +144,16 @@ void MoveByAmounts(ParameterSetting* setting) {
 
 }  // namespace
 
-bool IsLaw(const std::string& term) { return term.rfind("law_", 0) == 0; }
-
-bool CanBeMissing(const std::string& term) {
-  if (IsLaw(term)) return false;
-  static const std::set<std::string> kNever = {
-      "attraction_point", "attraction_ray", "residual_force", "contact",     "law_field",
-      "law_air",          "law_tension",    "obstacle",       "strain_limit"};
-  return kNever.count(term) == 0;
-}
-
 std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& scene,
                                           const Extent& extent,
                                           const std::vector<std::string>& excluded, int most_probes,
                                           CandidateSet set) {
-  const std::vector<NamedParameter> table = MakeParameterTable();
+  const std::vector<NamedParameter>& table = MakeParameterTable();
   std::vector<CandidateTerm> candidates;
   for (const TermInfo& term : AllTerms()) {
     const bool is_excluded =
         std::find(excluded.begin(), excluded.end(), term.name) != excluded.end();
-    const bool is_asked = set == CandidateSet::kLaws ? IsLaw(term.name) : CanBeMissing(term.name);
-    if (is_excluded || !is_asked) continue;
-    if (NeedsGround(term.name) && !scene.world.ground_height) continue;
+    if (is_excluded || !IsAskedFor(term.role, set) || !CanAct(term, scene.world)) continue;
     std::vector<const NamedParameter*> off, on;
     for (const NamedParameter& named : table) {
       if (named.term != term.name || !SwitchesOff(named.parameter)) continue;
@@ -197,21 +166,20 @@ std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& 
       constexpr double kMiddle = 0.5;
       Probe middle;
       for (const NamedParameter* shape : shapes)
-        middle[shape->name] = Resolve(shape->parameter, kMiddle, extent);
-      candidates.push_back(MakeCandidate(term.name, term.name, off, {middle}));
+        middle[shape->name] = AtShare(shape->parameter, kMiddle, extent);
+      candidates.push_back(MakeCandidate(term.name, term, off, {middle}));
       continue;
     }
     if (on.empty()) {
       candidates.push_back(
-          MakeCandidate(term.name, term.name, off, Combinations(shapes, extent, most_probes)));
+          MakeCandidate(term.name, term, off, Combinations(shapes, extent, most_probes)));
       continue;
     }
     // A part of a term that is on: what stands at its off value without being its start value.
     for (const NamedParameter* named : off) {
       if (named->parameter.off != 0.0) continue;
       const bool takes_part = named->parameter.lower > 0.0 || named->parameter.initial != 0.0;
-      if (takes_part)
-        candidates.push_back(MakeCandidate(named->name, term.name, {named}, {Probe{}}));
+      if (takes_part) candidates.push_back(MakeCandidate(named->name, term, {named}, {Probe{}}));
     }
   }
   return candidates;
@@ -220,7 +188,7 @@ std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& 
 std::vector<Probe> ProbesNear(const CandidateTerm& candidate, const Probe& probe,
                               const Extent& extent, double step) {
   std::vector<Probe> near;
-  const std::vector<NamedParameter> table = MakeParameterTable();
+  const std::vector<NamedParameter>& table = MakeParameterTable();
   const std::vector<const NamedParameter*> shapes = Shapes(table, candidate.term);
   for (const NamedParameter* shape : shapes) {
     const auto at = probe.find(shape->name);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "autodiff_sim/term/extent.h"
 #include "fitting/config/config.h"
 #include "fitting/scene/scene.h"
 
@@ -20,30 +21,17 @@ using Probe = std::map<std::string, double>;
 struct CandidateTerm {
   std::string name;  // the term's, or the parameter's full name
   std::string term;
+  Role role = Role::kMayBeMissing;    // the term's
   std::vector<std::string> switches;  // full names; off in the baseline, and they switch it on
   std::vector<bool> is_one_sided;     // may a switch only grow?
   std::vector<Probe> probes;          // at least one; empty maps where there is nothing to choose
 };
 
-// What a recording's cloth passes through, for probes that are shares of it.
-struct Extent {
-  Eigen::Vector3d low, high;                    // m, world
-  Eigen::Vector2d size;                         // m, of the cloth
-  double duration = 0.0;                        // s
-  Eigen::Vector3d gravity = {0.0, 0.0, -9.81};  // m/s^2, world
-};
-
-// Whether a term is physics that a model may lack. Others help a fit or an estimate, keep apart
-// what is known to be there, or are a second form of one that is looked for (strain_limit, of
-// stretch_stiffening).
-bool CanBeMissing(const std::string& term);
-
-// Features of which a law is learned, see law/learn.h.
-bool IsLaw(const std::string& term);
-
 enum class CandidateSet {
-  kCatalogue,  // what can be missing
-  kLaws,       // with one probe each: the middle of what was recorded
+  kCatalogue,  // what may be missing, and the missing parts of what is there
+  // Features of which a law is learned (law/learn.h), with one probe each: the middle of what was
+  // recorded.
+  kLaws,
 };
 
 // The candidates of a fitted config, and at most `most_probes` probes each: all combinations where

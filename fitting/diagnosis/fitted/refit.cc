@@ -104,9 +104,10 @@ std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double sha
   config.attract = true;
   config.polish = false;
   config.max_iterations = kGuidedIterations;
-  for (const std::string term : {"attraction_point", "attraction_ray"}) {
+  for (const TermInfo& term : AllTerms()) {
+    if (term.role != Role::kGuide) continue;
     for (const auto& [name, value] : {std::pair{".linear", linear}, std::pair{".damping", drag}}) {
-      ParameterSetting& setting = config.parameters.at(term + name);
+      ParameterSetting& setting = config.parameters.at(term.name + name);
       setting.value = std::clamp(value, setting.lower, setting.upper);
       setting.free = false;
     }

@@ -34,7 +34,7 @@ FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResul
   for (std::size_t i = 0; i < table.size(); ++i) {
     ParameterSetting& setting = fitted.values.parameters.at(table[i].name);
     // What pulled on the way to the fit is none of it.
-    const bool pulls = table[i].term == "attraction_point" || table[i].term == "attraction_ray";
+    const bool pulls = table[i].role == Role::kGuide;
     if (!pulls) setting.value = fit.parameters[static_cast<Eigen::Index>(i)];
     // A logarithm at its bound comes back a rounding error beyond it, which no config may have.
     if (setting.free) setting.value = std::clamp(setting.value, setting.lower, setting.upper);

@@ -6,11 +6,13 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/fitted/refit.h"
 
@@ -78,14 +80,17 @@ FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
 
 std::vector<FitConfig> OtherStarts(const FitConfig& config) {
   constexpr double kLively = 0.1, kStiff = 20.0, kStretchy = 0.1;
-  const auto scale = [](const char* name, double factor, FitConfig* of) {
+  const auto scale = [](const std::string& name, double factor, FitConfig* of) {
     ParameterSetting& setting = of->parameters.at(name);
     if (setting.free)
       setting.value = std::clamp(factor * setting.value, setting.lower, setting.upper);
   };
   FitConfig lively = config;
-  for (const char* name : {"stretch.damping", "shear.damping", "bending.damping"})
-    scale(name, kLively, &lively);
+  for (const NamedParameter& named : MakeParameterTable()) {
+    const bool is_of_fabric = named.role == Role::kOrdinary && named.parameter.is_free;
+    if (is_of_fabric && std::string_view(named.parameter.name) == "damping")
+      scale(named.name, kLively, &lively);
+  }
   FitConfig stiff = lively, stretchy = lively;
   scale("bending.stiffness", kStiff, &stiff);
   scale("stretch.stiffness", kStretchy, &stretchy);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
+#include "autodiff_sim/terms/law.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/diagnosis/model/switch_on.h"
@@ -99,7 +100,7 @@ std::string FeatureOf(const FitConfig& config, const std::string& term, const st
 
 // What a coefficient is a part of: "w_x" of law_air.g_xy.
 std::string LeftSide(const std::string& term, const std::string& name) {
-  if (term == "law_tension") {
+  if (term == LawTension::kName) {
     const std::string angle = name.substr(name.rfind('_') + 1);
     const bool is_band = name.rfind("band", 0) == 0;
     return fmt::format("tension per width at {} degrees{}", angle,
@@ -107,7 +108,7 @@ std::string LeftSide(const std::string& term, const std::string& name) {
   }
   if (name == "drag") return "force per area";
   const std::string axis(1, name[2]);
-  return (term == "law_air" ? "velocity of the air along " : "force per area along ") + axis;
+  return (term == LawAir::kName ? "velocity of the air along " : "force per area along ") + axis;
 }
 
 }  // namespace

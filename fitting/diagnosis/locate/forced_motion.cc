@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/locate/forced_motion.h"
 
+#include "autodiff_sim/terms/residual_force.h"
 #include "fitting/diagnosis/fitted/rows.h"
 #include "fitting/rollout/window_simulator.h"
 
@@ -15,7 +16,7 @@ ForcedMotion::ForcedMotion(const Scene& scene, const FitConfig& config, const Fr
       first_control_((free.size() + kLanes - 1) / kLanes * kLanes),
       simulation_(scene.mesh, scene.world, scene.HandlePoints(), StepOptions(config)),
       handles_(scene.handles) {
-  share_ = RequireParameter(simulation_.model().parameters(), "residual_force.share");
+  share_ = RequireParameter(simulation_.model().parameters(), FullName<ResidualForce>());
   if (IsHeld(config)) attracting_.emplace(scene);
 }
 

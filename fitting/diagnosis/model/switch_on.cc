@@ -69,7 +69,7 @@ ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
     setting.value = Inside(value, setting);
     setting.free = true;
   }
-  const bool is_law = IsLaw(candidate.term.term);  // whose middle is as good anywhere
+  const bool is_law = candidate.term.role == Role::kLaw;  // whose middle is as good anywhere
   for (const auto& [name, value] : candidate.probe)
     if (is_law) start.config.parameters.at(name).value = value;
   if (!is_law) FreeShapes(candidate.probe, &start.config);
