@@ -37,6 +37,7 @@ class Diagnoser {
   Diagnosis Run();
 
  private:
+  friend class DiagnoserPeer;  // of the tests
   FittedScene UndoSwaps(FittedScene fitted);
   // Ranks; where mesh and step make much of what is left, on a finer mesh.
   Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
