@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/runs/surface_evaluation.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -19,10 +21,10 @@ struct EvaluateOptions {
 };
 
 int RunEvaluateCommand(const EvaluateOptions& options) {
-  const Overwrite overwrite = OverwriteIf(options.force);
-  if (!options.output.empty()) CheckMayWrite(options.output, overwrite);
+  if (!options.output.empty() && std::filesystem::exists(options.output) && !options.force)
+    throw InputError(options.output, "exists; --force replaces it");
   const SurfaceEvaluation evaluation = EvaluateSurface(RunFolder::Open(options.run), options.truth);
-  if (!options.output.empty()) WriteOutputFile(options.output, SurfaceAsCsv(evaluation), overwrite);
+  if (!options.output.empty()) WriteTextFile(options.output, SurfaceAsCsv(evaluation));
   fmt::print("{}", SurfaceAsMarkdown(evaluation));
   return kExitSuccess;
 }

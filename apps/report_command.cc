@@ -9,6 +9,8 @@
 
 #include "apps/commands.h"
 #include "apps/report/assets.h"
+#include "autodiff_sim/base/error.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {
@@ -23,9 +25,11 @@ int RunReportCommand(const ReportCommandOptions& options) {
   const std::filesystem::path folder = options.folder;
   const std::filesystem::path file =
       options.output.empty() ? folder / "report.html" : std::filesystem::path(options.output);
-  CheckMayWrite(file, OverwriteIf(options.force));
+  if (std::filesystem::exists(file) && !options.force) {
+    throw InputError(file.string(), "exists already; --force replaces it");
+  }
   const ReportPage page = MakeReport(folder, PageAssets(), options.report);
-  WriteOutputFile(file, page.html, OverwriteIf(options.force));
+  WriteWholeFile(file, page.html);
   fmt::print("{}\n", page.verdict.headline);
   for (const std::string& sentence : page.verdict.sentences) fmt::print("  {}\n", sentence);
   for (const std::string& note : page.notes) fmt::print("  {}\n", note);

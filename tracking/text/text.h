@@ -24,7 +24,8 @@ std::string FormatNumber(double value);
 
 std::string_view TrimBlanks(std::string_view text);
 
-// Throws InputError when the file cannot be read.
+// Throw InputError when the file cannot be read or written.
 std::string ReadTextFile(const std::filesystem::path& file);
+void WriteTextFile(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace clothfit

@@ -13,28 +13,29 @@
 
 namespace clothfit {
 
-// The share of what is missing that has to be explained by what is named.
+// The share that a named effect has to explain: kMostOfIt, or half where the answer leaves more
+// than kHopeless.
 double MostOfIt(const Diagnosis& diagnosis);
 
-// Does a proven law take the place of the names? Where it explains a tenth of the excess more than
-// they do, or half of what they leave; or hardly less, and of the same held-out frames leaves four
-// fifths of their error at most. names: null for none.
+// Does a validated law take the place of the named effects? If the share that it explains is larger
+// by 0.1 or by half of the share that they do not explain; or if it is smaller by 0.1 at most and
+// its error on the same held-out frames at most 0.8 of theirs. names: null for none.
 bool TakesPlace(const HeldOutProof& law, double explained_by_law, const HeldOutProof* names,
                 double explained_by_names);
 
-// Does what gains so much cost on the mesh on which it was found gain enough on a finer one?
+// Is the gain of an effect on a finer mesh at least 0.3 of that on the mesh on which it was found?
 bool StandsOnFinerMesh(double gain, double gain_on_finer);
 
 struct ChoiceRules {
   double cost_before;  // of the fit without any of the models
   double least_share;  // that a model has to explain
-  bool prove;          // is what is kept to be proven?
+  bool prove;          // must a model that is kept be validated?
 };
 
-// Which of the models from `first` on, the best first, is held against the baseline from where it
-// ended: the first that explains enough, gains half of what the best gains and (where that is
-// asked for) is proven, which is kept unless the baseline catches up; else the first of all where
-// it explains enough, since it may have found a better valley without having found an effect.
+// Of the models from `first` on, the best first: the first with share explained >= least_share, at
+// least half of the largest gain and a validation (where `prove`), which is kept unless the fit
+// without its effect catches up; else the first model, not kept, if its share is >= least_share: it
+// may have found a better local minimum.
 struct Choice {
   std::size_t model;  // of all
   bool is_kept;
@@ -42,11 +43,11 @@ struct Choice {
 std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t first,
                                   const ChoiceRules& rules);
 
-// What leaves this much of another's cost at most leaves far less.
+// A cost of at most this much of another is far less.
 inline constexpr double kFarLess = 1.0 / 1.2;
 
-// Is another one kept as it alone is proven, while the first of all leaves far less? That should be
-// proven by other means then.
+// Would ChooseModel keep another model than the first although the first costs far less? Then the
+// first is validated by other tests too.
 bool FirstDeservesAnotherProof(const std::vector<Model>& models, std::size_t first,
                                const ChoiceRules& rules);
 

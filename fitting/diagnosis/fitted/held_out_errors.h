@@ -28,10 +28,10 @@ HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> last 
 // The source of an observation: a camera's index, or the markers.
 inline constexpr int kMarkerSource = -1;
 
-// How far what one source saw in the held-out frames is from a motion that follows everything else
-// that was seen, there too: all other markers and tracks pull at the cloth (Start::kGuided). What
-// is wrong with one source shows in that whatever becomes of an open-loop prediction. Markers (m),
-// a camera's tracks (px). Empty where it saw nothing, or nothing else did.
+// Errors of one source in the held-out frames: the distance of its markers (m) or tracks (px) from
+// a nudged motion that follows all other markers and tracks in all frames (Start::kGuided). It
+// shows a fault of the source even if an open-loop prediction is poor. Empty where the source, or
+// all others, saw nothing.
 std::optional<HeldOutErrors> MeasureAgainstOthers(const FittedScene& fitted, int source);
 
 // How far apart two models have what is seen in held-out frames, root mean square: markers (m)

@@ -20,8 +20,8 @@ struct DiagnosisOptions {
   std::vector<std::string> excluded;
   int max_effects = 3;  // that are added one after the other
   int max_models = 4;   // candidates that are fitted in earnest, each time
-  // Particles a side, at most; finer ones take longer and tell more, as a coarse mesh errs like a
-  // draught. A recording's own mesh is made coarser where it is finer.
+  // Particles along a side, at most. Finer meshes take longer and have less discretisation error,
+  // which looks like a draught. A finer mesh of the recording is made coarser.
   int finest_side = 13;
   int num_nulls = 400;            // residuals drawn of the re-simulated null
   double false_discovery = 0.05;  // expected share of false ones among those short-listed

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much of what is missing a model explains.
+// The share of the excess cost that a model explains.
 #pragma once
 
 namespace clothfit {
 
-// The share that a model takes of what a fit before it leaves above its null, costs all; where mesh
-// and step may make more than that, of what can be explained at all: what stands out of the null by
-// its pattern does so below its sum, too. Nothing where nothing can.
+// Share explained: (before - after) / max(before - null, explainable), clamped to 0..1; 0 where the
+// denominator is not positive. All are costs: of the fit without the model and with it, the mean
+// over the null, and the most that absent terms can explain (Ranking::explainable, halved).
 double ShareExplained(double before, double after, double null, double explainable);
 
-inline constexpr double kMostOfIt = 0.9;  // of what is missing
+inline constexpr double kMostOfIt = 0.9;  // share explained
 
 }  // namespace clothfit

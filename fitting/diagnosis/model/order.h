@@ -38,10 +38,9 @@ void PutBestFirst(double cost_before, const HeldOutErrors& before, const Ranking
 void PutBestPredictionFirst(double cost_before, const HeldOutErrors& before, double by_mesh,
                             std::vector<FittedModel>* models);
 
-// Of models whose first is physics: what explains more with fewer unknowns and could make nearly
-// all of the first one's force, along its own motion, is the same told more simply, and comes
-// before it. A gust that lasts from long before the recording until long after it, everywhere, is a
-// wind.
+// If the first model is physics: a model with lower cost and fewer unknowns that matches at least
+// 0.95 of the first one's force along its motion (Imitate) comes before it. A gust that lasts
+// throughout and acts everywhere is a wind.
 void PutSimplerTwinFirst(const Extent& extent, std::vector<FittedModel>* models);
 
 }  // namespace clothfit

@@ -41,7 +41,7 @@ class Diagnoser {
   FittedScene UndoSwaps(FittedScene fitted);
   // Ranks; where mesh and step make much of what is left, on a finer mesh.
   Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
-  // A baseline's fit begun anew on its mesh: what a coarser one has come to may be a wrong valley.
+  // A nudged fit of the baseline on its mesh: the coarser fit may have ended in a local minimum.
   std::optional<FittedScene> FitGuidedOnFineMesh(const FittedScene& fitted);
   // Where, when and of what class a force is missing.
   void LocateMismatch(const FittedScene& fitted, const Ranking& ranking);
@@ -51,15 +51,15 @@ class Diagnoser {
   // One more effect. False where there is none to be had.
   bool AddEffect(FittedScene* current, HeldOutErrors* errors);
   // Whether a fit without the effect, begun where the model has ended, comes (nearly) as far: then
-  // the model had found a better valley, not an effect. What is explained is held against that
-  // fit then.
+  // the model had found a better local minimum, not an effect. That fit becomes the one that the
+  // gain of models is measured from.
   bool CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors);
-  // What physics was kept first, taken out again where what was kept after it does without it: that
-  // had stood for a part of the other. Else what could make the same force is fitted in its place,
-  // and takes it where it comes first beside the second.
+  // Backward elimination: drops the first physical effect where the second explains nearly as much
+  // without it. Else fits effects that match the force of the first beside the second, and takes
+  // the one that comes first.
   void LookBackAtFirst(FittedScene* current, HeldOutErrors* errors);
-  // By other means, too, where the held-out frames do not prove it and it leaves far less than
-  // that.
+  // Validates on the held-out frames; if that fails and the model costs at most kFarLess of
+  // `other_cost`, by the other tests as well.
   HeldOutProof Prove(const FittedModel& model, double other_cost, const ProofStart& start) const;
   // Forgets a round, so that it can be held again from a better fit.
   void BeginAgain(std::size_t first_model, const FittedScene& better, const HeldOutErrors& errors);

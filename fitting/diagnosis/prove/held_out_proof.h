@@ -38,10 +38,9 @@ struct HeldOutFloor {
   double noise = 0.0, numerical = 0.0;  // of the observations; of mesh and step
 };
 
-// By how much the root mean square is lower, and the lower end of its one-sided 95 % interval, by
-// a moving-block bootstrap (Kuensch 1989) of the frames with blocks of this many. Proven is what
-// lies above a twentieth of the noise, and whose squares fall by more than those of the numerical
-// floor.
+// The fall of the root mean square error and the lower end of its one-sided 95 % interval, by a
+// moving-block bootstrap (Kuensch 1989) over frames. Validated if that end exceeds 0.05 of the
+// noise and the lower end of the fall of the mean square exceeds floor.numerical squared.
 HeldOutProof Prove(const HeldOutErrors& before, const HeldOutErrors& after, int block,
                    const HeldOutFloor& floor, std::uint64_t seed);
 
