@@ -40,8 +40,8 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   if (!options.quiet) PrintWarnings(recording);
   options.diagnosis.project = !options.no_projection;
   options.diagnosis.simulate_null = !options.table_null;
-  options.diagnosis.prove = !options.no_proof;
-  options.diagnosis.guide = !options.no_guide;
+  options.diagnosis.validate = !options.no_proof;
+  options.diagnosis.nudge = !options.no_guide;
   options.diagnosis.stop = StopOnInterrupt();
   options.diagnosis.kept_fits = folder.KeptFits();
   options.diagnosis.log = [&folder](const std::string& line) { folder.AppendLog(line); };
@@ -102,7 +102,7 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
   command->add_flag("--no-proof", options->no_proof,
                     "ablation: keep what fits, held-out frames or not");
   command->add_flag("--no-guide", options->no_guide,
-                    "ablation: score along the free motion only, not along a guided one, too");
+                    "ablation: score along the free motion only, not along a nudged one, too");
   CLI::Option* const force =
       command->add_flag("--force", options->force, "replace an earlier diagnosis there");
   command

@@ -80,8 +80,8 @@ TrialRunOptions HowToRun(const TrialsOptions& options) {
   run.diagnosis.finest_side = options.finest_side;
   run.diagnosis.project = !options.no_projection;
   run.diagnosis.simulate_null = !options.table_null;
-  run.diagnosis.prove = !options.no_proof;
-  run.diagnosis.guide = !options.no_guide;
+  run.diagnosis.validate = !options.no_proof;
+  run.diagnosis.nudge = !options.no_guide;
   run.folder = folder / "recordings";
   run.keep_recordings = options.keep_recordings;
   if (options.keep_diagnoses) {
@@ -205,7 +205,7 @@ void AddRunOptions(CLI::App* command, TrialsOptions* options) {
                     "candidates do not compete with the baseline and the faults");
   command->add_flag("--table-null", options->table_null,
                     "chi-squared tables instead of a re-simulated null");
-  command->add_flag("--no-proof", options->no_proof, "keep effects without a held-out proof");
+  command->add_flag("--no-proof", options->no_proof, "keep effects without a held-out validation");
   command->add_flag("--no-guide", options->no_guide, "score candidates along the free motion only");
   command->add_flag("--no-true-model", options->no_true_model,
                     "do not find what the true model would predict, which costs a fit a trial");

@@ -154,7 +154,7 @@ ReportPage MakeDiagnosisReport(const fs::path& folder, const ReportAssets& asset
                                       RankingSection(record),
                                       LocationSection(report, record, &blobs),
                                       ClassSection(record),
-                                      ProofSection(report, record),
+                                      ValidationSection(report, record),
                                       AnswerSection(report, record),
                                       NullSection(record),
                                       ErrorSection(report, misfits),

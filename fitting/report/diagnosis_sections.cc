@@ -28,7 +28,8 @@ bool IsAmong(const std::vector<std::string>& names, const std::string& name) {
 std::string Standing(const DiagnosisRecord& record, const ReportJson& candidate) {
   const std::string name = candidate.at("name");
   if (IsAmong(record.effects, name)) return "named";
-  if (IsAmong(record.ambiguity, name)) return "cannot be told from " + record.ambiguity.front();
+  if (IsAmong(record.confidence_set, name))
+    return "cannot be told from " + record.confidence_set.front();
   if (candidate.at("short_listed") == true) return "short-listed";
   return candidate.at("why_not").get<std::string>();
 }
@@ -38,7 +39,7 @@ ReportJson RankingBars(const DiagnosisRecord& record, const char* key, const cha
   for (const ReportJson& candidate : record.json.at("ranking")) {
     if (items.size() == kMostBars) break;
     const std::string name = candidate.at("name");
-    const bool is_set = IsAmong(record.effects, name) || IsAmong(record.ambiguity, name);
+    const bool is_set = IsAmong(record.effects, name) || IsAmong(record.confidence_set, name);
     if (!candidate.at(key).is_number()) continue;
     items.push_back({{"name", name},
                      {"value", candidate.at(key)},
@@ -81,13 +82,14 @@ ReportJson RankingTable(const DiagnosisRecord& record) {
           {"rows", rows}};
 }
 
-std::string SayAmbiguity(const DiagnosisRecord& record) {
+std::string SayConfidenceSet(const DiagnosisRecord& record) {
   if (record.effects.empty()) return "Nothing is named.";
-  if (record.ambiguity.size() < 2) {
+  if (record.confidence_set.size() < 2) {
     return fmt::format("Nothing else does nearly what {} does in this recording.",
                        record.effects.front());
   }
-  return fmt::format("This recording cannot tell these apart: {}.", JoinNames(record.ambiguity));
+  return fmt::format("This recording cannot tell these apart: {}.",
+                     JoinNames(record.confidence_set));
 }
 
 ReportJson Percent(const ReportJson& share) {
@@ -95,31 +97,32 @@ ReportJson Percent(const ReportJson& share) {
 }
 
 // "frames 13 to 26" where it is those that were predicted, else nothing.
-std::string EarlierFrames(const ReportJson& proof) {
-  const auto earlier = proof.find("earlier_frames");
-  if (earlier == proof.end() || !earlier->is_array()) return "";
+std::string EarlierFrames(const ReportJson& validation) {
+  const auto earlier = validation.find("earlier_frames");
+  if (earlier == validation.end() || !earlier->is_array()) return "";
   return fmt::format("frames {} to {}", earlier->at(0).get<int>(), earlier->at(1).get<int>());
 }
 
 // A bar for each of the held-out errors of the answer, and a table of all models.
-ReportJson ProofBars(const ReportJson& model) {
-  const ReportJson& proof = model.at("held_out");
+ReportJson ValidationBars(const ReportJson& model) {
+  const ReportJson& validation = model.at("held_out");
   ReportJson items = ReportJson::array();
   const auto add = [&](const char* name, const char* key, bool is_muted) {
-    if (!proof.contains(key) || !proof.at(key).is_number()) return;
-    items.push_back({{"name", name}, {"value", proof.at(key)}, {"note", ""}, {"muted", is_muted}});
+    if (!validation.contains(key) || !validation.at(key).is_number()) return;
+    items.push_back(
+        {{"name", name}, {"value", validation.at(key)}, {"note", ""}, {"muted", is_muted}});
   };
   add("baseline", "before", false);
   add("with what was found", "after", false);
   add("noise alone", "noise", true);
-  const std::string earlier = EarlierFrames(proof);
+  const std::string earlier = EarlierFrames(validation);
   const std::string title = earlier.empty()
                                 ? "Error on held-out frames"
                                 : "Error on " + earlier + ", after fits to those before them alone";
   return {{"kind", "bars"}, {"title", title}, {"unit", "length"}, {"items", items}};
 }
 
-// Camera faults are proven in pixels even where there are markers.
+// Camera faults are validated in pixels even where there are markers.
 bool IsInPixels(const ReportJson& model, bool if_unsaid) {
   return model.at("held_out").value("unit", if_unsaid ? "px" : "m") == "px";
 }
@@ -129,19 +132,20 @@ ReportJson ModelTable(const ReportJson& models, bool is_px) {
   const std::string unit = is_px ? "px" : "mm";
   ReportJson rows = ReportJson::array();
   for (const ReportJson& m : models) {
-    const ReportJson& proof = m.at("held_out");
+    const ReportJson& validation = m.at("held_out");
     const bool is_other = IsInPixels(m, is_px) != is_px;
     const auto length = [&](const char* key) {
-      return proof.at(key).is_number() && !is_other
-                 ? ReportJson(factor * proof.at(key).get<double>())
+      return validation.at(key).is_number() && !is_other
+                 ? ReportJson(factor * validation.at(key).get<double>())
                  : ReportJson();
     };
-    std::string verdict = proof.at("proven") == true ? "proven" : "";
-    if (const std::string earlier = EarlierFrames(proof); !earlier.empty())
+    std::string verdict = validation.at("proven") == true ? "validated" : "";
+    if (const std::string earlier = EarlierFrames(validation); !earlier.empty())
       verdict += " on " + earlier;
-    if (is_other && proof.at("before").is_number() && proof.at("after").is_number()) {
-      verdict += fmt::format(" ({:.3g} to {:.3g} px of its camera)",
-                             proof.at("before").get<double>(), proof.at("after").get<double>());
+    if (is_other && validation.at("before").is_number() && validation.at("after").is_number()) {
+      verdict +=
+          fmt::format(" ({:.3g} to {:.3g} px of its camera)", validation.at("before").get<double>(),
+                      validation.at("after").get<double>());
     }
     rows.push_back({JoinNames(m.at("effects").get<std::vector<std::string>>()), m.at("cost"),
                     Percent(m.at("explained")), length("before"), length("after"),
@@ -216,7 +220,7 @@ std::optional<ReportJson> NullDraws(const ReportJson& gate) {
 ReportJson RankingSection(const DiagnosisRecord& record) {
   ReportJson blocks = ReportJson::array();
   if (!record.json.at("ranking").empty()) {
-    blocks.push_back(TextBlock({SayAmbiguity(record)}));
+    blocks.push_back(TextBlock({SayConfidenceSet(record)}));
     blocks.push_back(RankingBars(record, "score", "Score"));
     blocks.push_back(
         RankingBars(record, "score_without_projection", "Score with nothing projected out"));
@@ -256,14 +260,14 @@ ReportJson ClassSection(const DiagnosisRecord& record) {
   return SectionOf("class", "Of what class it is", blocks, "Class");
 }
 
-ReportJson ProofSection(const ReportScene& report, const DiagnosisRecord& record) {
+ReportJson ValidationSection(const ReportScene& report, const DiagnosisRecord& record) {
   ReportJson blocks = ReportJson::array();
   const ReportJson& models = record.json.at("models");
   const ReportJson answer = record.json.value("answer", ReportJson());
   const bool has_no_markers = report.scene().markers.empty();
   if (answer.is_object()) {
     const bool is_px = IsInPixels(answer, has_no_markers);
-    ReportJson bars = ProofBars(answer);
+    ReportJson bars = ValidationBars(answer);
     bars["unit"] = is_px ? "px" : "mm";
     for (ReportJson& item : bars["items"])
       item["value"] = (is_px ? 1.0 : 1e3) * item["value"].get<double>();
@@ -276,9 +280,11 @@ ReportJson ProofSection(const ReportScene& report, const DiagnosisRecord& record
     }
   }
   if (!models.empty()) blocks.push_back(ModelTable(models, has_no_markers));
-  ReportJson section = SectionOf("proof", "Proof on frames that no fit has seen", blocks, "Proof");
+  ReportJson section =
+      SectionOf("proof", "Validation on frames that no fit has seen", blocks, "Validation");
   section["lead"] =
-      "Every model predicts the held-out frames open loop. It is proven where the lower end of the "
+      "Every model predicts the held-out frames open loop. It is validated where the lower end of "
+      "the "
       "95 % interval of its improvement lies above a twentieth of the noise.";
   return section;
 }

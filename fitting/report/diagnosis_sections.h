@@ -16,7 +16,7 @@ ReportJson LocationSection(const ReportScene& report, const DiagnosisRecord& rec
                            ReportBlobs* blobs);
 ReportJson ClassSection(const DiagnosisRecord& record);
 // Held-out errors of every model that was fitted.
-ReportJson ProofSection(const ReportScene& report, const DiagnosisRecord& record);
+ReportJson ValidationSection(const ReportScene& report, const DiagnosisRecord& record);
 // Parameters of what was found, with intervals.
 ReportJson AnswerSection(const ReportScene& report, const DiagnosisRecord& record);
 // What recordings of nothing but the baseline would show.

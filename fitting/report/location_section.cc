@@ -116,10 +116,10 @@ ReportJson CourseChart(const ReportScene& report, const std::vector<Eigen::Vecto
 ReportJson LocationSection(const ReportScene& report, const DiagnosisRecord& record,
                            ReportBlobs* blobs) {
   ReportJson blocks = ReportJson::array();
-  const ReportJson mismatch = record.json.value("mismatch", ReportJson());
-  if (mismatch.is_object()) {
-    const ReportJson& p = mismatch.at("p_value");
-    blocks.push_back(TextBlock({mismatch.at("words").get<std::string>(),
+  const ReportJson discrepancy = record.json.value("mismatch", ReportJson());
+  if (discrepancy.is_object()) {
+    const ReportJson& p = discrepancy.at("p_value");
+    blocks.push_back(TextBlock({discrepancy.at("words").get<std::string>(),
                                 p.is_number() ? fmt::format("p = {:.2g}, against recordings in "
                                                             "which nothing is missing.",
                                                             p.get<double>())

@@ -55,8 +55,8 @@ std::vector<TermInfo> AbsentTerms();
 const TermInfo& TermOf(const std::string& term);
 bool IsListed(const std::string& term);
 
-// What a diagnosis may say of an effect's class, see MismatchClass. `tied_to` holds all words that
-// are right; none where any is.
+// What a diagnosis may say of an effect's class, see DiscrepancyClass. `tied_to` holds all words
+// that are right; none where any is.
 struct EffectClass {
   bool is_internal = false, is_dissipative = false, is_driving = false;
   std::vector<std::string> tied_to;

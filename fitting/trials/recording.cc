@@ -192,14 +192,14 @@ VectorXd SurfaceAt(const SyntheticSurface& surface, double time) {
          (3.0 * t2 - 2.0 * t3) * at(i + 1) + (t3 - t2) * after;
 }
 
-Camera FaultyCamera(const PlantedFault& fault, const Camera& told) {
-  Camera real = told;
+Camera FaultyCamera(const PlantedFault& fault, const Camera& given) {
+  Camera real = given;
   const double angle = fault.turn.norm();
   if (angle > 0.0) {
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(angle, Vector3d(fault.turn / angle)).toRotationMatrix();
-    real.camera_from_world_rotation = turn * told.camera_from_world_rotation;
-    real.camera_from_world_translation = turn * told.camera_from_world_translation;
+    real.camera_from_world_rotation = turn * given.camera_from_world_rotation;
+    real.camera_from_world_translation = turn * given.camera_from_world_translation;
   }
   real.camera_from_world_translation += fault.shift;
   real.fx *= 1.0 + fault.scale;

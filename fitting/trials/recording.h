@@ -61,7 +61,7 @@ void AddFault(const PlantedFault& fault, const SyntheticOptions& options,
 Eigen::VectorXd SurfaceAt(const SyntheticSurface& surface, double time);
 
 // Where the camera of a fault really is, and what its focal length.
-Camera FaultyCamera(const PlantedFault& fault, const Camera& told);
+Camera FaultyCamera(const PlantedFault& fault, const Camera& given);
 
 // The true places of a grid of points in every frame, noise-free, and how far apart two such lists
 // are: root mean square, m.

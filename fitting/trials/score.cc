@@ -136,7 +136,7 @@ void ScoreParameters(const TrialTruth& truth, const Model& answer, TrialScore* s
   }
 }
 
-void ScoreMismatch(const TrialTruth& truth, const Diagnosis& diagnosis, TrialScore* score) {
+void ScoreDiscrepancy(const TrialTruth& truth, const Diagnosis& diagnosis, TrialScore* score) {
   if (!truth.force.acts) return;
   const auto compare = [&](const auto& found) {
     score->region_overlap =
@@ -147,8 +147,8 @@ void ScoreMismatch(const TrialTruth& truth, const Diagnosis& diagnosis, TrialSco
   // What is named says itself where it acts.
   if (diagnosis.acting_class) {
     compare(*diagnosis.acting);
-  } else if (diagnosis.mismatch && diagnosis.mismatch->is_significant) {
-    compare(*diagnosis.mismatch);
+  } else if (diagnosis.discrepancy && diagnosis.discrepancy->is_significant) {
+    compare(*diagnosis.discrepancy);
   }
 }
 
@@ -162,8 +162,8 @@ void ScoreClass(const TrialTruth& truth, const Diagnosis& diagnosis, TrialScore*
                          !(right.is_driving && acting.is_dissipative);
     return;
   }
-  if (!diagnosis.mismatch_class) return;
-  const MismatchClass& found = *diagnosis.mismatch_class;
+  if (!diagnosis.discrepancy_class) return;
+  const DiscrepancyClass& found = *diagnosis.discrepancy_class;
   // What is neither dissipative nor driving may look like either for a while, as it stores energy.
   const bool contradicts =
       (right.is_dissipative && found.is_driving) || (right.is_driving && found.is_dissipative);
@@ -199,10 +199,11 @@ void ScoreNames(const Trial& trial, const TrialTruth& truth, const Diagnosis& di
   score->named_first = !named.empty() && is_true(named.front());
   score->top_right = !diagnosis.ranking.empty() && is_true(diagnosis.ranking.front().name);
   score->in_ambiguity =
-      std::any_of(diagnosis.ambiguity.begin(), diagnosis.ambiguity.end(), is_true) ||
+      std::any_of(diagnosis.confidence_set.begin(), diagnosis.confidence_set.end(), is_true) ||
       *score->named_first;
   if (!named.empty()) {
-    const std::set<std::string> set(diagnosis.ambiguity.begin(), diagnosis.ambiguity.end());
+    const std::set<std::string> set(diagnosis.confidence_set.begin(),
+                                    diagnosis.confidence_set.end());
     score->ambiguity_size = std::max(1, static_cast<int>(set.size()));
   }
   score->over_limit = OverLimit(first, truth, diagnosis);
@@ -220,11 +221,12 @@ void ScoreHeldOut(const Diagnosis& diagnosis, const std::optional<double>& held_
   const std::optional<double> marker = diagnosis.baseline_fit.after.held_out_marker_rms;
   score->held_out_before = marker ? marker : diagnosis.baseline_fit.after.held_out_track_rms;
   score->held_out_true = held_out_true;
-  const bool is_px = diagnosis.answer && diagnosis.answer->proof.is_in_pixels;
-  if (is_px && marker) return;  // proven by one camera's tracks, which is no gap of the prediction
+  const bool is_px = diagnosis.answer && diagnosis.answer->validation.is_in_pixels;
+  if (is_px && marker)
+    return;  // validated by one camera's tracks, which is no gap of the prediction
   if (diagnosis.answer) {
-    score->held_out_before = diagnosis.answer->proof.before;
-    score->held_out_after = diagnosis.answer->proof.after;
+    score->held_out_before = diagnosis.answer->validation.before;
+    score->held_out_after = diagnosis.answer->validation.after;
   } else {
     score->held_out_after = score->held_out_before;  // nothing was changed
   }
@@ -297,7 +299,7 @@ TrialScore ScoreDiagnosis(const Trial& trial, const TrialTruth& truth, const Dia
       if (diagnosis.answer) ScoreParameters(truth, *diagnosis.answer, &score);
       break;
   }
-  ScoreMismatch(truth, diagnosis, &score);
+  ScoreDiscrepancy(truth, diagnosis, &score);
   ScoreClass(truth, diagnosis, &score);
   ScoreHeldOut(diagnosis, held_out_true, &score);
   return score;

@@ -13,7 +13,8 @@
 namespace clothfit {
 namespace {
 
-// The baseline with the fabric and the effects at the truth; the effects' amounts are free.
+// The baseline with the material parameters and the effects at the truth; the effects' amounts are
+// free.
 FitConfig TrueConfig(const Trial& trial, const TrialRecording& made, const FitConfig& baseline) {
   FitConfig config = baseline;
   config.coarse_resolution = 0;  // it starts at the truth

@@ -45,7 +45,7 @@ Recording PushedCloth() {
   return MakeSyntheticRecording(options).recording;
 }
 
-// Only the fabric's damping of stretch is fitted beside it.
+// Only the material parameters's damping of stretch is fitted beside it.
 FitConfig AlmostFixed(const Recording& recording) {
   FitConfig config = DefaultConfig(recording);
   for (auto& [name, setting] : config.parameters) setting.free = name == "stretch.damping";
@@ -96,9 +96,9 @@ TEST(NewTerm, IsLookedForAndFound) {
   const auto fitted = FitAfresh({recording, AlmostFixed(recording)}, Start::kPlain, 3, FitRunner());
   ASSERT_TRUE(fitted);
   DiagnosisOptions options;
-  const std::set<std::string> rivals = {kTerm, "wind", "crease", "heavy_patch"};
+  const std::set<std::string> competitors = {kTerm, "wind", "crease", "heavy_patch"};
   for (const TermInfo& term : AllTerms()) {
-    if (rivals.count(term.name) == 0) options.excluded.push_back(term.name);
+    if (competitors.count(term.name) == 0) options.excluded.push_back(term.name);
   }
   RankingStart quick;
   quick.draws = 1;

@@ -32,7 +32,7 @@ Model MakeModel(const FitConfig& config) {
   model.config = config;
   model.parameters = {{"wind.x", "m/s", 1.0, 0.5, 1.5}};
   model.explained = 0.8;
-  model.proof = {0.02, 0.01, 0.008, 0.0017, 0.003, true, false, false, {}, {}};
+  model.validation = {0.02, 0.01, 0.008, 0.0017, 0.003, true, false, false, {}, {}};
   model.is_kept = true;
   return model;
 }
@@ -49,23 +49,23 @@ fs::path MakeSmallDiagnosis(const fs::path& folder) {
   ReadConfig(run / "config.yaml", &diagnosis.baseline);
   diagnosis.baseline.recording = (folder / "rec").string();
   diagnosis.residual_rms = 1.4;
-  diagnosis.floor_rms = 0.2;
+  diagnosis.discretisation_rms = 0.2;
   diagnosis.gate_p_value = 1e-6;
   diagnosis.left_rms = 1.35;
   for (int k = 0; k < 400; ++k) diagnosis.null_left_rms.push_back(1.0 + 0.04 * std::sin(k));
-  diagnosis.mismatch.emplace();
-  diagnosis.mismatch->is_significant = true;
-  diagnosis.mismatch->low_uv = diagnosis.mismatch->high_uv = Eigen::Vector2d::Zero();
-  diagnosis.mismatch->direction = Eigen::Vector3d::UnitX();
-  diagnosis.mismatch->words = "The middle is pushed along +x.";
-  diagnosis.mismatch_class.emplace();
-  diagnosis.mismatch_class->words = "It comes from outside.";
+  diagnosis.discrepancy.emplace();
+  diagnosis.discrepancy->is_significant = true;
+  diagnosis.discrepancy->low_uv = diagnosis.discrepancy->high_uv = Eigen::Vector2d::Zero();
+  diagnosis.discrepancy->direction = Eigen::Vector3d::UnitX();
+  diagnosis.discrepancy->words = "The middle is pushed along +x.";
+  diagnosis.discrepancy_class.emplace();
+  diagnosis.discrepancy_class->words = "It comes from outside.";
   diagnosis.ranking = {MakeCandidate("wind", 90.0, true), MakeCandidate("gust", 88.0, true),
                        MakeCandidate("hem", 2.0, false)};
   diagnosis.models = {MakeModel(diagnosis.baseline)};
   diagnosis.answer = diagnosis.models[0];
   diagnosis.effects = {"wind"};
-  diagnosis.ambiguity = {"wind", "gust"};
+  diagnosis.confidence_set = {"wind", "gust"};
   diagnosis.seconds = {{"baseline", 1.0}, {"ranking", 2.0}};
   diagnosis.motions.answer = ReadPointsNpy(run / "trajectory.npy");
   diagnosis.motions.baseline = diagnosis.motions.answer;

@@ -69,9 +69,9 @@ void CountFrames(const MotiveHeader& header, const MotiveLines& lines, std::vect
     row.frame = static_cast<size_t>((row.number - rows->front().number) / std::max(stride, 1));
   }
   const double span = static_cast<double>(rows->back().frame) / header.frame_rate;
-  const double told = rows->back().time - rows->front().time;
+  const double given = rows->back().time - rows->front().time;
   constexpr double kTolerance = 0.01;  // of the span; times are rounded to a millisecond
-  if (std::abs(told - span) > kTolerance * span + 2e-3) {
+  if (std::abs(given - span) > kTolerance * span + 2e-3) {
     lines.Fail(fmt::format("Time (Seconds): expected {:.3f} after {} frames at {} Hz, found {:.3f}",
                            rows->front().time + span, rows->back().frame, header.frame_rate,
                            rows->back().time));

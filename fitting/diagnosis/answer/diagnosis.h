@@ -12,14 +12,14 @@
 #include <opencv2/core/mat.hpp>
 
 #include "fitting/config/config.h"
-#include "fitting/diagnosis/ambiguity/separating_motion.h"
 #include "fitting/diagnosis/answer/motions.h"
 #include "fitting/diagnosis/classify/acting_force.h"
 #include "fitting/diagnosis/classify/classes.h"
+#include "fitting/diagnosis/compare/separating_motion.h"
 #include "fitting/diagnosis/fitted/effect_parameter.h"
-#include "fitting/diagnosis/locate/mismatch.h"
-#include "fitting/diagnosis/prove/held_out_proof.h"
+#include "fitting/diagnosis/locate/discrepancy.h"
 #include "fitting/diagnosis/rank/candidate.h"
+#include "fitting/diagnosis/validate/held_out_validation.h"
 #include "fitting/fit/fit.h"
 #include "fitting/scene/scene.h"
 
@@ -32,12 +32,12 @@ struct Model {
   std::vector<EffectParameter> parameters;  // the effects'
   double cost = 0.0;                        // half the sum of squares, of fitted frames
   double explained = 0.0;                   // share of the excess cost of the baseline that is gone
-  HeldOutProof proof;
+  HeldOutValidation validation;
   bool is_kept = false;
 };
 
 enum class Verdict {
-  kNothingMissing,    // the baseline explains the recording within its numerical floor
+  kNothingMissing,    // the baseline explains the recording within its discretisation error
   kNamed,             // effects are kept
   kObservationFault,  // the only thing wrong is the observation
   kNoneOfTheAbove,    // something is missing, and no candidate explains most of it
@@ -54,7 +54,7 @@ struct Law {
 
 // Pictures of the missing force, 8-bit BGR: its map over the cloth and time, and its arrows on the
 // cloth.
-struct MismatchPictures {
+struct DiscrepancyPictures {
   cv::Mat map, cloth;
 };
 
@@ -63,9 +63,9 @@ struct Diagnosis {
   std::string words;  // the answer as a paragraph
   FitConfig baseline;
   FitResult baseline_fit;
-  double residual_rms = 0.0;  // of the baseline's fit, in sigmas
-  double floor_rms = 0.0;     // that mesh and step leave, in sigmas
-  double gate_p_value = 1.0;  // of the whole residual against the null
+  double residual_rms = 0.0;        // of the baseline's fit, in sigmas
+  double discretisation_rms = 0.0;  // that mesh and step leave, in sigmas
+  double gate_p_value = 1.0;        // of the whole residual against the null
   // What is left when the observation's faults have taken their part, in sigmas: of the recording,
   // and of every draw of the null.
   double left_rms = 0.0;
@@ -74,18 +74,19 @@ struct Diagnosis {
   // Particles a side of a mesh that would show more, where the finest that was allowed
   // (`DiagnosisOptions::finest_side`) leaves more than noise does; 0: none.
   int finer_side = 0;
-  std::optional<Mismatch> mismatch;
-  std::optional<MismatchClass> mismatch_class;
-  std::optional<MismatchPictures> mismatch_pictures;
+  std::optional<Discrepancy> discrepancy;
+  std::optional<DiscrepancyClass> discrepancy_class;
+  std::optional<DiscrepancyPictures> discrepancy_pictures;
   // Where, when and how the physics of the answer acts: its terms' force in the fitted model.
   std::optional<ActingForce> acting;
   std::optional<ActingClass> acting_class;
-  std::vector<Candidate> ranking;      // best first
-  std::vector<Model> models;           // all that were fitted
-  std::optional<Model> answer;         // the last that was kept, or the law's
-  std::optional<Law> law;              // where one was learned and proven
-  std::vector<std::string> effects;    // of the answer, and faults named
-  std::vector<std::string> ambiguity;  // what cannot be told from the first effect, itself included
+  std::vector<Candidate> ranking;    // best first
+  std::vector<Model> models;         // all that were fitted
+  std::optional<Model> answer;       // the last that was kept, or the law's
+  std::optional<Law> law;            // where one was learned and validated
+  std::vector<std::string> effects;  // of the answer, and faults named
+  std::vector<std::string>
+      confidence_set;  // what cannot be told from the first effect, itself included
   // Of those that were fitted: the motion that would tell them apart best.
   std::optional<SeparatingMotion> separating;
   std::vector<std::pair<std::string, double>> seconds;  // where the time went

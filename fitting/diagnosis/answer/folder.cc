@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/answer/words.h"
+#include "fitting/diagnosis/answer/summary_text.h"
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/files/npy_file.h"
 #include "tracking/files/whole_file.h"
@@ -67,9 +67,9 @@ void DiagnosisFolder::Write(const Diagnosis& diagnosis) const {
   WritePoints(diagnosis.motions.baseline, path_ / kBaseline);
   WritePoints(diagnosis.motions.answer, path_ / kAnswer);
   WritePoints(diagnosis.motions.missing_force, path_ / kForce);
-  if (diagnosis.mismatch_pictures) {
-    WritePicture(diagnosis.mismatch_pictures->map, path_ / kMap);
-    WritePicture(diagnosis.mismatch_pictures->cloth, path_ / kCloth);
+  if (diagnosis.discrepancy_pictures) {
+    WritePicture(diagnosis.discrepancy_pictures->map, path_ / kMap);
+    WritePicture(diagnosis.discrepancy_pictures->cloth, path_ / kCloth);
   }
   std::error_code error;
   if (diagnosis.verdict != Verdict::kInterrupted) fs::remove_all(KeptFits(), error);

@@ -26,7 +26,7 @@ double StudentOf(Eigen::Index draws) {
   return kStudent[static_cast<std::size_t>(std::min(draws, most) - 1)];
 }
 
-std::vector<FreeEntry>::const_iterator EntryOf(const NumericalShifts& shifts,
+std::vector<FreeEntry>::const_iterator EntryOf(const DiscretisationShifts& shifts,
                                                const std::string& name) {
   return std::find_if(shifts.entries.begin(), shifts.entries.end(), [&](const FreeEntry& e) {
     return e.kind == FreeEntry::Kind::kParameter && e.name == name;
@@ -52,8 +52,8 @@ std::vector<EffectParameter> EstimatesOf(const FittedScene& fitted,
   return parameters;
 }
 
-NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t seed) {
-  NumericalShifts shifts;
+DiscretisationShifts MeasureDiscretisationShifts(const FittedScene& fitted, std::uint64_t seed) {
+  DiscretisationShifts shifts;
   const std::optional<LinearisedFit> linear = Linearise(fitted);
   if (!linear) return shifts;
   Eigen::MatrixXd information = linear->rows.jacobian.transpose() * linear->rows.jacobian;
@@ -62,7 +62,7 @@ NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t 
   if (!root) return shifts;
   shifts.entries = linear->rows.entries;
   const auto num_entries = static_cast<Eigen::Index>(shifts.entries.size());
-  const std::vector<NumericalShift> draws = MeasureShifts(fitted, *linear, kDraws, seed);
+  const std::vector<DiscretisationShift> draws = MeasureShifts(fitted, *linear, kDraws, seed);
   shifts.by.resize(num_entries, static_cast<Eigen::Index>(draws.size()));
   shifts.left_squared = linear->frames.num_rows();
   for (std::size_t k = 0; k < draws.size(); ++k) {
@@ -75,7 +75,7 @@ NumericalShifts MeasureNumericalShifts(const FittedScene& fitted, std::uint64_t 
   return shifts;
 }
 
-bool MayBeNothing(const NumericalShifts& shifts, const FitConfig& values,
+bool MayBeNothing(const DiscretisationShifts& shifts, const FitConfig& values,
                   const std::vector<EffectParameter>& amounts) {
   if (shifts.by.cols() == 0 || amounts.empty()) return false;
   std::vector<int> which;
@@ -102,7 +102,7 @@ bool MayBeNothing(const NumericalShifts& shifts, const FitConfig& values,
                                   static_cast<double>(which.size())) <= kOneSided90;
 }
 
-void Widen(const NumericalShifts& shifts, const FitConfig& config,
+void Widen(const DiscretisationShifts& shifts, const FitConfig& config,
            std::vector<EffectParameter>* parameters) {
   if (shifts.by.cols() == 0) return;
   const double draws = static_cast<double>(shifts.by.cols());

@@ -24,11 +24,11 @@ bool IsPhysics(const std::string& effect, const Diagnosis& diagnosis) {
                      });
 }
 
-// Nothing below the numerical floor is ever held against the physics.
-Verdict WithoutAnswer(const Diagnosis& diagnosis, bool is_above_floor) {
-  const bool is_unexplained = diagnosis.gate_p_value < kGate && is_above_floor;
+// Nothing below the discretisation error is ever held against the physics.
+Verdict WithoutAnswer(const Diagnosis& diagnosis, bool is_above_discretisation) {
+  const bool is_unexplained = diagnosis.gate_p_value < kGate && is_above_discretisation;
   if (!is_unexplained)
-    return diagnosis.residual_rms > kFarOff ? Verdict::kUndecided : Verdict::kNothingMissing;
+    return diagnosis.residual_rms > kLargeResidual ? Verdict::kUndecided : Verdict::kNothingMissing;
   const bool is_fitted = diagnosis.promised < kAtMinimum;
   return is_fitted ? Verdict::kNoneOfTheAbove : Verdict::kUndecided;
 }
@@ -39,11 +39,11 @@ double MostOfIt(const Diagnosis& diagnosis) {
   double left = diagnosis.residual_rms;
   if (diagnosis.answer && diagnosis.baseline_fit.cost_after > 0.0)
     left *= std::sqrt(diagnosis.answer->cost / diagnosis.baseline_fit.cost_after);
-  return left > kHopeless ? kMostFromAfar : kMostOfIt;
+  return left > kUnusableResidual ? kMostFromAfar : kMostOfIt;
 }
 
-bool TakesPlace(const HeldOutProof& law, double explained_by_law, const HeldOutProof* names,
-                double explained_by_names) {
+bool TakesPlace(const HeldOutValidation& law, double explained_by_law,
+                const HeldOutValidation* names, double explained_by_names) {
   constexpr double kBetter = 0.1, kOfError = 0.8;
   if (explained_by_law >= explained_by_names + std::min(kBetter, 0.5 * (1.0 - explained_by_names)))
     return true;
@@ -67,24 +67,24 @@ std::optional<Choice> ChooseModel(const std::vector<Model>& models, std::size_t 
   for (std::size_t i = first; i < models.size(); ++i) least = std::min(least, models[i].cost);
   const double most = rules.cost_before - kWorthKeeping * (rules.cost_before - least);
   for (std::size_t i = first; i < models.size(); ++i) {
-    const bool is_proven = !rules.prove || models[i].proof.is_proven;
-    if (explains_enough(i) && is_proven && models[i].cost <= most) return Choice{i, true};
+    const bool is_validated = !rules.validate || models[i].validation.is_validated;
+    if (explains_enough(i) && is_validated && models[i].cost <= most) return Choice{i, true};
   }
   if (first < models.size() && explains_enough(first)) return Choice{first, false};
   return {};
 }
 
-bool FirstDeservesAnotherProof(const std::vector<Model>& models, std::size_t first,
-                               const ChoiceRules& rules) {
+bool FirstDeservesAnotherTest(const std::vector<Model>& models, std::size_t first,
+                              const ChoiceRules& rules) {
   const std::optional<Choice> choice = ChooseModel(models, first, rules);
   return choice && choice->model != first && models[first].explained >= rules.least_share &&
          models[first].cost <= kFarLess * models[choice->model].cost;
 }
 
-Verdict VerdictOf(const Diagnosis& diagnosis, double explained, bool is_above_floor) {
+Verdict VerdictOf(const Diagnosis& diagnosis, double explained, bool is_above_discretisation) {
   if (diagnosis.law) return Verdict::kNoneOfTheAbove;
   const std::vector<std::string>& effects = diagnosis.effects;
-  if (effects.empty()) return WithoutAnswer(diagnosis, is_above_floor);
+  if (effects.empty()) return WithoutAnswer(diagnosis, is_above_discretisation);
   const bool is_physics =
       std::any_of(effects.begin(), effects.end(),
                   [&](const std::string& effect) { return IsPhysics(effect, diagnosis); });

@@ -9,7 +9,7 @@
 namespace clothfit {
 
 // Of what class the missing force is, each with how sure that is.
-struct MismatchClass {
+struct DiscrepancyClass {
   bool is_from_outside = false;  // false: it may be the cloth's own or come from outside
   bool is_dissipative = false;   // takes energy out wherever it acts
   bool is_driving = false;       // puts energy in

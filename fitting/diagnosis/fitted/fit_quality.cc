@@ -7,11 +7,11 @@
 namespace clothfit {
 namespace {
 
-constexpr double kWorthAnotherStart = 1.2;  // sigmas beyond which it may be in a wrong valley
+constexpr double kWorthAnotherStart = 1.2;  // sigmas beyond which it may be in a local minimum
 
 // Does a fit leave more than so many sigmas, or nothing of use?
-bool IsFurtherOff(double sigmas, const Scene& scene, const FitConfig& config,
-                  const FitResult& fit) {
+bool LeavesMoreThan(double sigmas, const Scene& scene, const FitConfig& config,
+                    const FitResult& fit) {
   const ObservationResiduals observations(scene, config);
   const int rows = observations.NumObserved(0, scene.last_fitted_frame);
   return fit.status == FitStatus::kFailed || fit.cost_after > 0.5 * sigmas * sigmas * rows;
@@ -19,12 +19,12 @@ bool IsFurtherOff(double sigmas, const Scene& scene, const FitConfig& config,
 
 }  // namespace
 
-bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit) {
-  return IsFurtherOff(kFarOff, scene, config, fit);
+bool HasLargeResidual(const Scene& scene, const FitConfig& config, const FitResult& fit) {
+  return LeavesMoreThan(kLargeResidual, scene, config, fit);
 }
 
-bool IsOff(const Scene& scene, const FitConfig& config, const FitResult& fit) {
-  return IsFurtherOff(kWorthAnotherStart, scene, config, fit);
+bool MayBeLocalMinimum(const Scene& scene, const FitConfig& config, const FitResult& fit) {
+  return LeavesMoreThan(kWorthAnotherStart, scene, config, fit);
 }
 
 }  // namespace clothfit

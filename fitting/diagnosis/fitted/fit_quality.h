@@ -8,15 +8,15 @@
 
 namespace clothfit {
 
-inline constexpr double kFarOff = 2.0;     // sigmas of residuals
-inline constexpr double kHopeless = 10.0;  // sigmas that no mesh makes up for
+inline constexpr double kLargeResidual = 2.0;      // sigmas of residuals
+inline constexpr double kUnusableResidual = 10.0;  // sigmas that no mesh makes up for
 // Share of the cost that a full step may promise of a fit that has come to rest.
 inline constexpr double kAtMinimum = 0.05;
 
-// Does a fit leave more than kFarOff?
-bool IsFarOff(const Scene& scene, const FitConfig& config, const FitResult& fit);
+// Does a fit leave more than kLargeResidual?
+bool HasLargeResidual(const Scene& scene, const FitConfig& config, const FitResult& fit);
 
-// Does it leave so much (1.2 sigmas) that it may be in a wrong valley?
-bool IsOff(const Scene& scene, const FitConfig& config, const FitResult& fit);
+// Does it leave so much (1.2 sigmas) that it may be in a local minimum?
+bool MayBeLocalMinimum(const Scene& scene, const FitConfig& config, const FitResult& fit);
 
 }  // namespace clothfit

@@ -133,9 +133,9 @@ std::optional<HeldOutErrors> MeasureAgainstOthers(const FittedScene& fitted, int
   config.attract = true;
   config.use_silhouettes = false;
   const Scene others = WithoutSource(fitted, config, source);
-  const std::optional<FitConfig> guided = Guided(config, others, 1.0);
-  if (!guided) return {};
-  config = *guided;
+  const std::optional<FitConfig> nudged = NudgedConfig(config, others, 1.0);
+  if (!nudged) return {};
+  config = *nudged;
   const FreeParameters free(config, others, MakeParameterTable());
   const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);
   WindowSimulator simulator(others, config, free, config.attract, nullptr);

@@ -32,8 +32,8 @@ struct DiagnosisOptions {
   // Ablations.
   bool project = true;  // candidates compete after the baseline and the faults took their part
   bool simulate_null = true;  // false: chi-squared tables
-  bool prove = true;          // false: keep what fits better, held-out frames or not
-  bool guide = true;          // false: no scores along a guided motion
+  bool validate = true;       // false: keep what fits better, held-out frames or not
+  bool nudge = true;          // false: no scores along a nudged motion
   std::function<void(const std::string& stage, double fraction)> progress;
   std::function<void(const std::string&)> log;
   const std::atomic<bool>* stop = nullptr;

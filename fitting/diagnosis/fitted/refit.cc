@@ -12,12 +12,12 @@
 namespace clothfit {
 namespace {
 
-constexpr double kGuidingRate = 40.0;  // 1/s
+constexpr double kNudgingRate = 40.0;  // 1/s
 // Weaker and weaker: what pulls also hides a part of what is wrong.
-constexpr double kGuidingShares[] = {1.0, 0.3, 0.1, 0.03};
-constexpr int kGuidedIterations = 4;  // of each
+constexpr double kNudgingShares[] = {1.0, 0.3, 0.1, 0.03};
+constexpr int kNudgedIterations = 4;  // of each
 // Particles a side: where something pulls, the motion is as good on a coarse mesh.
-constexpr int kGuidedSide = 13;
+constexpr int kNudgedSide = 13;
 
 // Where a fit begins that nothing is handed on to.
 FitCheckpoint Beginning(const FreeParameters& free) {
@@ -55,9 +55,9 @@ void BeginFrom(const FitResult& fit, FitConfig* config) {
   }
 }
 
-FitConfig OnGuidedMesh(FitConfig config, const ClothMesh& mesh) {
-  if (mesh.is_grid() && std::max(mesh.grid[0], mesh.grid[1]) > kGuidedSide)
-    config.resolution = GridWithSide(mesh.grid, kGuidedSide);
+FitConfig OnNudgedMesh(FitConfig config, const ClothMesh& mesh) {
+  if (mesh.is_grid() && std::max(mesh.grid[0], mesh.grid[1]) > kNudgedSide)
+    config.resolution = GridWithSide(mesh.grid, kNudgedSide);
   return config;
 }
 
@@ -84,8 +84,8 @@ FitConfig QuickConfig(FitConfig config, int most_iterations) {
   return config;
 }
 
-std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double share,
-                                double damping) {
+std::optional<FitConfig> NudgedConfig(FitConfig config, const Scene& scene, double share,
+                                      double damping) {
   const auto markers =
       std::count_if(scene.markers.begin(), scene.markers.end(), [&](const MarkerObservation& m) {
         return scene.is_fitted[static_cast<std::size_t>(m.frame)];
@@ -98,12 +98,12 @@ std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double sha
   const double mass =
       config.parameters.at("cloth.areal_density").value * scene.recording.cloth.size.prod();
   // Each point as a mass on a spring that moves.
-  const double rate = std::sqrt(share) * kGuidingRate;
+  const double rate = std::sqrt(share) * kNudgingRate;
   const double linear = mass * rate * rate / per_frame,
                drag = damping * 2.0 * mass * rate / per_frame;
   config.attract = true;
   config.polish = false;
-  config.max_iterations = kGuidedIterations;
+  config.max_iterations = kNudgedIterations;
   for (const TermInfo& term : AllTerms()) {
     if (term.role != Role::kGuide) continue;
     for (const auto& [name, value] : {std::pair{".linear", linear}, std::pair{".damping", drag}}) {
@@ -140,23 +140,23 @@ ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model) {
   return start;
 }
 
-ModelStart FromFabricOf(const FitConfig& told, ModelStart start) {
+ModelStart WithMaterialOf(const FitConfig& given, ModelStart start) {
   for (auto& [name, setting] : start.config.parameters) {
-    const ParameterSetting& own = told.parameters.at(name);
+    const ParameterSetting& own = given.parameters.at(name);
     if (own.free) setting.value = own.value;
   }
   return start;
 }
 
-std::optional<FittedScene> FitGuided(const ModelStart& start, double damping,
+std::optional<FittedScene> FitNudged(const ModelStart& start, double damping,
                                      const FitRunner& runner) {
-  FitConfig next = QuickConfig(start.config, kGuidedIterations);
+  FitConfig next = QuickConfig(start.config, kNudgedIterations);
   next.attract = true;
-  next = OnGuidedMesh(next, MakeScene(start.recording, next).mesh);
+  next = OnNudgedMesh(next, MakeScene(start.recording, next).mesh);
   const Scene scene = MakeScene(start.recording, next);
   std::optional<FitResult> before;
-  for (const double share : kGuidingShares) {
-    const std::optional<FitConfig> pulled = Guided(next, scene, share, damping);
+  for (const double share : kNudgingShares) {
+    const std::optional<FitConfig> pulled = NudgedConfig(next, scene, share, damping);
     if (!pulled) return {};
     before = RunAfter(before, scene, *pulled, runner);
     if (before->status == FitStatus::kFailed) return {};
@@ -171,10 +171,10 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
   const FitConfig quick = QuickConfig(start.config, most_iterations);
   FitConfig last = quick;
   std::optional<FitResult> before;
-  if (how == Start::kGuided) {
-    const std::optional<FittedScene> guided = FitGuided(start, kFittingDamping, runner);
-    if (!guided) return {};
-    before = guided->fit;
+  if (how == Start::kNudged) {
+    const std::optional<FittedScene> nudged = FitNudged(start, kFittingDamping, runner);
+    if (!nudged) return {};
+    before = nudged->fit;
     BeginFrom(*before, &last);
   }
   Scene scene = MakeScene(start.recording, quick);

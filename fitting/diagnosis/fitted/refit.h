@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A fitted scene fitted again: further, without some of its parameters, from elsewhere, or guided
-// by what was observed.
+// A fitted scene fitted again: further, without some of its parameters, from elsewhere, or nudged
+// to what was observed.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct ModelStart {
 // Keeps an estimate inside, off the bounds themselves so that a logarithm can move it.
 double Inside(double value, const ParameterSetting& setting);
 
-// A few iterations of all frames at once: it begins near, or is guided.
+// A few iterations of all frames at once: it begins near, or is nudged.
 FitConfig QuickConfig(FitConfig config, int most_iterations);
 
 // A fitted model, to be fitted further.
@@ -39,16 +39,16 @@ inline constexpr double kEnoughForDiagnosis = 1e-4;
 // The same scene without the model's effect, begun from what the model found for everything else.
 ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model);
 
-// The same from the fabric that a config was told, where that is free.
-ModelStart FromFabricOf(const FitConfig& told, ModelStart start);
+// The same from the material parameters that a config was given, where that is free.
+ModelStart WithMaterialOf(const FitConfig& given, ModelStart start);
 
-// How a fit begins. Guided: with some iterations in which every marker and every track's ray pulls
+// How a fit begins. Nudged: with some iterations in which every marker and every track's ray pulls
 // at the cloth, at first so strongly that the motion follows within some 25 ms, then weaker and
 // weaker (nudging; Abarbanel, Creveling, Farsian and Kostuk 2009, Dynamical state and parameter
 // estimation). Along a motion that cannot run away the cost is smooth, and the parameters that
 // leave least there are near the right ones, even where what they leave without being pulled is
-// more than what a wrong valley does.
-enum class Start { kPlain, kGuided };
+// more than what a local minimum does.
+enum class Start { kPlain, kNudged };
 
 // Of critical, of what pulls. In fits enough to end the ringing: more of it hides how the cloth
 // moves by itself, and fits that were critically damped ended at costs up to 1.7 times those. What
@@ -58,17 +58,17 @@ inline constexpr double kFittingDamping = 0.3, kScoringDamping = 1.0;
 // The config of a few iterations in which every fitted marker and every fitted track's ray of a
 // scene pulls at the cloth. share: 1 for so strongly that it follows within some 25 ms, less for
 // less. damping: of critical. Empty where there is nothing to pull.
-std::optional<FitConfig> Guided(FitConfig config, const Scene& scene, double share,
-                                double damping = kFittingDamping);
+std::optional<FitConfig> NudgedConfig(FitConfig config, const Scene& scene, double share,
+                                      double damping = kFittingDamping);
 
-// What is fitted while something pulls weaker and weaker, as it is at the last: IsHeld. On a mesh
+// What is fitted while something pulls weaker and weaker, as it is at the last: IsNudged. On a mesh
 // of 13 particles a side at most, where the motion is as good. Empty where the fit fails, or where
-// there is nothing to guide it.
-std::optional<FittedScene> FitGuided(const ModelStart& start, double damping,
+// there is nothing to nudge it to.
+std::optional<FittedScene> FitNudged(const ModelStart& start, double damping,
                                      const FitRunner& runner);
 
-// Fits it from its config's own fabric and no offsets of the start, all over again. Empty where the
-// fit fails, or where there is nothing to guide it.
+// Fits it from its config's own material parameters and no offsets of the start, all over again.
+// Empty where the fit fails, or where there is nothing to nudge it to.
 std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
                                      const FitRunner& runner);
 

@@ -22,7 +22,7 @@ Eigen::VectorXd ThetaOfPass(const FreeParameters& free, const Eigen::VectorXd& u
   return theta;
 }
 
-bool IsHeld(const FitConfig& config) { return config.attract && !config.polish; }
+bool IsNudged(const FitConfig& config) { return config.attract && !config.polish; }
 
 bool HasPoints(const Scene& scene) { return !scene.markers.empty() || !scene.tracks.empty(); }
 
@@ -120,7 +120,7 @@ std::optional<Rows> EvaluateRows(
   const int fabric = NumFabric(free);
   const int kept = pass.of_unknown ? free.size() : fabric;
   const ObservationResiduals observations(scene, pass.config);
-  WindowSimulator simulator(scene, pass.config, free, IsHeld(pass.config), nullptr);
+  WindowSimulator simulator(scene, pass.config, free, IsNudged(pass.config), nullptr);
   const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);
   WindowStart start = simulator.FirstStart(theta);
   if (!pass.of_unknown) {
@@ -181,7 +181,7 @@ std::optional<Eigen::VectorXd> ResidualsOfOtherSteps(const FittedScene& fine,
   bool usable = true;
   const Pass pass{fine.values, false, false};
   const FreeParameters free(pass.config, fine.scene, MakeParameterTable());
-  WindowSimulator simulator(fine.scene, pass.config, free, IsHeld(pass.config), nullptr);
+  WindowSimulator simulator(fine.scene, pass.config, free, IsNudged(pass.config), nullptr);
   const Eigen::VectorXd theta = ThetaOfPass(free, fine.unknown);
   const auto outcome = simulator.Run(
       simulator.FirstStart(theta), theta, coarse.scene.last_fitted_frame, false,

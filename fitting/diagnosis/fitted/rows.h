@@ -29,7 +29,7 @@ struct FittedScene {
 // The config must be the one that `fit` came from.
 FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResult& fit);
 // Is what such a fit ends at a motion that is pulled at, and no open loop?
-bool IsHeld(const FitConfig& config);
+bool IsNudged(const FitConfig& config);
 // Are there markers or tracks, of which it is known where on the cloth they are?
 bool HasPoints(const Scene& scene);
 // The same fit on another mesh or with another step; nothing is fitted again.
@@ -78,7 +78,7 @@ struct Pass {
 Eigen::VectorXd ThetaOfPass(const FreeParameters& free, const Eigen::VectorXd& unknown);
 // The pass of what the fit itself had free, faults of the observation and all unknowns.
 Pass BaselinePass(const FittedScene& fitted);
-// Simulates once from the fit's start, pulled at where the fit is (IsHeld). Empty where the
+// Simulates once from the fit's start, pulled at where the fit is (IsNudged). Empty where the
 // simulation or an observation fails.
 // observer(frame, state), where given, is called for all frames, fitted ones or not, up to
 // the last that is fitted.

@@ -35,7 +35,7 @@ double CostOf(const FitResult& fit) {
   return is_usable ? fit.cost_after : std::numeric_limits<double>::infinity();
 }
 
-// A few iterations from other fabrics each, and all of them from the best.
+// A few iterations from other material parameters each, and all of them from the best.
 FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
   const auto log = [&](const std::string& line) {
     if (options.log) options.log(line);
@@ -44,7 +44,7 @@ FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
   std::vector<std::pair<FitConfig, Start>> starts;
   const std::vector<FitConfig> others = OtherStarts(best.config);
   for (const FitConfig& other : others) starts.push_back({other, Start::kPlain});
-  starts.push_back({best.config, Start::kGuided});
+  starts.push_back({best.config, Start::kNudged});
   if (options.progress) options.progress("baseline: other starts", 0.2);
   const int count = static_cast<int>(starts.size());
   std::vector<std::optional<FittedScene>> fits(starts.size());
@@ -59,9 +59,10 @@ FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
   for (std::size_t k = 0; k < fits.size(); ++k) {
     if (!fits[k]) continue;
     const double cost = CostOf(fits[k]->fit);
-    const bool is_guided = starts[k].second == Start::kGuided;
+    const bool is_nudged = starts[k].second == Start::kNudged;
     log(fmt::format("{}: cost {:.6g}",
-                    is_guided ? "guided by what was observed" : "from another fabric", cost));
+                    is_nudged ? "nudged to what was observed" : "from other material parameters",
+                    cost));
     if (!(cost < least)) continue;
     least = cost;
     from = std::move(fits[k]);
@@ -119,7 +120,7 @@ FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
     if (options.progress) options.progress("baseline: " + p.stage, 0.2 * p.fraction);
   };
   FitResult fit = FitRunner(options).Run(scene, quick, nullptr, callbacks);
-  const bool is_off = IsOff(scene, quick, fit);
+  const bool is_off = MayBeLocalMinimum(scene, quick, fit);
   FittedScene fitted = MakeFittedScene(std::move(scene), config, fit);
   if (is_off) fitted = FitFromOthers(std::move(fitted), options);
   if (fitted.fit.status == FitStatus::kFailed)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The baseline's own fit: what it leaves is what a diagnosis looks at, so that it may not end in a
-// wrong valley of the cost.
+// local minimum of the cost.
 #pragma once
 
 #include <vector>
@@ -16,15 +16,15 @@ inline constexpr int kFirstIterations = 5;  // enough to see which starts and mo
 
 // Fits a baseline to the frames that are not held out, with a start state free up to bilinear
 // offsets, on the config's mesh or 13 particles a side, whichever is coarser; where that leaves
-// more than 1.2 sigmas, from OtherStarts as well, and guided (Start::kGuided). Its config is the
+// more than 1.2 sigmas, from OtherStarts as well, and nudged (Start::kNudged). Its config is the
 // baseline's but for mesh and start. Throws std::runtime_error where the simulation diverges from
 // every start.
 FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
                         const DiagnosisOptions& options);
 
-// Other fabrics to begin with: one with a tenth of the damping, and that one with twenty times the
-// stiffness in bending, or with a tenth of that in stretch. What is not free stays as it is, and
-// starts that come out equal, or equal to the config's own, are left out.
+// Other material parameters to begin with: one with a tenth of the damping, and that one with
+// twenty times the stiffness in bending, or with a tenth of that in stretch. What is not free stays
+// as it is, and starts that come out equal, or equal to the config's own, are left out.
 std::vector<FitConfig> OtherStarts(const FitConfig& config);
 
 }  // namespace clothfit

@@ -35,11 +35,11 @@ constexpr std::uint64_t kNearFit = 101, kTwin = 102, kNull = 103;
 FittedScene Moved(const FittedScene& fitted, const std::vector<FreeEntry>& entries,
                   const Eigen::VectorXd& by) {
   FittedScene moved = fitted;
-  const auto fabric = by.size() - fitted.unknown.size();
+  const auto material = by.size() - fitted.unknown.size();
   for (Eigen::Index i = 0; i < by.size(); ++i) {
     const FreeEntry& entry = entries[static_cast<std::size_t>(i)];
-    if (i >= fabric) {
-      moved.unknown[i - fabric] += by[i];
+    if (i >= material) {
+      moved.unknown[i - material] += by[i];
       continue;
     }
     ParameterSetting& setting = moved.values.parameters.at(entry.name);
@@ -191,8 +191,9 @@ std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& base
   return scenes;
 }
 
-std::vector<NumericalShift> MeasureShifts(const FittedScene& fitted, const LinearisedFit& linear,
-                                          int draws, std::uint64_t seed) {
+std::vector<DiscretisationShift> MeasureShifts(const FittedScene& fitted,
+                                               const LinearisedFit& linear, int draws,
+                                               std::uint64_t seed) {
   const std::vector<FittedScene> scenes = DrawNearFit(fitted, linear.rows, draws, seed);
   const Eigen::VectorXd nowhere =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(linear.rows.entries.size()));
@@ -203,7 +204,7 @@ std::vector<NumericalShift> MeasureShifts(const FittedScene& fitted, const Linea
         ResidualsOfOtherSteps(Finer(scenes[k], true, true), scenes[k], linear.frames);
     if (fine) refits[k] = FitAgain(scenes[k], linear.frames, linear.rows, *fine, nowhere);
   });
-  std::vector<NumericalShift> shifts;
+  std::vector<DiscretisationShift> shifts;
   for (const std::optional<Refit>& refit : refits) {
     if (!refit) continue;
     const double left = kOfDifference * refit->left.norm();
@@ -250,9 +251,10 @@ std::optional<Recording> TwinRecording(const FittedScene& scene, std::uint64_t s
   return twin;
 }
 
-NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrames& frames,
-                                       const Rows& baseline, int draws, std::uint64_t seed) {
-  NumericalErrors errors;
+DiscretisationErrors MeasureDiscretisationErrors(const FittedScene& fitted, const RowFrames& frames,
+                                                 const Rows& baseline, int draws,
+                                                 std::uint64_t seed) {
+  DiscretisationErrors errors;
   const auto n = static_cast<Eigen::Index>(baseline.entries.size());
   // What is left of a finer simulation at `at` after a fit that begins `way` from there.
   const auto left_of = [&](const FittedScene& at, bool mesh, bool step,

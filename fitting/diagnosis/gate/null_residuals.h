@@ -16,26 +16,27 @@
 namespace clothfit {
 
 // One sigma of the amounts of numerical error that are taken out where a force is located.
-inline constexpr double kNumericalSigma = 2.0;
+inline constexpr double kDiscretisationSigma = 2.0;
 
 // What mesh and step leave. The first two are recordings of the fit itself with half the step, or
 // on a finer mesh; the draws are recordings on the finer mesh with half the step, at
 // parameters drawn around the fit. In all of them the baseline was fitted again, and these are what
-// that leaves: a fit takes most of what mesh and step change for fabric.
+// that leaves: a fit takes most of what mesh and step change for material parameters.
 // The draws, and what is measured at them, are larger by the error that the finer mesh still has.
-struct NumericalErrors {
+struct DiscretisationErrors {
   Eigen::VectorXd half_step, finer_mesh;  // rows; at the fit
   std::vector<Eigen::VectorXd> at_draws;  // rows
   // How many of all these simulations went so far elsewhere that they are left out.
   int num_elsewhere = 0;
   // How far the held-out frames are predicted from where the finer simulation has them, over the
-  // draws; see HeldOutProof. 0 where there are neither markers nor tracks.
+  // draws; see HeldOutValidation. 0 where there are neither markers nor tracks.
   double held_out_rms = 0.0;
 };
 
 // `baseline`: the rows of the fit with its Jacobian, from which the draws are made.
-NumericalErrors MeasureNumericalErrors(const FittedScene& fitted, const RowFrames& frames,
-                                       const Rows& baseline, int draws, std::uint64_t seed);
+DiscretisationErrors MeasureDiscretisationErrors(const FittedScene& fitted, const RowFrames& frames,
+                                                 const Rows& baseline, int draws,
+                                                 std::uint64_t seed);
 
 // The finer mesh and step that stand for the truth.
 FittedScene Finer(const FittedScene& fitted, bool mesh, bool step);
@@ -50,13 +51,14 @@ std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& base
                                      std::uint64_t seed);
 
 // What mesh and step do to a fit: a scene that is drawn near it, simulated finer and fitted again.
-struct NumericalShift {
+struct DiscretisationShift {
   Eigen::VectorXd by;         // how far the free vector ends from where it should; own scale
   double left_squared = 0.0;  // sum of squares of what the fit leaves, in sigmas
 };
 // Fewer than so many draws where a fit fails.
-std::vector<NumericalShift> MeasureShifts(const FittedScene& fitted, const LinearisedFit& linear,
-                                          int draws, std::uint64_t seed);
+std::vector<DiscretisationShift> MeasureShifts(const FittedScene& fitted,
+                                               const LinearisedFit& linear, int draws,
+                                               std::uint64_t seed);
 
 // The recording with its markers and tracks where the scene has them, simulated finer, with their
 // noise; masks are left out. Nothing is missing in it that the scene does not lack. Empty where it

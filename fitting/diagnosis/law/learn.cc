@@ -50,12 +50,12 @@ std::optional<ModelStart> Pruned(const FittedScene& model, const std::vector<std
 }
 
 // Beside the families of `terms`, whose coefficients may come to nothing next to it.
-std::optional<FittedScene> FitFamily(const FittedScene& baseline, const FitConfig& told,
+std::optional<FittedScene> FitFamily(const FittedScene& baseline, const FitConfig& given,
                                      const RankedCandidate& family, std::vector<std::string> terms,
                                      const Ranking& ranking, const DiagnosisOptions& options) {
   const FitRunner runner(options);
   std::optional<FittedScene> model = FitFirst(baseline, SwitchOn(baseline, family, ranking.faults),
-                                              told, family, kIterations, runner);
+                                              given, family, kIterations, runner);
   terms.push_back(family.term.term);
   for (int round = 0; model && round < 3; ++round) {
     const std::optional<ModelStart> pruned = Pruned(*model, terms);
@@ -113,7 +113,7 @@ std::string LeftSide(const std::string& term, const std::string& name) {
 
 }  // namespace
 
-std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const FitConfig& told,
+std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const FitConfig& given,
                                    const Ranking& ranking, const DiagnosisOptions& options) {
   std::optional<LearnedFit> law;
   RankingStart laws{ranking.errors, CandidateSet::kLaws};
@@ -128,7 +128,7 @@ std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const FitConfig&
     std::vector<std::optional<FittedScene>> models(families.size());
     ParallelFor(static_cast<int>(families.size()), NumThreads(0), [&](int i, int) {
       const auto k = static_cast<std::size_t>(i);
-      models[k] = FitFamily(from, told, families[k], terms, ranked, options);
+      models[k] = FitFamily(from, given, families[k], terms, ranked, options);
     });
     std::optional<FittedScene> best;
     std::string best_term;

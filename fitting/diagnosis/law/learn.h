@@ -21,11 +21,11 @@ struct LearnedFit {
 };
 
 // Scores the families of features as candidates are scored, fits the best two (far off, from the
-// fabric that the config `told` has, too, guided by what was observed), takes out of the
-// better one what its own 95 % intervals hold for nothing, and fits again until all that is left is
-// something; then looks for a second family beside it, unless the first leaves no more than the
-// null. Nothing where no family passes the null.
-std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const FitConfig& told,
+// material parameters that the config `given` has, too, nudged to what was observed), takes out of
+// the better one what its own 95 % intervals hold for nothing, and fits again until all that is
+// left is something; then looks for a second family beside it, unless the first leaves no more than
+// the null. Nothing where no family passes the null.
+std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const FitConfig& given,
                                    const Ranking& ranking, const DiagnosisOptions& options);
 
 // The law as formulas with units and the range of places it was learned in: "air velocity w_x =

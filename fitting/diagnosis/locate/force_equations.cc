@@ -194,7 +194,7 @@ Eigen::LLT<Eigen::MatrixXd> ForceEquations::FixedFactor(const NormalSums& sums) 
       sums.information.topLeftCorner(num_fixed(), num_fixed()).selfadjointView<Eigen::Lower>();
   fixed.topLeftCorner(p, p) += free_.prior_jacobian().transpose() * free_.prior_jacobian();
   fixed.diagonal().tail(num_faults_) += options_.fault_sigmas.cwiseAbs2().cwiseInverse();
-  return Cholesky(fixed, "the information on fabric, start and faults");
+  return Cholesky(fixed, "the information on material parameters, start and faults");
 }
 
 // Around `at` the residuals are r + J (z - z_at) with z = (step of theta, faults, force), so that

@@ -17,7 +17,7 @@ ForcedMotion::ForcedMotion(const Scene& scene, const FitConfig& config, const Fr
       simulation_(scene.mesh, scene.world, scene.HandlePoints(), StepOptions(config)),
       handles_(scene.handles) {
   share_ = RequireParameter(simulation_.model().parameters(), FullName<ResidualForce>());
-  if (IsHeld(config)) attracting_.emplace(scene);
+  if (IsNudged(config)) attracting_.emplace(scene);
 }
 
 State ForcedMotion::FirstState(const Eigen::VectorXd& theta) const {

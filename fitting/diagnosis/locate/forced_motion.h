@@ -23,7 +23,7 @@ class ForcedMotion {
       std::function<void(int frame, const State& state, const Sensitivity* sensitivity)>;
 
   // The arguments must outlive this object. What was observed pulls at the cloth where the config
-  // says so (IsHeld).
+  // says so (IsNudged).
   ForcedMotion(const Scene& scene, const FitConfig& config, const FreeParameters& free,
                const ForceLayout& layout);
 

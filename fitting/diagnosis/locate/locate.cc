@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "fitting/diagnosis/locate/mismatch_words.h"
+#include "fitting/diagnosis/locate/discrepancy_text.h"
 #include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
@@ -66,25 +66,25 @@ double MapPValue(const MissingForce& missing) {
 namespace {
 
 // The largest force of any (node, knot) in the region, and its sigma along itself.
-void FindPeak(const MissingForce& missing, Mismatch* mismatch) {
+void FindPeak(const MissingForce& missing, Discrepancy* discrepancy) {
   const ForceLayout& layout = missing.layout;
   const Eigen::MatrixXd blocks = missing.posterior.Blocks();
   const Eigen::Vector2d reach(0.5 * (layout.high.x() - layout.low.x()) / (layout.nodes[0] - 1),
                               0.5 * (layout.high.y() - layout.low.y()) / (layout.nodes[1] - 1));
   for (int k = 0; k < layout.num_knots; ++k) {
     const double frame = k * layout.frames_per_knot, half = 0.5 * layout.frames_per_knot;
-    if (frame < mismatch->first_frame - half || frame > mismatch->last_frame + half) continue;
+    if (frame < discrepancy->first_frame - half || frame > discrepancy->last_frame + half) continue;
     for (int node = 0; node < layout.num_nodes(); ++node) {
       const Eigen::Vector2d uv = layout.NodePlace(node);
-      if ((uv - mismatch->low_uv + reach).minCoeff() < 0.0 ||
-          (mismatch->high_uv + reach - uv).minCoeff() < 0.0)
+      if ((uv - discrepancy->low_uv + reach).minCoeff() < 0.0 ||
+          (discrepancy->high_uv + reach - uv).minCoeff() < 0.0)
         continue;
       const int i = layout.Index(k, node, 0);
       const Eigen::Vector3d f = missing.force.segment<3>(i);
-      if (f.norm() <= mismatch->peak) continue;
-      mismatch->peak = f.norm();
+      if (f.norm() <= discrepancy->peak) continue;
+      discrepancy->peak = f.norm();
       const Eigen::Vector3d along = f.normalized();
-      mismatch->peak_sigma = std::sqrt(along.dot(blocks.middleCols<3>(i) * along));
+      discrepancy->peak_sigma = std::sqrt(along.dot(blocks.middleCols<3>(i) * along));
     }
   }
 }
@@ -109,27 +109,27 @@ Amplitude EstimateAmplitude(const LinearSystem& system, const ForcePatch& patch,
 }
 
 // Neighbouring places err against each other, so that this is known better than any of them.
-void FindEven(const MissingForce& missing, const ForcePatch& patch, Mismatch* mismatch) {
+void FindEven(const MissingForce& missing, const ForcePatch& patch, Discrepancy* discrepancy) {
   const Amplitude even = EstimateAmplitude(missing.system, patch, missing.noise_factor);
-  mismatch->even = even.value.norm();
-  if (!(mismatch->even > 0.0)) return;
-  const Eigen::Vector3d along = even.value / mismatch->even;
-  mismatch->even_sigma = std::sqrt(along.dot(even.covariance * along));
+  discrepancy->even = even.value.norm();
+  if (!(discrepancy->even > 0.0)) return;
+  const Eigen::Vector3d along = even.value / discrepancy->even;
+  discrepancy->even_sigma = std::sqrt(along.dot(even.covariance * along));
 }
 
 // Mean over the region and its time, of the force with the force found there for a weight.
 Eigen::Vector3d MeanDirection(const Scene& scene, const MissingForce& missing,
-                              const Mismatch& mismatch) {
+                              const Discrepancy& discrepancy) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int frame = mismatch.first_frame; frame <= mismatch.last_frame; ++frame) {
+  for (int frame = discrepancy.first_frame; frame <= discrepancy.last_frame; ++frame) {
     const Eigen::MatrixXd forces = TriangleForces(scene.mesh, missing.layout, missing.force,
                                                   scene.FrameTime(frame), missing.x[frame]);
     for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
       const std::array<int, 3>& nodes = scene.mesh.triangles[t];
       const std::vector<Eigen::Vector2d>& uv = scene.mesh.uv;
       const Eigen::Vector2d middle = (uv[nodes[0]] + uv[nodes[1]] + uv[nodes[2]]) / 3.0;
-      if ((middle - mismatch.low_uv).minCoeff() >= 0.0 &&
-          (mismatch.high_uv - middle).minCoeff() >= 0.0)
+      if ((middle - discrepancy.low_uv).minCoeff() >= 0.0 &&
+          (discrepancy.high_uv - middle).minCoeff() >= 0.0)
         sum += forces.col(static_cast<Eigen::Index>(t));
     }
   }
@@ -141,17 +141,17 @@ Eigen::Vector3d MeanDirection(const Scene& scene, const MissingForce& missing,
 Location Locate(const Scene& scene, const MissingForce& missing, const LocateOptions& options) {
   Location location;
   location.patch = FindPatch(missing);
-  Mismatch& mismatch = location.mismatch;
-  mismatch.p_value = MapPValue(missing);
-  mismatch.is_significant = mismatch.p_value <= options.significance;
-  mismatch.first_frame = location.patch.first_frame;
-  mismatch.last_frame = location.patch.last_frame;
-  mismatch.low_uv = location.patch.low_uv;
-  mismatch.high_uv = location.patch.high_uv;
-  FindPeak(missing, &mismatch);
-  FindEven(missing, location.patch, &mismatch);
-  mismatch.direction = MeanDirection(scene, missing, mismatch);
-  mismatch.words = MismatchWords(scene, missing.layout, missing.last_frame, mismatch);
+  Discrepancy& discrepancy = location.discrepancy;
+  discrepancy.p_value = MapPValue(missing);
+  discrepancy.is_significant = discrepancy.p_value <= options.significance;
+  discrepancy.first_frame = location.patch.first_frame;
+  discrepancy.last_frame = location.patch.last_frame;
+  discrepancy.low_uv = location.patch.low_uv;
+  discrepancy.high_uv = location.patch.high_uv;
+  FindPeak(missing, &discrepancy);
+  FindEven(missing, location.patch, &discrepancy);
+  discrepancy.direction = MeanDirection(scene, missing, discrepancy);
+  discrepancy.words = DiscrepancyText(scene, missing.layout, missing.last_frame, discrepancy);
   return location;
 }
 
@@ -174,8 +174,8 @@ SourceShift ShiftWithout(const SourceSystem& source, const ForcePatch& patch,
 
 }  // namespace
 
-std::vector<SourceShift> WhoseMismatch(const Recording& recording, const MissingForce& missing,
-                                       const ForcePatch& patch) {
+std::vector<SourceShift> WhoseDiscrepancy(const Recording& recording, const MissingForce& missing,
+                                          const ForcePatch& patch) {
   std::vector<SourceShift> shifts;
   if (missing.without.size() < 2) return shifts;
   const Amplitude with_all = EstimateAmplitude(missing.system, patch, missing.noise_factor);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/locate/mismatch.h"
+#include "fitting/diagnosis/locate/discrepancy.h"
 #include "fitting/diagnosis/locate/residual_force.h"
 
 namespace clothfit {
@@ -48,7 +48,7 @@ struct LocateOptions {
 };
 
 struct Location {
-  Mismatch mismatch;
+  Discrepancy discrepancy;
   ForcePatch patch;
 };
 // `scene` is the one that the force was estimated in.
@@ -66,7 +66,7 @@ struct SourceShift {
 // One for each source, of an estimate with by_source. At most one is to blame: without it most of
 // the force is gone, by more than chance, and without any other source more of it is left. None
 // with fewer than two sources.
-std::vector<SourceShift> WhoseMismatch(const Recording& recording, const MissingForce& missing,
-                                       const ForcePatch& patch);
+std::vector<SourceShift> WhoseDiscrepancy(const Recording& recording, const MissingForce& missing,
+                                          const ForcePatch& patch);
 
 }  // namespace clothfit

@@ -29,7 +29,7 @@ struct ResidualForceOptions {
   double correlation_length = 0.4;
   double correlation_time = 0.12;
   int iterations = 2;       // linearisations at most
-  bool by_source = false;   // keep the equations of each source apart (see WhoseMismatch)
+  bool by_source = false;   // keep the equations of each source apart (see WhoseDiscrepancy)
   std::vector<int> frames;  // whose rows are used; empty: all that are fitted
   // Residuals of simulated recordings in which nothing is missing, one a column, rows as
   // ObservationResiduals has them, frame after frame of `frames`, of the very scene below.

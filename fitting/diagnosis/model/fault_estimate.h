@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fitting/diagnosis/fitted/fit_runner.h"
-#include "fitting/diagnosis/model/race.h"
+#include "fitting/diagnosis/model/screening.h"
 
 namespace clothfit {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "fitting/diagnosis/model/imitation.h"
+#include "fitting/diagnosis/model/force_matching.h"
 
 namespace clothfit {
 namespace {
@@ -70,11 +70,11 @@ void PutSimplerTwinFirst(const Extent& extent, std::vector<FittedModel>* models)
     simpler.push_back(i);
   }
   if (terms.empty()) return;
-  const std::vector<Imitation> imitations =
-      Imitate(first.scene, first.candidate.Effects(), terms, extent);
+  const std::vector<ForceMatch> matches =
+      MatchForce(first.scene, first.candidate.Effects(), terms, extent);
   std::optional<std::size_t> twin;
-  for (std::size_t k = 0; k < imitations.size(); ++k) {
-    const bool is_twin = imitations[k].share >= kAllOfIt;
+  for (std::size_t k = 0; k < matches.size(); ++k) {
+    const bool is_twin = matches[k].share >= kAllOfIt;
     if (is_twin && (!twin || IsCheaper((*models)[simpler[k]], (*models)[*twin]))) twin = simpler[k];
   }
   if (!twin) return;

@@ -89,8 +89,8 @@ ModelStart WithOnly(const FittedScene& before, const FittedScene& model,
   return start;
 }
 
-ModelStart FromNothing(const FitConfig& told, ModelStart start, const RankedCandidate& candidate) {
-  start = FromFabricOf(told, std::move(start));
+ModelStart FromNothing(const FitConfig& given, ModelStart start, const RankedCandidate& candidate) {
+  start = WithMaterialOf(given, std::move(start));
   if (candidate.summary.kind == CandidateKind::kObservation) return start;
   for (const std::string& name : candidate.names) {
     ParameterSetting& setting = start.config.parameters.at(name);
@@ -121,14 +121,14 @@ ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,
 }
 
 std::optional<FittedScene> FitFirst(const FittedScene& fitted, const ModelStart& start,
-                                    const FitConfig& told, const RankedCandidate& candidate,
+                                    const FitConfig& given, const RankedCandidate& candidate,
                                     int most_iterations, const FitRunner& runner) {
   std::optional<FittedScene> model =
       FitModel(fitted, AtBestShare(fitted, start, candidate, runner), most_iterations, runner);
   if (runner.IsStopped()) return model;
-  if (model && !IsFarOff(model->scene, model->config, model->fit)) return model;
-  const ModelStart afresh = FromNothing(told, start, candidate);
-  std::optional<FittedScene> other = FitAfresh(afresh, Start::kGuided, most_iterations, runner);
+  if (model && !HasLargeResidual(model->scene, model->config, model->fit)) return model;
+  const ModelStart afresh = FromNothing(given, start, candidate);
+  std::optional<FittedScene> other = FitAfresh(afresh, Start::kNudged, most_iterations, runner);
   if (!other) other = FitModel(fitted, afresh, most_iterations, runner);
   return Cheaper(std::move(model), std::move(other));
 }

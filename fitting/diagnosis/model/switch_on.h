@@ -18,13 +18,13 @@ ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
                     const std::vector<Fault>& faults);
 
 // The scene of a fit with one candidate of a model that has others besides, begun from what the
-// model found for that candidate and the fabric.
+// model found for that candidate and the material parameters.
 ModelStart WithOnly(const FittedScene& before, const FittedScene& model,
                     const RankedCandidate& candidate);
 
-// From the fabric that a config was told, where that is free, and with a candidate's amounts where
-// a fit of its term begins: an estimate that was made far off may be anything.
-ModelStart FromNothing(const FitConfig& told, ModelStart start, const RankedCandidate& candidate);
+// From the material parameters that a config was given, where that is free, and with a candidate's
+// amounts where a fit of its term begins: an estimate that was made far off may be anything.
+ModelStart FromNothing(const FitConfig& given, ModelStart start, const RankedCandidate& candidate);
 
 // The start of an effect that was just switched on, at the share of its linear estimate that comes
 // nearest to the recording: all of it, or less.
@@ -32,10 +32,10 @@ ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,
                        const RankedCandidate& candidate, const FitRunner& runner);
 
 // The same of a candidate that was just switched on, from its best share. Where that is left far
-// off, a fabric that had to stand for what was missing is no good start: then from nothing, too,
-// guided where there is something to guide it. The better one of both.
+// off, material parameters that had to stand for what was missing are no good start: then from
+// nothing, too, nudged where there is something to nudge it to. The better one of both.
 std::optional<FittedScene> FitFirst(const FittedScene& fitted, const ModelStart& start,
-                                    const FitConfig& told, const RankedCandidate& candidate,
+                                    const FitConfig& given, const RankedCandidate& candidate,
                                     int most_iterations, const FitRunner& runner);
 
 }  // namespace clothfit

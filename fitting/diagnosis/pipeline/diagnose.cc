@@ -11,16 +11,16 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/classify/mismatch_class.h"
+#include "fitting/diagnosis/classify/discrepancy_class.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/diagnosis/gate/gate.h"
-#include "fitting/diagnosis/locate/localise.h"
-#include "fitting/diagnosis/locate/mismatch_pictures.h"
+#include "fitting/diagnosis/locate/discrepancy_pictures.h"
+#include "fitting/diagnosis/locate/locate_missing_force.h"
 #include "fitting/diagnosis/model/explained_share.h"
 #include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/diagnosis/pipeline/diagnoser.h"
-#include "fitting/diagnosis/rank/guided_ranking.h"
+#include "fitting/diagnosis/rank/nudged_ranking.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -29,7 +29,7 @@ namespace {
 constexpr int kCoarsestSide = 9;     // on coarser meshes amounts come out a tenth wrong
 constexpr double kFineEnough = 0.7;  // share of the unexplained that the mesh may make
 constexpr double kCatchesUp = 0.3;   // of what a model gains, the same without its effect
-constexpr int kMostRematches = 2;    // of a diagnosis
+constexpr int kMostRestarts = 2;     // of a diagnosis
 
 // Would anything be held against the physics?
 bool IsSuspicious(const Ranking& ranking) {
@@ -51,29 +51,29 @@ bool IsObvious(const Ranking& ranking) {
 
 // May the fit be somewhere else than the recorded cloth? (Beyond any mesh, what is ordinary comes
 // first.)
-bool IsWorthGuiding(const FittedScene& fitted, const Ranking& ranking) {
-  return HasPoints(fitted.scene) && ranking.residual_rms < kHopeless &&
-         IsOff(fitted.scene, fitted.config, fitted.fit);
+bool IsWorthNudging(const FittedScene& fitted, const Ranking& ranking) {
+  return HasPoints(fitted.scene) && ranking.residual_rms < kUnusableResidual &&
+         MayBeLocalMinimum(fitted.scene, fitted.config, fitted.fit);
 }
 
 // Does a force lead the simulation to the recording, and is it known which way it points?
-bool Tells(const Localised& found) {
+bool Tells(const LocatedForce& found) {
   constexpr double kFollows = 0.5;  // share of the sum of squares
-  const Mismatch& m = found.location.mismatch;
+  const Discrepancy& m = found.location.discrepancy;
   return found.missing.explained >= kFollows && (!m.is_significant || m.peak > m.peak_sigma);
 }
 
 // Do mesh and step make much of what is left?
 bool MeshMatters(const Ranking& ranking) {
   const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
-  return ranking.floor_rms > kFineEnough * left;
+  return ranking.discretisation_rms > kFineEnough * left;
 }
 
 // 0 where the mesh may be made finer already, or makes less than noise.
 int SideThatShowsMore(const ClothMesh& mesh, const Ranking& ranking, int finest_side) {
   const int side = std::max(mesh.grid[0], mesh.grid[1]);
   const bool is_finest = mesh.is_grid() && side >= finest_side;
-  return is_finest && ranking.floor_rms > 1.0 ? FinerSide(side) : 0;
+  return is_finest && ranking.discretisation_rms > 1.0 ? FinerSide(side) : 0;
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
 }
 
 bool Diagnoser::CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors) {
-  if (rematches_ == kMostRematches || Stopped()) return false;
+  if (restarts_ == kMostRestarts || Stopped()) return false;
   Say("fitting without " + model.candidate.summary.name, 0.7);
   std::optional<FittedScene> again =
       FitModel(model.scene, WithoutEffect(*current, model.scene), 2 * kModelIterations, runner_);
@@ -129,7 +129,7 @@ bool Diagnoser::CatchesUp(const FittedModel& model, FittedScene* current, HeldOu
   Log(fmt::format("without {}, from where it ended: cost {:.6g} -> {:.6g}",
                   model.candidate.summary.name, before, after));
   if (before - after < kCatchesUp * (before - model.scene.fit.cost_after)) return false;
-  ++rematches_;
+  ++restarts_;
   *current = std::move(*again);
   *errors = MeasureHeldOut(*current);
   return true;
@@ -149,9 +149,9 @@ void Diagnoser::BeginAgain(std::size_t first_model, const FittedScene& better,
   diagnosis_.baseline = better.config;
   diagnosis_.baseline_fit = better.fit;
   diagnosis_.ranking.clear();
-  diagnosis_.mismatch.reset();
-  diagnosis_.mismatch_class.reset();
-  diagnosis_.mismatch_pictures.reset();
+  diagnosis_.discrepancy.reset();
+  diagnosis_.discrepancy_class.reset();
+  diagnosis_.discrepancy_pictures.reset();
   missing_.reset();
 }
 
@@ -181,48 +181,48 @@ Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
   }
   const std::vector<EffectParameter> estimates = EstimatesOf(model.scene, names);
   described.parameters.insert(described.parameters.end(), estimates.begin(), estimates.end());
-  described.proof = ProveOnHeldOut(model, {before, errors, last_ranking_, options_});
+  described.validation = ValidateOnHeldOut(model, {before, errors, last_ranking_, options_});
   return described;
 }
 
-// Where the best of a round is worth it and not proven, the held-out frames may not be able to
+// Where the best of a round is worth it and not validated, the held-out frames may not be able to
 // tell.
-void Diagnoser::ProveOtherwiseToo(const FittedModel& model, std::size_t index,
-                                  const ProofStart& start) {
+void Diagnoser::ValidateOtherwiseToo(const FittedModel& model, std::size_t index,
+                                     const ValidationStart& start) {
   if (Stopped()) return;
-  const std::optional<HeldOutProof> proof = ProveOtherwise(model, start);
+  const std::optional<HeldOutValidation> validation = ValidateOtherwise(model, start);
   Spend("proof by other means");
-  if (proof) diagnosis_.models[index].proof = *proof;
+  if (validation) diagnosis_.models[index].validation = *validation;
 }
 
-void Diagnoser::KeepRivals(const std::vector<FittedModel>& models, std::size_t winner) {
-  rivals_.clear();
+void Diagnoser::KeepCompetitors(const std::vector<FittedModel>& models, std::size_t winner) {
+  competitors_.clear();
   for (std::size_t i = 0; i < models.size(); ++i) {
     const RankedCandidate& candidate = models[i].candidate;
-    const std::vector<std::string>& set = diagnosis_.ambiguity;
+    const std::vector<std::string>& set = diagnosis_.confidence_set;
     const bool is_in = std::find(set.begin(), set.end(), candidate.summary.name) != set.end();
-    if (i != winner && is_in && candidate.faults.empty()) rivals_.push_back(models[i]);
+    if (i != winner && is_in && candidate.faults.empty()) competitors_.push_back(models[i]);
   }
 }
 
 // What else it could be, and what to record to know.
-void Diagnoser::TellApart(const Ambiguity& ambiguity) {
-  diagnosis_.ambiguity = ambiguity.names;
-  if (ambiguity.fitted.empty()) return;
-  diagnosis_.separating = FindSeparatingMotion(ambiguity.fitted);
+void Diagnoser::TellApart(const ConfidenceSet& confidence_set) {
+  diagnosis_.confidence_set = confidence_set.names;
+  if (confidence_set.fitted.empty()) return;
+  diagnosis_.separating = FindSeparatingMotion(confidence_set.fitted);
   Spend("separating motion");
 }
 
-std::optional<FittedScene> Diagnoser::FitGuidedOnFineMesh(const FittedScene& fitted) {
-  Say("baseline, guided on a finer mesh", 0.27);
-  const ModelStart start = FromFabricOf(baseline_, GoOn(fitted));
-  std::optional<FittedScene> guided =
-      FitAfresh(start, Start::kGuided, baseline_.max_iterations, runner_);
-  if (!guided) return {};
-  Log(fmt::format("guided on that mesh: cost {:.6g} where {:.6g} was come to",
-                  guided->fit.cost_after, fitted.fit.cost_after));
-  guided->config = fitted.config;  // it begins where it is told to, not where this one did
-  return guided;
+std::optional<FittedScene> Diagnoser::FitNudgedOnFineMesh(const FittedScene& fitted) {
+  Say("baseline, nudged on a finer mesh", 0.27);
+  const ModelStart start = WithMaterialOf(baseline_, GoOn(fitted));
+  std::optional<FittedScene> nudged =
+      FitAfresh(start, Start::kNudged, baseline_.max_iterations, runner_);
+  if (!nudged) return {};
+  Log(fmt::format("nudged on that mesh: cost {:.6g} where {:.6g} was come to",
+                  nudged->fit.cost_after, fitted.fit.cost_after));
+  nudged->config = fitted.config;  // it begins where it is told to, not where this one did
+  return nudged;
 }
 
 Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
@@ -232,11 +232,12 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
         current->scene.mesh.is_grid() && std::max(grid[0], grid[1]) < options_.finest_side;
     RankingStart start;
     // Far off, it will be ranked again on a finer mesh, or a candidate is obvious.
-    if (can_be_finer && IsFarOff(current->scene, current->config, current->fit)) start.draws = 1;
+    if (can_be_finer && HasLargeResidual(current->scene, current->config, current->fit))
+      start.draws = 1;
     Ranking ranking = RankCandidates(*current, options_, start);
     SpendOn(ranking);
     Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
-                    ranking.residual_rms, ranking.floor_rms, ranking.gate_p_value));
+                    ranking.residual_rms, ranking.discretisation_rms, ranking.gate_p_value));
     if (ranking.errors->num_elsewhere > 0) {
       Log(fmt::format(
           "{} of the simulations with other steps or meshes go elsewhere altogether, and "
@@ -244,14 +245,16 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
           ranking.errors->num_elsewhere));
     }
     const double off = ranking.residual_rms;
-    const bool may_be_mesh = off < kHopeless && (MeshMatters(ranking) || off > kFarOff);
+    const bool may_be_mesh =
+        off < kUnusableResidual && (MeshMatters(ranking) || off > kLargeResidual);
     const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;
     const bool may_be_all = ranking.gate_p_value >= kGate;  // of what is left
     const bool is_worth_it = is_coarse || (may_be_mesh && (may_be_all || !IsObvious(ranking)));
     // A floor above all that is left says that the mesh is too coarse to tell. (Who tells fewer
     // particles than any answer needs wants it quick.)
-    const bool tells_nothing = !is_coarse && ranking.floor_rms > ranking.residual_rms;
-    const bool is_open = IsSuspicious(ranking) || ranking.residual_rms > kFarOff || tells_nothing;
+    const bool tells_nothing = !is_coarse && ranking.discretisation_rms > ranking.residual_rms;
+    const bool is_open =
+        IsSuspicious(ranking) || ranking.residual_rms > kLargeResidual || tells_nothing;
     if (!is_worth_it || !is_open || !can_be_finer || Stopped()) return ranking;
     ModelStart finer = GoOn(*current);
     for (int& n : grid) n = std::min(options_.finest_side, FinerSide(n));
@@ -260,9 +263,9 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
     Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
     std::optional<FittedScene> refined =
         FitModel(*current, finer, baseline_.max_iterations, runner_);
-    if (refined && IsOff(refined->scene, refined->config, refined->fit) && !Stopped()) {
-      std::optional<FittedScene> guided = FitGuidedOnFineMesh(*refined);
-      refined = Cheaper(std::move(refined), std::move(guided));
+    if (refined && MayBeLocalMinimum(refined->scene, refined->config, refined->fit) && !Stopped()) {
+      std::optional<FittedScene> nudged = FitNudgedOnFineMesh(*refined);
+      refined = Cheaper(std::move(refined), std::move(nudged));
     }
     if (!refined) return ranking;
     *current = std::move(*refined);
@@ -274,30 +277,30 @@ Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
   }
 }
 
-const FittedScene* Diagnoser::Held(const FittedScene& fitted, const Ranking& ranking) {
-  if (!options_.guide || !IsWorthGuiding(fitted, ranking) || Stopped()) return nullptr;
-  if (!held_) {
-    held_.emplace(FitGuided(FromFabricOf(baseline_, GoOn(fitted)), kScoringDamping, runner_));
-    Spend("guided motion");
+const FittedScene* Diagnoser::Nudged(const FittedScene& fitted, const Ranking& ranking) {
+  if (!options_.nudge || !IsWorthNudging(fitted, ranking) || Stopped()) return nullptr;
+  if (!nudged_) {
+    nudged_.emplace(FitNudged(WithMaterialOf(baseline_, GoOn(fitted)), kScoringDamping, runner_));
+    Spend("nudged motion");
   }
-  return *held_ ? &**held_ : nullptr;
+  return *nudged_ ? &**nudged_ : nullptr;
 }
 
 // A simulation that a force cannot lead to the recorded motion, as it is somewhere else altogether,
-// tells little about that force: then along the motion that is held to what was seen.
-void Diagnoser::LocateMismatch(const FittedScene& fitted, const Ranking& ranking) {
+// tells little about that force: then along the motion that is nudged to what was seen.
+void Diagnoser::LocateDiscrepancy(const FittedScene& fitted, const Ranking& ranking) {
   if (Stopped()) return;
   Say("locating what is missing", 0.4);
-  std::optional<Localised> found = Localise(fitted, options_, ranking.errors.get());
+  std::optional<LocatedForce> found = LocateMissingForce(fitted, options_, ranking.errors.get());
   Spend("locating");
   if (!found || !Tells(*found)) {
-    if (const FittedScene* const held = Held(fitted, ranking)) {
+    if (const FittedScene* const held = Nudged(fitted, ranking)) {
       Log(fmt::format(
-          "a force of {:.2g} N/m^2 explains {:.0f} % of this: located along a guided motion",
-          found ? found->location.mismatch.peak : 0.0,
+          "a force of {:.2g} N/m^2 explains {:.0f} % of this: located along a nudged motion",
+          found ? found->location.discrepancy.peak : 0.0,
           found ? 100.0 * found->missing.explained : 0.0));
-      std::optional<Localised> guided = Localise(*held, options_);
-      if (guided) found = std::move(guided);
+      std::optional<LocatedForce> nudged = LocateMissingForce(*held, options_);
+      if (nudged) found = std::move(nudged);
       Spend("locating");
     }
   }
@@ -305,23 +308,23 @@ void Diagnoser::LocateMismatch(const FittedScene& fitted, const Ranking& ranking
     Log("the missing force cannot be estimated: the simulation fails");
     return;
   }
-  diagnosis_.mismatch = found->location.mismatch;
-  Log(found->location.mismatch.words);
-  if (!found->location.mismatch.is_significant) return;
+  diagnosis_.discrepancy = found->location.discrepancy;
+  Log(found->location.discrepancy.words);
+  if (!found->location.discrepancy.is_significant) return;
   // What is one source's has no class.
   const Scene& scene = found->fitted.scene;
   if (found->Blamed() == nullptr) {
-    diagnosis_.mismatch_class =
-        ClassifyMismatch(scene, found->missing, found->location).mismatch_class;
+    diagnosis_.discrepancy_class =
+        ClassifyDiscrepancy(scene, found->missing, found->location).discrepancy_class;
   }
   missing_.emplace(found->missing);
-  diagnosis_.mismatch_pictures = {DrawForceMap(scene, found->missing, found->location),
-                                  DrawForceArrows(scene, found->missing, found->location)};
+  diagnosis_.discrepancy_pictures = {DrawForceMap(scene, found->missing, found->location),
+                                     DrawForceArrows(scene, found->missing, found->location)};
 }
 
-// A baseline that had to follow a wrong camera may be in a wrong valley, and begins anew.
+// A baseline that had to follow a wrong camera may be in a local minimum, and begins anew.
 void Diagnoser::FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors) {
-  if (Stopped() || !IsFarOff(current->scene, current->config, current->fit)) return;
+  if (Stopped() || !HasLargeResidual(current->scene, current->config, current->fit)) return;
   FitConfig baseline = baseline_;
   baseline.resolution = current->config.resolution;
   for (const std::string& name : kept_parameters_) {
@@ -348,7 +351,7 @@ void Diagnoser::TakeForAnswer(Kept kept) {
 
 bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   Say("ranking what could be missing", 0.3);
-  held_.reset();
+  nudged_.reset();
   const bool is_first = diagnosis_.ranking.empty();
   Ranking ranking = is_first ? RankOnFineMesh(current, errors)
                              : RankCandidates(*current, options_, {last_ranking_.errors});
@@ -358,30 +361,30 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
     diagnosis_.left_rms = ranking.left_rms;
     diagnosis_.null_left_rms = ranking.null_left_rms;
     diagnosis_.residual_rms = ranking.residual_rms;
-    diagnosis_.floor_rms = ranking.floor_rms;
+    diagnosis_.discretisation_rms = ranking.discretisation_rms;
     diagnosis_.promised = ranking.promised;
     diagnosis_.finer_side = SideThatShowsMore(current->scene.mesh, ranking, options_.finest_side);
     first_unexplained_ = ranking.unexplained;
-    is_above_floor_ = !MeshMatters(ranking);
+    is_above_discretisation_ = !MeshMatters(ranking);
     first_scene_ = *current;
     first_ranking_ = ranking;
     first_errors_ = *errors;
   }
   last_ranking_ = ranking;
-  if (is_first && IsSuspicious(ranking)) LocateMismatch(*current, ranking);
-  ModelRace::Guide guide;
-  if (options_.guide && IsWorthGuiding(*current, ranking)) {
-    guide = [&](Ranking* open) {
+  if (is_first && IsSuspicious(ranking)) LocateDiscrepancy(*current, ranking);
+  ModelScreening::RankAlongNudged nudge;
+  if (options_.nudge && IsWorthNudging(*current, ranking)) {
+    nudge = [&](Ranking* open) {
       Spend("fitting models");
-      Say("ranking along a guided motion", 0.6);
-      if (const FittedScene* const held = Held(*current, ranking))
-        RankGuided(*held, options_, open);
-      Spend("ranking along a guided motion");
+      Say("ranking along a nudged motion", 0.6);
+      if (const FittedScene* const held = Nudged(*current, ranking))
+        RankNudged(*held, options_, open);
+      Spend("ranking along a nudged motion");
     };
   }
-  const ModelRace race(baseline_, options_);
+  const ModelScreening race(baseline_, options_);
   std::vector<FittedModel> models =
-      race.Run(*current, *errors, options_.least_share * first_unexplained_, guide, &ranking);
+      race.Run(*current, *errors, options_.least_share * first_unexplained_, nudge, &ranking);
   Spend("fitting models");
   if (is_first) {
     for (const RankedCandidate& candidate : ranking.candidates)
@@ -392,24 +395,24 @@ bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
   for (const FittedModel& model : models)
     diagnosis_.models.push_back(Describe(model, *current, *errors));
   const ChoiceRules rules = RulesOf(*current);
-  if (FirstDeservesAnotherProof(diagnosis_.models, first_model, rules))
-    ProveOtherwiseToo(models.front(), first_model, {*current, *errors, ranking, options_});
+  if (FirstDeservesAnotherTest(diagnosis_.models, first_model, rules))
+    ValidateOtherwiseToo(models.front(), first_model, {*current, *errors, ranking, options_});
   const std::optional<Choice> choice = ChooseModel(diagnosis_.models, first_model, rules);
   if (!choice) return false;
   FittedModel& model = models[choice->model - first_model];
-  // Before a proof by other means, which takes many fits.
+  // Before a validation by other means, which takes many fits.
   if (CatchesUp(model, current, errors)) {
     BeginAgain(first_model, *current, *errors);
     return AddEffect(current, errors);
   }
   if (!choice->is_kept) {
-    ProveOtherwiseToo(model, choice->model, {*current, *errors, ranking, options_});
+    ValidateOtherwiseToo(model, choice->model, {*current, *errors, ranking, options_});
     if (!ChooseModel(diagnosis_.models, first_model, rules)->is_kept) return false;
   }
   if (!diagnosis_.answer) {
     const std::size_t winner = choice->model - first_model;
-    TellApart(FindAmbiguity(ranking, models, winner, current->fit.cost_after));
-    KeepRivals(models, winner);
+    TellApart(FindConfidenceSet(ranking, models, winner, current->fit.cost_after));
+    KeepCompetitors(models, winner);
   }
   const bool is_physics = model.candidate.faults.empty();
   const bool is_first_physics = is_physics && (!kept_ || !kept_->candidate.faults.empty());

@@ -11,18 +11,18 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/ambiguity/ambiguity.h"
 #include "fitting/diagnosis/answer/diagnosis.h"
 #include "fitting/diagnosis/answer/parameter_intervals.h"
 #include "fitting/diagnosis/answer/verdict.h"
+#include "fitting/diagnosis/compare/confidence_set.h"
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/diagnosis/fitted/held_out_errors.h"
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/locate/residual_force.h"
-#include "fitting/diagnosis/model/race.h"
-#include "fitting/diagnosis/prove/held_out_proof.h"
-#include "fitting/diagnosis/prove/model_proof.h"
+#include "fitting/diagnosis/model/screening.h"
 #include "fitting/diagnosis/rank/ranking.h"
+#include "fitting/diagnosis/validate/held_out_validation.h"
+#include "fitting/diagnosis/validate/model_validation.h"
 
 namespace clothfit {
 
@@ -42,12 +42,12 @@ class Diagnoser {
   // Ranks; where mesh and step make much of what is left, on a finer mesh.
   Ranking RankOnFineMesh(FittedScene* current, HeldOutErrors* errors);
   // A nudged fit of the baseline on its mesh: the coarser fit may have ended in a local minimum.
-  std::optional<FittedScene> FitGuidedOnFineMesh(const FittedScene& fitted);
+  std::optional<FittedScene> FitNudgedOnFineMesh(const FittedScene& fitted);
   // Where, when and of what class a force is missing.
-  void LocateMismatch(const FittedScene& fitted, const Ranking& ranking);
-  // The model of `fitted` held to what was seen, from the fabric that the baseline was told; null
-  // where that cannot be or would be of no use. Fitted once for one fit.
-  const FittedScene* Held(const FittedScene& fitted, const Ranking& ranking);
+  void LocateDiscrepancy(const FittedScene& fitted, const Ranking& ranking);
+  // The model of `fitted` nudged to what was seen, from the material parameters that the baseline
+  // was given; null where that cannot be or would be of no use. Fitted once for one fit.
+  const FittedScene* Nudged(const FittedScene& fitted, const Ranking& ranking);
   // One more effect. False where there is none to be had.
   bool AddEffect(FittedScene* current, HeldOutErrors* errors);
   // Whether a fit without the effect, begun where the model has ended, comes (nearly) as far: then
@@ -60,15 +60,17 @@ class Diagnoser {
   void LookBackAtFirst(FittedScene* current, HeldOutErrors* errors);
   // Validates on the held-out frames; if that fails and the model costs at most kFarLess of
   // `other_cost`, by the other tests as well.
-  HeldOutProof Prove(const FittedModel& model, double other_cost, const ProofStart& start) const;
+  HeldOutValidation Validate(const FittedModel& model, double other_cost,
+                             const ValidationStart& start) const;
   // Forgets a round, so that it can be held again from a better fit.
   void BeginAgain(std::size_t first_model, const FittedScene& better, const HeldOutErrors& errors);
   void FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors);
   Model Describe(const FittedModel& model, const FittedScene& before, const HeldOutErrors& errors);
-  // Of the model at `index` of diagnosis_.models, whose proof it replaces.
-  void ProveOtherwiseToo(const FittedModel& model, std::size_t index, const ProofStart& start);
-  void TellApart(const Ambiguity& ambiguity);
-  void KeepRivals(const std::vector<FittedModel>& models, std::size_t winner);
+  // Of the model at `index` of diagnosis_.models, whose validation it replaces.
+  void ValidateOtherwiseToo(const FittedModel& model, std::size_t index,
+                            const ValidationStart& start);
+  void TellApart(const ConfidenceSet& confidence_set);
+  void KeepCompetitors(const std::vector<FittedModel>& models, std::size_t winner);
   // A law instead of names, where those explain too little and it explains more.
   void LearnInstead(FittedScene* current);
   // The answer without those of its amounts that may be anything about nothing.
@@ -86,11 +88,13 @@ class Diagnoser {
   std::vector<std::optional<FittedScene>> FitOn(
       const std::array<int, 2>& grid, const std::vector<const FittedScene*>& coarse) const;
   FittedScene GoneOnWith(FittedScene fitted) const;
-  // Each from the fabric of the answer, too, on whose mesh they are.
-  void FitFromFabricOf(const FittedScene& answer, std::vector<FittedModel>* rivals) const;
-  // Of the answer and its rivals, all on the finer mesh, the one that comes first there.
-  void ChooseAgain(std::vector<FittedModel> rivals, FittedScene* current, HeldOutErrors* errors);
-  // Its amounts, cost and proof, and what mesh and step do to it, on the mesh that it is on now.
+  // Each from the material parameters of the answer, too, on whose mesh they are.
+  void FitWithMaterialOf(const FittedScene& answer, std::vector<FittedModel>* competitors) const;
+  // Of the answer and its competitors, all on the finer mesh, the one that comes first there.
+  void ChooseAgain(std::vector<FittedModel> competitors, FittedScene* current,
+                   HeldOutErrors* errors);
+  // Its amounts, cost and validation, and what mesh and step do to it, on the mesh that it is on
+  // now.
   void DescribeAnswerAgain(const FittedScene& current, const HeldOutErrors& errors);
   // The answer among the models; null where it was fitted on another mesh than they.
   Model* AnswerAmongModels();
@@ -108,7 +112,7 @@ class Diagnoser {
   }
   bool Stopped() const { return runner_.IsStopped(); }
   ChoiceRules RulesOf(const FittedScene& before) const {
-    return {before.fit.cost_after, options_.least_share, options_.prove};
+    return {before.fit.cost_after, options_.least_share, options_.validate};
   }
   void Spend(const std::string& stage);
   void SpendOn(const Ranking& ranking);
@@ -137,13 +141,13 @@ class Diagnoser {
   };
   // What was kept last without it. Empty where the fit fails.
   std::optional<FittedModel> WithoutFirst(const First& first, const FittedScene& current);
-  // Does the second alone explain nearly as much as `current`, which has both, and is it proven?
+  // Does the second alone explain nearly as much as `current`, which has both, and is it validated?
   bool IsIdle(const First& first, const FittedModel& second, const FittedScene& current);
   void DropFirst(First first, FittedModel second, FittedScene* current, HeldOutErrors* errors);
   void ExchangeFirst(const First& first, const FittedModel& second, FittedScene* current,
                      HeldOutErrors* errors);
-  // Takes the rival in its place, which has the second besides, where both are proven.
-  bool TakesFirstPlace(const First& first, const FittedModel& second, const FittedModel& rival,
+  // Takes the competitor in its place, which has the second besides, where both are validated.
+  bool TakesFirstPlace(const First& first, const FittedModel& second, const FittedModel& competitor,
                        FittedScene* current, HeldOutErrors* errors);
   // Of models that all have the second effect besides.
   void TellApartBeside(const First& first, const FittedModel& second,
@@ -155,22 +159,23 @@ class Diagnoser {
   void ForgetFirst(const First& first);
   std::optional<First> first_kept_;
   int rounds_left_ = 0;
-  std::vector<FittedModel> rivals_;  // physics that was fitted and cannot be told from the first
-  double kept_score_ = 0.0;          // the highest of what was kept
+  std::vector<FittedModel>
+      competitors_;          // physics that was fitted and cannot be told from the first
+  double kept_score_ = 0.0;  // the highest of what was kept
   double baseline_cost_ = 0.0;
-  bool is_above_floor_ = false;
+  bool is_above_discretisation_ = false;
   std::optional<FittedScene> first_scene_;  // the baseline that was ranked first
   std::optional<Ranking> first_ranking_;
   HeldOutErrors first_errors_;
-  int rematches_ = 0;
+  int restarts_ = 0;
   double first_unexplained_ = 0.0;  // sum of squares
-  NumericalShifts shifts_;          // of the answer
+  DiscretisationShifts shifts_;     // of the answer
   // What the answer explained on the mesh on which it was found, where it was refined.
   std::optional<double> explained_;
   std::optional<MissingForce> missing_;
-  // Of the fit that is looked at now, once it has been asked for: its guided motion, where that can
+  // Of the fit that is looked at now, once it has been asked for: its nudged motion, where that can
   // be simulated.
-  std::optional<std::optional<FittedScene>> held_;
+  std::optional<std::optional<FittedScene>> nudged_;
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
 

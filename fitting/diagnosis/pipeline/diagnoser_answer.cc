@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "fitting/diagnosis/ambiguity/undetermined.h"
-#include "fitting/diagnosis/answer/words.h"
-#include "fitting/diagnosis/classify/class_words.h"
+#include "fitting/diagnosis/answer/summary_text.h"
+#include "fitting/diagnosis/classify/class_text.h"
+#include "fitting/diagnosis/compare/undetermined.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/law/learn.h"
@@ -21,10 +21,10 @@ namespace clothfit {
 
 void Diagnoser::LearnInstead(FittedScene* current) {
   if (!first_ranking_ || Stopped()) return;
-  const bool stands_out = first_ranking_->gate_p_value < kGate && is_above_floor_;
-  // Physics that is proven is there, whatever mesh and step may leave.
+  const bool stands_out = first_ranking_->gate_p_value < kGate && is_above_discretisation_;
+  // Physics that is validated is there, whatever mesh and step may leave.
   const bool is_there = kept_ && kept_->candidate.faults.empty() &&
-                        IsFarOff(current->scene, current->config, current->fit);
+                        HasLargeResidual(current->scene, current->config, current->fit);
   if (!stands_out && !is_there) return;
   const double explained = ExplainedBy(*current);
   if (explained > MostOfIt(diagnosis_)) return;
@@ -38,7 +38,7 @@ void Diagnoser::LearnInstead(FittedScene* current) {
   kept_parameters_.clear();
   Law law{Describe(model, *first_scene_, first_errors_), LawFormula(*fit, first_ranking_->extent)};
   law.model.effects = fit->terms;
-  law.model.is_kept = !options_.prove || law.model.proof.is_proven;
+  law.model.is_kept = !options_.validate || law.model.validation.is_validated;
   Log(fmt::format("a law of {}: cost {:.6g} -> {:.6g}; {}", JoinNames(fit->terms), baseline_cost_,
                   fit->scene.fit.cost_after, law.formula));
   diagnosis_.models.push_back(law.model);
@@ -46,14 +46,15 @@ void Diagnoser::LearnInstead(FittedScene* current) {
   const double by_names = baseline_cost_ - current->fit.cost_after;
   const double by_law = explained > 0.0 ? explained * (baseline_cost_ - law.model.cost) / by_names
                                         : law.model.explained;
-  const HeldOutProof* const of_names = diagnosis_.answer ? &diagnosis_.answer->proof : nullptr;
-  if (!law.model.is_kept || !TakesPlace(law.model.proof, by_law, of_names, explained)) {
+  const HeldOutValidation* const of_names =
+      diagnosis_.answer ? &diagnosis_.answer->validation : nullptr;
+  if (!law.model.is_kept || !TakesPlace(law.model.validation, by_law, of_names, explained)) {
     diagnosis_.models.back().is_kept = false;
     return;
   }
   diagnosis_.answer = law.model;
   diagnosis_.effects.clear();
-  diagnosis_.ambiguity.clear();
+  diagnosis_.confidence_set.clear();
   diagnosis_.separating.reset();
   diagnosis_.law = std::move(law);
   *current = fit->scene;
@@ -63,7 +64,7 @@ void Diagnoser::LearnInstead(FittedScene* current) {
 void Diagnoser::MeasureAnswer(const FittedScene& model) {
   if (!diagnosis_.answer || Stopped()) return;
   Say("measuring what mesh and step do to the answer", 0.85);
-  shifts_ = MeasureNumericalShifts(model, options_.seed);
+  shifts_ = MeasureDiscretisationShifts(model, options_.seed);
   Spend("intervals");
 }
 
@@ -95,7 +96,7 @@ void Diagnoser::TakeBack(FittedScene* current) {
     if (diagnosis_.models[i].is_kept) diagnosis_.answer = diagnosis_.models[i];
   }
   if (!diagnosis_.answer) {
-    diagnosis_.ambiguity.clear();
+    diagnosis_.confidence_set.clear();
     diagnosis_.separating.reset();
   }
   *current = std::move(kept_->before);
@@ -108,7 +109,7 @@ void Diagnoser::TakeBack(FittedScene* current) {
 double Diagnoser::ExplainedBy(const FittedScene& model) const {
   double null = last_ranking_.null_mean;
   if (diagnosis_.answer && shifts_.by.cols() > 0 &&
-      IsFarOff(model.scene, model.config, model.fit)) {
+      HasLargeResidual(model.scene, model.config, model.fit)) {
     Log(fmt::format(
         "noise, mesh and step leave a cost of {:.4g} of the baseline, of the answer {:.4g}",
         0.5 * null, 0.5 * shifts_.left_squared));
@@ -150,7 +151,7 @@ void Diagnoser::TakeOutUndetermined(FittedScene* current, const HeldOutErrors& e
   answer.config = described.config;
   answer.cost = described.cost;
   if (!explained_) answer.explained = described.explained;
-  if (described.proof.is_proven) answer.proof = described.proof;
+  if (described.validation.is_validated) answer.validation = described.validation;
   if (Model* const model = AnswerAmongModels()) *model = answer;
   *current = std::move(simpler->scene);
 }
@@ -167,8 +168,8 @@ void Diagnoser::Conclude(const FittedScene& current) {
     diagnosis_.answer->explained = std::min(diagnosis_.answer->explained, explained);
     diagnosis_.models[kept_->model].explained = diagnosis_.answer->explained;
   }
-  diagnosis_.verdict =
-      Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, explained, is_above_floor_);
+  diagnosis_.verdict = Stopped() ? Verdict::kInterrupted
+                                 : VerdictOf(diagnosis_, explained, is_above_discretisation_);
   // What stands for most of something unknown acts as that does.
   constexpr double kStandsFor = 0.5;
   const bool stands_for = diagnosis_.verdict == Verdict::kNoneOfTheAbove && diagnosis_.answer &&

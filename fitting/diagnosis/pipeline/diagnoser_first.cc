@@ -34,9 +34,9 @@ bool Diagnoser::IsIdle(const First& first, const FittedModel& second, const Fitt
   const FittedScene& before = first.kept.before;
   const double cost = current.fit.cost_after, gain = before.fit.cost_after - cost;
   if (second.scene.fit.cost_after > cost + kIdle * gain) return false;
-  const HeldOutProof proof =
-      ProveOnHeldOut(second, {before, first.kept.before_errors, first.ranking, options_});
-  return !options_.prove || proof.is_proven;
+  const HeldOutValidation validation =
+      ValidateOnHeldOut(second, {before, first.kept.before_errors, first.ranking, options_});
+  return !options_.validate || validation.is_validated;
 }
 
 // As the newest of the models, held against the fit without its newest effect.
@@ -68,8 +68,8 @@ void Diagnoser::DropFirst(First first, FittedModel second, FittedScene* current,
       models.end());
   models.push_back(second);
   const std::size_t winner = models.size() - 1;
-  TellApart(FindAmbiguity(first.ranking, models, winner, cost_before));
-  KeepRivals(models, winner);
+  TellApart(FindConfidenceSet(first.ranking, models, winner, cost_before));
+  KeepCompetitors(models, winner);
   *current = std::move(second.scene);
   *errors = std::move(second.errors);
   ++rounds_left_;  // one effect more may be added than if it had been found at once
@@ -78,9 +78,9 @@ void Diagnoser::DropFirst(First first, FittedModel second, FittedScene* current,
 // What has not been fitted here stays as it was.
 void Diagnoser::TellApartBeside(const First& first, const FittedModel& second,
                                 const std::vector<FittedModel>& models, std::size_t winner) {
-  const std::vector<std::string> so_far = diagnosis_.ambiguity;
-  TellApart(FindAmbiguity(first.ranking, models, winner, second.scene.fit.cost_after));
-  std::vector<std::string>& set = diagnosis_.ambiguity;
+  const std::vector<std::string> so_far = diagnosis_.confidence_set;
+  TellApart(FindConfidenceSet(first.ranking, models, winner, second.scene.fit.cost_after));
+  std::vector<std::string>& set = diagnosis_.confidence_set;
   for (const std::string& name : so_far) {
     const bool is_fitted = std::any_of(models.begin(), models.end(), [&](const FittedModel& m) {
       return m.candidate.summary.name == name;
@@ -95,7 +95,7 @@ void Diagnoser::ExchangeFirst(const First& first, const FittedModel& second, Fit
   const std::string& beside = second.candidate.summary.name;
   const FittedModel both{first.kept.candidate, *current, *errors};
   std::vector<FittedModel> models =
-      ModelRace(baseline_, options_).FitRivals(second.scene, first.ranking, {both});
+      ModelScreening(baseline_, options_).FitCompetitors(second.scene, first.ranking, {both});
   for (FittedModel& model : models) {
     model.errors = MeasureHeldOut(model.scene);
     Log(fmt::format("{} instead of {} beside {}: cost {:.6g}, not {:.6g}",
@@ -114,36 +114,36 @@ void Diagnoser::ExchangeFirst(const First& first, const FittedModel& second, Fit
 }
 
 bool Diagnoser::TakesFirstPlace(const First& first, const FittedModel& second,
-                                const FittedModel& rival, FittedScene* current,
+                                const FittedModel& competitor, FittedScene* current,
                                 HeldOutErrors* errors) {
   if (Stopped()) return false;
-  const double cost = rival.scene.fit.cost_after, so_far = current->fit.cost_after;
+  const double cost = competitor.scene.fit.cost_after, so_far = current->fit.cost_after;
   const bool is_simpler =
-      cost < so_far && rival.candidate.NumUnknowns() <= first.kept.candidate.NumUnknowns();
+      cost < so_far && competitor.candidate.NumUnknowns() <= first.kept.candidate.NumUnknowns();
   if (!is_simpler && cost > kFarLess * so_far) return false;
-  const HeldOutProof of_rival =
-      Prove(rival, so_far, {second.scene, second.errors, first.ranking, options_});
-  if (options_.prove && !of_rival.is_proven) return false;
-  std::optional<FittedScene> fit =
-      FitModel(rival.scene, WithOnly(first.kept.before, rival.scene, rival.candidate),
-               2 * kModelIterations, runner_);
+  const HeldOutValidation of_competitor =
+      Validate(competitor, so_far, {second.scene, second.errors, first.ranking, options_});
+  if (options_.validate && !of_competitor.is_validated) return false;
+  std::optional<FittedScene> fit = FitModel(
+      competitor.scene, WithOnly(first.kept.before, competitor.scene, competitor.candidate),
+      2 * kModelIterations, runner_);
   if (!fit) return false;
-  FittedModel alone{rival.candidate, GoneOnWith(std::move(*fit)), {}};
+  FittedModel alone{competitor.candidate, GoneOnWith(std::move(*fit)), {}};
   alone.errors = MeasureHeldOut(alone.scene);
-  // The second, which was proven beside the first, is to be proven beside this one.
-  const FittedModel both{second.candidate, rival.scene, rival.errors};
-  const HeldOutProof proof =
-      ProveByAnyMeans(both, {alone.scene, alone.errors, last_ranking_, options_});
+  // The second, which was validated beside the first, is to be validated beside this one.
+  const FittedModel both{second.candidate, competitor.scene, competitor.errors};
+  const HeldOutValidation validation =
+      ValidateByAnyTest(both, {alone.scene, alone.errors, last_ranking_, options_});
   Spend("another effect in its place");
-  if (options_.prove && !proof.is_proven) return false;
-  Log(fmt::format("{} takes the place of {}", rival.candidate.summary.name,
+  if (options_.validate && !validation.is_validated) return false;
+  Log(fmt::format("{} takes the place of {}", competitor.candidate.summary.name,
                   first.kept.candidate.summary.name));
   ForgetFirst(first);
   Keep(alone, first.kept.before, first.kept.before_errors);
   Keep(both, std::move(alone.scene), std::move(alone.errors));
-  diagnosis_.answer->proof = diagnosis_.models.back().proof = proof;
-  *current = rival.scene;
-  *errors = rival.errors;
+  diagnosis_.answer->validation = diagnosis_.models.back().validation = validation;
+  *current = competitor.scene;
+  *errors = competitor.errors;
   return true;
 }
 

@@ -22,7 +22,7 @@ bool Diagnoser::MayRefine(const ClothMesh& mesh) const {
       mesh.is_grid() && std::max(mesh.grid[0], mesh.grid[1]) < options_.finest_side;
   const bool is_physics =
       diagnosis_.answer && kept_ && !diagnosis_.law && kept_->candidate.faults.empty();
-  return is_physics && can_be_finer && diagnosis_.residual_rms < kHopeless && !Stopped();
+  return is_physics && can_be_finer && diagnosis_.residual_rms < kUnusableResidual && !Stopped();
 }
 
 // Wind whose drag is free takes twice as many iterations as a tilted gravity that looks alike.
@@ -60,13 +60,13 @@ void Diagnoser::RefineAnswer(FittedScene* current, HeldOutErrors* errors) {
   const bool is_only_one = diagnosis_.effects == kept_->candidate.Effects();
   std::vector<const FittedScene*> coarse = {&kept_->before, current};
   if (!is_only_one) coarse.push_back(&*first_scene_);
-  const std::size_t first_rival = coarse.size();
+  const std::size_t first_competitor = coarse.size();
   if (is_only_one)
-    for (const FittedModel& rival : rivals_) coarse.push_back(&rival.scene);
+    for (const FittedModel& competitor : competitors_) coarse.push_back(&competitor.scene);
   std::vector<std::optional<FittedScene>> finer = FitOn(grid, coarse);
   Spend("the answer on a finer mesh");
   const bool have_failed =
-      std::any_of(finer.begin(), finer.begin() + static_cast<std::ptrdiff_t>(first_rival),
+      std::any_of(finer.begin(), finer.begin() + static_cast<std::ptrdiff_t>(first_competitor),
                   [](const auto& fitted) { return !fitted.has_value(); });
   if (have_failed || Stopped()) return;
   const double without = finer[0]->fit.cost_after, with = finer[1]->fit.cost_after;
@@ -86,65 +86,67 @@ void Diagnoser::RefineAnswer(FittedScene* current, HeldOutErrors* errors) {
   *errors = MeasureHeldOut(*current);
   if (const std::optional<LinearisedFit> linear = Linearise(kept_->before)) {
     constexpr int kDraws = 1;
-    last_ranking_.errors = std::make_shared<const NumericalErrors>(
-        MeasureNumericalErrors(kept_->before, linear->frames, linear->rows, kDraws, options_.seed));
+    last_ranking_.errors = std::make_shared<const DiscretisationErrors>(MeasureDiscretisationErrors(
+        kept_->before, linear->frames, linear->rows, kDraws, options_.seed));
   }
-  std::vector<FittedModel> refined_rivals;
-  for (std::size_t k = first_rival; k < finer.size(); ++k) {
+  std::vector<FittedModel> refined_competitors;
+  for (std::size_t k = first_competitor; k < finer.size(); ++k) {
     if (!finer[k]) continue;
-    HeldOutErrors of_rival = MeasureHeldOut(*finer[k]);
-    refined_rivals.push_back(
-        {rivals_[k - first_rival].candidate, std::move(*finer[k]), std::move(of_rival)});
+    HeldOutErrors of_competitor = MeasureHeldOut(*finer[k]);
+    refined_competitors.push_back({competitors_[k - first_competitor].candidate,
+                                   std::move(*finer[k]), std::move(of_competitor)});
   }
-  FitFromFabricOf(*current, &refined_rivals);
-  ChooseAgain(std::move(refined_rivals), current, errors);
+  FitWithMaterialOf(*current, &refined_competitors);
+  ChooseAgain(std::move(refined_competitors), current, errors);
   DescribeAnswerAgain(*current, *errors);
 }
 
-// What looks alike may have ended at another fabric: wind at one whose drag is twice too large,
-// 4200, from that of a tilted gravity, 3140, at 3090.
-void Diagnoser::FitFromFabricOf(const FittedScene& answer, std::vector<FittedModel>* rivals) const {
-  FitConfig fabric = kept_->before.config;
-  for (auto& [name, setting] : fabric.parameters)
+// What looks alike may have ended at other material parameters: wind at one whose drag is twice too
+// large, 4200, from that of a tilted gravity, 3140, at 3090.
+void Diagnoser::FitWithMaterialOf(const FittedScene& answer,
+                                  std::vector<FittedModel>* competitors) const {
+  FitConfig material = kept_->before.config;
+  for (auto& [name, setting] : material.parameters)
     setting.value = answer.values.parameters.at(name).value;
-  ParallelFor(static_cast<int>(rivals->size()), NumThreads(0), [&](int i, int) {
-    FittedModel& rival = (*rivals)[static_cast<std::size_t>(i)];
-    std::optional<FittedScene> other =
-        FitModel(answer, FromFabricOf(fabric, GoOn(rival.scene)), 2 * kModelIterations, runner_);
+  ParallelFor(static_cast<int>(competitors->size()), NumThreads(0), [&](int i, int) {
+    FittedModel& competitor = (*competitors)[static_cast<std::size_t>(i)];
+    std::optional<FittedScene> other = FitModel(
+        answer, WithMaterialOf(material, GoOn(competitor.scene)), 2 * kModelIterations, runner_);
     if (other) other = GoneOnWith(std::move(*other));
-    if (!other || !(other->fit.cost_after < rival.scene.fit.cost_after)) return;
-    rival.scene = std::move(*other);
-    rival.errors = MeasureHeldOut(rival.scene);
+    if (!other || !(other->fit.cost_after < competitor.scene.fit.cost_after)) return;
+    competitor.scene = std::move(*other);
+    competitor.errors = MeasureHeldOut(competitor.scene);
   });
 }
 
-HeldOutProof Diagnoser::Prove(const FittedModel& model, double other_cost,
-                              const ProofStart& start) const {
+HeldOutValidation Diagnoser::Validate(const FittedModel& model, double other_cost,
+                                      const ValidationStart& start) const {
   const bool leaves_far_less = model.scene.fit.cost_after <= kFarLess * other_cost;
-  return leaves_far_less ? ProveByAnyMeans(model, start) : ProveOnHeldOut(model, start);
+  return leaves_far_less ? ValidateByAnyTest(model, start) : ValidateOnHeldOut(model, start);
 }
 
-void Diagnoser::ChooseAgain(std::vector<FittedModel> rivals, FittedScene* current,
+void Diagnoser::ChooseAgain(std::vector<FittedModel> competitors, FittedScene* current,
                             HeldOutErrors* errors) {
-  if (rivals.empty()) return;
+  if (competitors.empty()) return;
   const std::string name = kept_->candidate.summary.name;
-  rivals.push_back({kept_->candidate, *current, *errors});
-  PutBestFirst(kept_->before.fit.cost_after, kept_->before_errors, last_ranking_, &rivals);
-  FittedModel& best = rivals.front();
+  competitors.push_back({kept_->candidate, *current, *errors});
+  PutBestFirst(kept_->before.fit.cost_after, kept_->before_errors, last_ranking_, &competitors);
+  FittedModel& best = competitors.front();
   const std::string& better = best.candidate.summary.name;
-  for (const FittedModel& rival : rivals)
-    Log(fmt::format("  with {}: cost {:.6g}", rival.candidate.summary.name,
-                    rival.scene.fit.cost_after));
+  for (const FittedModel& competitor : competitors)
+    Log(fmt::format("  with {}: cost {:.6g}", competitor.candidate.summary.name,
+                    competitor.scene.fit.cost_after));
   if (better == name) return;
-  const HeldOutProof proof = Prove(best, current->fit.cost_after,
-                                   {kept_->before, kept_->before_errors, last_ranking_, options_});
-  if (options_.prove && !proof.is_proven) return;
+  const HeldOutValidation validation =
+      Validate(best, current->fit.cost_after,
+               {kept_->before, kept_->before_errors, last_ranking_, options_});
+  if (options_.validate && !validation.is_validated) return;
   Log(better + " comes before " + name + " on the finer mesh");
   diagnosis_.effects = diagnosis_.answer->effects = best.candidate.Effects();
-  diagnosis_.answer->proof = proof;
+  diagnosis_.answer->validation = validation;
   kept_parameters_ = best.candidate.names;
   for (const auto& [parameter, value] : best.candidate.probe) kept_parameters_.push_back(parameter);
-  std::vector<std::string>& set = diagnosis_.ambiguity;
+  std::vector<std::string>& set = diagnosis_.confidence_set;
   std::rotate(set.begin(), std::find(set.begin(), set.end(), better),
               std::find(set.begin(), set.end(), better) + 1);
   diagnosis_.models[kept_->model].is_kept = false;
@@ -164,7 +166,7 @@ void Diagnoser::DescribeAnswerAgain(const FittedScene& current, const HeldOutErr
   answer.config = described.config;
   answer.parameters = described.parameters;
   answer.cost = described.cost;
-  if (described.proof.is_proven) answer.proof = described.proof;
+  if (described.validation.is_validated) answer.validation = described.validation;
   MeasureAnswer(current);
 }
 

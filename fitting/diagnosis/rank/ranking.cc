@@ -44,13 +44,13 @@ class Ranker {
  private:
   void RunBaseline();
   void PassGate(Ranking* ranking);
-  void AddNumericalErrors();
+  void AddDiscretisationErrors();
   // Simulates with one probe of each of these candidates set free.
   void AddTrials(const std::vector<std::pair<int, Probe>>& probes);
   void AddFirstTrials();
   void Refine();
   void Scale();
-  double Floor(const Projection& projection) const;
+  double DiscretisationRms(const Projection& projection) const;
   std::vector<Nuisance> Nuisances(const std::string& fault_group) const;
   ScoredGroup GroupOf(const Trial& trial) const;
   RankedCandidate Physics(int candidate, const Projection& projection, const Projection& raw) const;
@@ -67,7 +67,7 @@ class Ranker {
 
   const FittedScene& fitted_;
   const DiagnosisOptions& options_;
-  std::shared_ptr<const NumericalErrors> errors_;
+  std::shared_ptr<const DiscretisationErrors> errors_;
   CandidateSet set_;
   int draws_, most_probes_;
   ObservationResiduals observations_;
@@ -78,7 +78,7 @@ class Ranker {
   std::optional<Rows> baseline_;
   Extent extent_;
   std::optional<ColumnSet> columns_;
-  int residual_ = 0, first_baseline_ = 0, first_fault_ = 0, first_numerical_ = 0;
+  int residual_ = 0, first_baseline_ = 0, first_fault_ = 0, first_discretisation_ = 0;
   std::vector<int> drawn_errors_;
   Eigen::MatrixXd gram_;
   Eigen::VectorXd scale_;  // a column of the Gram matrix is its values times this
@@ -107,12 +107,12 @@ void Ranker::RunBaseline() {
   first_fault_ = columns_->Add(baseline_->faults);
 }
 
-void Ranker::AddNumericalErrors() {
+void Ranker::AddDiscretisationErrors() {
   if (!errors_ || errors_->half_step.size() != frames_.num_rows()) {
-    errors_ = std::make_shared<NumericalErrors>(MeasureNumericalErrors(
+    errors_ = std::make_shared<DiscretisationErrors>(MeasureDiscretisationErrors(
         fitted_, frames_, *baseline_, options_.simulate_null ? draws_ : 0, options_.seed));
   }
-  first_numerical_ = columns_->Add(errors_->half_step);
+  first_discretisation_ = columns_->Add(errors_->half_step);
   columns_->Add(errors_->finer_mesh);
   for (const Eigen::VectorXd& error : errors_->at_draws)
     drawn_errors_.push_back(columns_->Add(error));
@@ -157,7 +157,7 @@ void Ranker::Scale() {
 }
 
 // What mesh and step leave when baseline and faults have taken their part, in sigmas.
-double Ranker::Floor(const Projection& projection) const {
+double Ranker::DiscretisationRms(const Projection& projection) const {
   const auto sum_of = [&](int column) {
     return projection.gram()(column, column) / (scale_[column] * scale_[column]);
   };
@@ -165,7 +165,7 @@ double Ranker::Floor(const Projection& projection) const {
   for (const int column : drawn_errors_)
     sum += sum_of(column) / static_cast<double>(drawn_errors_.size());
   if (drawn_errors_.empty()) {
-    sum = sum_of(first_numerical_) + sum_of(first_numerical_ + 1);
+    sum = sum_of(first_discretisation_) + sum_of(first_discretisation_ + 1);
   }
   return std::sqrt(std::max(0.0, sum) / std::max(1, frames_.num_rows()));
 }
@@ -375,7 +375,7 @@ void Ranker::PassGate(Ranking* ranking) {
   for (const double sum : left) ranking->null_left_rms.push_back(rms(sum));
   ranking->unexplained = std::max(0.0, own - null_mean_);
   ranking->residual_rms = std::sqrt(1.0 / residual2 / frames_.num_rows());
-  ranking->floor_rms = Floor(projection);
+  ranking->discretisation_rms = DiscretisationRms(projection);
   ranking->errors = errors_;
   std::vector<Nuisance> own_fit = Nuisances("");
   own_fit.resize(std::min<std::size_t>(own_fit.size(), baseline_->entries.size()));
@@ -391,7 +391,7 @@ Ranking Ranker::Run() {
     mark = now;
   };
   RunBaseline();
-  AddNumericalErrors();
+  AddDiscretisationErrors();
   spent("errors of mesh and step");
   AddFirstTrials();
   spent("absent terms");

@@ -34,7 +34,7 @@ struct RankedCandidate {
     Eigen::VectorXd amounts;
   };
   std::vector<Start> other_starts;
-  std::vector<Start> guided_starts;  // estimated along a guided motion, see guided_ranking.h
+  std::vector<Start> nudged_starts;  // estimated along a nudged motion, see nudged_ranking.h
 
   // Is there so many times more of it than the null passes for?
   bool Exceeds(double detection_limits) const {
@@ -56,8 +56,9 @@ struct Ranking {
   double left_rms = 0.0;              // root mean square of the same, in sigmas
   std::vector<double> null_left_rms;  // the same of every draw of the null
   double unexplained = 0.0;           // the same in sums of squares, above what the null leaves
-  double residual_rms = 0.0, floor_rms = 0.0;  // in sigmas: of all rows, and of mesh and step alone
-  double null_mean = 0.0;                      // sum of squares that the null leaves
+  double residual_rms = 0.0,
+         discretisation_rms = 0.0;  // in sigmas: of all rows, and of mesh and step alone
+  double null_mean = 0.0;           // sum of squares that the null leaves
   // The most that all candidates together could take of it, above what they take of the null.
   double explainable = 0.0;
   double promised = 0.0;  // share of the sum that a full step of the baseline's own fit would take
@@ -67,7 +68,7 @@ struct Ranking {
   double Cosine(const RankedCandidate& a, const RankedCandidate& b) const;
   std::optional<Projection> projection;
   // Of the fit's mesh and step: for a later ranking or location on the same ones.
-  std::shared_ptr<const NumericalErrors> errors;
+  std::shared_ptr<const DiscretisationErrors> errors;
   // What they do to a prediction of held-out frames, root mean square; 0 where that is not known.
   double PredictionError() const { return errors ? errors->held_out_rms : 0.0; }
   std::vector<std::pair<std::string, double>> seconds;  // spent on each part
@@ -75,7 +76,7 @@ struct Ranking {
 
 // What is known before a ranking.
 struct RankingStart {
-  std::shared_ptr<const NumericalErrors> errors;  // null: measured
+  std::shared_ptr<const DiscretisationErrors> errors;  // null: measured
   CandidateSet set = CandidateSet::kCatalogue;
   int draws = 3;   // of the errors of mesh and step, where they are measured
   int probes = 8;  // places, times and shapes of a candidate that are looked at first

@@ -57,8 +57,8 @@ std::string WhyNot(const RankedCandidate& candidate, bool has_points, bool may_b
   const double left = ranking.residual_rms * ranking.residual_rms * ranking.num_rows;
   if (summary.q_value > options.false_discovery)
     return fmt::format("the null does as much with p = {:.2g}", summary.p_value);
-  // A fit in a wrong valley errs by more, and otherwise, than the null tells.
-  if (ranking.residual_rms > kFarOff && IsFault(candidate) && !candidate.Exceeds(kStandsOut))
+  // A fit in a local minimum errs by more, and otherwise, than the null tells.
+  if (ranking.residual_rms > kLargeResidual && IsFault(candidate) && !candidate.Exceeds(kStandsOut))
     return "the fit is far off, and it does not stand out of the null";
   if (may_be_mesh && !IsFault(candidate)) return "mesh and step may make all that is left";
   if (IsFault(candidate) && !IsBeyondWellMade(candidate, ranking))
@@ -77,7 +77,7 @@ void ShortList(bool has_points, const DiagnosisOptions& options, Ranking* rankin
   std::vector<double> p_values;
   for (const RankedCandidate& c : ranking->candidates) p_values.push_back(c.summary.p_value);
   const std::vector<double> rates = FalseDiscoveryRates(p_values);
-  // Of outlines alone nothing is proven against mesh and step, so that more has to be left.
+  // Of outlines alone nothing is validated against mesh and step, so that more has to be left.
   const bool may_be_mesh = !has_points && ranking->gate_p_value >= kGate;
   double of_fault = HUGE_VAL;  // the lowest score of a fault that is short-listed
   for (std::size_t i = 0; i < ranking->candidates.size(); ++i) {

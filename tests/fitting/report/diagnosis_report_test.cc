@@ -170,7 +170,7 @@ TEST_F(DiagnosisReport, OfChiSquaredTablesHasNoDraws) {
   }
 }
 
-TEST_F(DiagnosisReport, SaysWhichFramesAProofIsOn) {
+TEST_F(DiagnosisReport, SaysWhichFramesAValidationIsOn) {
   EXPECT_THAT(*html_, HasSubstr("Error on held-out frames"));
   const fs::path file = folder_ / "diagnosis.json";
   json record = json::parse(ReadTextFile(file));
@@ -180,7 +180,7 @@ TEST_F(DiagnosisReport, SaysWhichFramesAProofIsOn) {
   const std::string page = MakeReport(folder_, kAssets).html;
   EXPECT_THAT(page, Not(HasSubstr("Error on held-out frames")));
   EXPECT_THAT(page, HasSubstr("Error on frames 13 to 26, after fits to those before them alone"));
-  EXPECT_THAT(page, HasSubstr("proven on frames 13 to 26"));
+  EXPECT_THAT(page, HasSubstr("validated on frames 13 to 26"));
 }
 
 TEST_F(DiagnosisReport, NamesWhatIsMissing) {

@@ -208,23 +208,23 @@ TEST(TrialFault, ShiftsAllMarkersAlongTheCloth) {
 }
 
 TEST(TrialFault, TurnsAndScalesACamera) {
-  Camera told;
-  told.width = 640;
-  told.height = 480;
-  told.fx = told.fy = 500.0;
-  told.camera_from_world_translation = {0.0, 0.0, 2.0};
+  Camera given;
+  given.width = 640;
+  given.height = 480;
+  given.fx = given.fy = 500.0;
+  given.camera_from_world_translation = {0.0, 0.0, 2.0};
   PlantedFault fault;
   fault.scale = 0.01;
   const Eigen::Vector3d point(0.2, 0.1, 0.0);
-  EXPECT_NEAR(ProjectPoint(FaultyCamera(fault, told), point).x(),
-              1.01 * ProjectPoint(told, point).x(), 1e-9);
+  EXPECT_NEAR(ProjectPoint(FaultyCamera(fault, given), point).x(),
+              1.01 * ProjectPoint(given, point).x(), 1e-9);
   fault.scale = 0.0;
   fault.shift = {0.004, 0.0, 0.0};
-  EXPECT_NEAR(ProjectPoint(FaultyCamera(fault, told), point).x(),
-              ProjectPoint(told, point).x() + 500.0 * 0.004 / 2.0, 1e-9);
+  EXPECT_NEAR(ProjectPoint(FaultyCamera(fault, given), point).x(),
+              ProjectPoint(given, point).x() + 500.0 * 0.004 / 2.0, 1e-9);
   fault.shift.setZero();
   fault.turn = {0.0, 0.003, 0.0};  // about the axis that points down: the view moves along x
-  EXPECT_NEAR(ProjectPoint(FaultyCamera(fault, told), Eigen::Vector3d::Zero()).x(),
+  EXPECT_NEAR(ProjectPoint(FaultyCamera(fault, given), Eigen::Vector3d::Zero()).x(),
               500.0 * std::tan(0.003), 1e-9);
 }
 

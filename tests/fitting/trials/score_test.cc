@@ -45,7 +45,7 @@ struct Case {
     truth.force.last_frame = 20;
     diagnosis.verdict = Verdict::kNamed;
     diagnosis.effects = {"heavy_patch"};
-    diagnosis.ambiguity = {"heavy_patch", "hem"};
+    diagnosis.confidence_set = {"heavy_patch", "hem"};
     Candidate heavy, hem;
     heavy.name = "heavy_patch";
     heavy.detection_limit = 0.5;
@@ -55,8 +55,8 @@ struct Case {
     answer.effects = {"heavy_patch"};
     answer.parameters = {{"heavy_patch.share", "1", 2.1, 1.9, 2.3},
                          {"heavy_patch.u", "m", 0.33, 0.32, 0.34}};
-    answer.proof.before = 0.008;
-    answer.proof.after = 0.004;
+    answer.validation.before = 0.008;
+    answer.validation.after = 0.004;
     diagnosis.answer = answer;
   }
   TrialScore Score(std::optional<double> held_out_true = 0.003) const {
@@ -87,7 +87,7 @@ TEST(TrialScore, OfARightAnswer) {
 TEST(TrialScore, OfAWrongAnswer) {
   Case wrong;
   wrong.diagnosis.effects = {"hem"};
-  wrong.diagnosis.ambiguity = {"hem"};
+  wrong.diagnosis.confidence_set = {"hem"};
   wrong.diagnosis.answer->effects = {"hem"};
   wrong.diagnosis.answer->parameters = {{"hem.high_v", "kg/m", 0.02, 0.01, 0.03}};
   const TrialScore score = wrong.Score();
@@ -148,17 +148,17 @@ TEST(TrialScore, OfAVectorGoesByItsLength) {
 
 TEST(TrialScore, OfPlaceTimeAndClass) {
   Case place;
-  Mismatch mismatch;
-  mismatch.is_significant = true;
-  mismatch.first_frame = 6;
-  mismatch.last_frame = 20;
-  mismatch.low_uv = {0.25, 0.0};
-  mismatch.high_uv = {0.5, 0.5};
-  place.diagnosis.mismatch = mismatch;
-  MismatchClass found;
+  Discrepancy discrepancy;
+  discrepancy.is_significant = true;
+  discrepancy.first_frame = 6;
+  discrepancy.last_frame = 20;
+  discrepancy.low_uv = {0.25, 0.0};
+  discrepancy.high_uv = {0.5, 0.5};
+  place.diagnosis.discrepancy = discrepancy;
+  DiscrepancyClass found;
   found.is_from_outside = true;
   found.tied_to = "world";
-  place.diagnosis.mismatch_class = found;
+  place.diagnosis.discrepancy_class = found;
   const TrialScore score = place.Score();
   EXPECT_NEAR(score.region_overlap.value_or(NAN), 0.5, 1e-12);
   EXPECT_EQ(score.onset_error, 1);
@@ -167,11 +167,11 @@ TEST(TrialScore, OfPlaceTimeAndClass) {
 
   place.truth.effect_class.is_internal = true;
   EXPECT_EQ(place.Score().class_right, false);
-  place.diagnosis.mismatch_class->is_from_outside = false;
+  place.diagnosis.discrepancy_class->is_from_outside = false;
   EXPECT_FALSE(place.Score().class_right);  // nothing is said of it
   place.truth.force.first_frame = 0;        // there from the start: no onset to be found
   EXPECT_FALSE(place.Score().onset_error);
-  place.diagnosis.mismatch->is_significant = false;
+  place.diagnosis.discrepancy->is_significant = false;
   EXPECT_FALSE(place.Score().region_overlap);
 }
 
@@ -180,14 +180,14 @@ TEST(TrialScore, OfClassContradictsEnergyTheWrongWay) {
   friction.truth.effects = {"shear_friction"};
   friction.truth.effect_class = ClassOf("shear_friction");
   friction.truth.effect_class.is_internal = false;  // which is a matter of its own
-  MismatchClass found;
+  DiscrepancyClass found;
   found.is_from_outside = true;
-  friction.diagnosis.mismatch_class = found;
+  friction.diagnosis.discrepancy_class = found;
   EXPECT_EQ(friction.Score().class_right, true);
-  friction.diagnosis.mismatch_class->is_driving = true;
+  friction.diagnosis.discrepancy_class->is_driving = true;
   EXPECT_EQ(friction.Score().class_right, false);
-  friction.diagnosis.mismatch_class->is_driving = false;
-  friction.diagnosis.mismatch_class->is_dissipative = true;
+  friction.diagnosis.discrepancy_class->is_driving = false;
+  friction.diagnosis.discrepancy_class->is_dissipative = true;
   EXPECT_EQ(friction.Score().class_right, true);
 }
 
@@ -453,11 +453,11 @@ TEST(RunTrials, GivesSignsOfLifeWhileItDiagnoses) {
 
 TEST(RunTrials, PassesTheAblationsOn) {
   TrialRunOptions options = WithoutTruth();
-  options.diagnosis.project = options.diagnosis.prove = options.diagnosis.simulate_null = false;
+  options.diagnosis.project = options.diagnosis.validate = options.diagnosis.simulate_null = false;
   int calls = 0;
   const DiagnoseFunction checking = [&](const Recording&, const FitConfig&,
                                         const DiagnosisOptions& of) {
-    EXPECT_FALSE(of.project || of.prove || of.simulate_null);
+    EXPECT_FALSE(of.project || of.validate || of.simulate_null);
     ++calls;
     return Diagnosis();
   };

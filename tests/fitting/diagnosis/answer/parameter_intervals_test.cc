@@ -21,7 +21,7 @@ FreeEntry Entry(const char* name, bool is_log = false) {
 }
 
 // In each of so many simulations.
-NumericalShifts ShiftOf(const char* name, bool is_log, double by, int draws = 3) {
+DiscretisationShifts ShiftOf(const char* name, bool is_log, double by, int draws = 3) {
   return {
       {Entry(name, is_log)}, Eigen::MatrixXd::Constant(1, draws, by), Eigen::MatrixXd::Zero(1, 1)};
 }
@@ -88,18 +88,18 @@ EffectParameter Known(const char* name, double lower, double upper) {
 }
 
 TEST(MayBeNothing, OfOneAmountWhereItsIntervalHoldsWhatIsOff) {
-  const NumericalShifts grip = ShiftOf("grip.compliance", false, 1.0);
+  const DiscretisationShifts grip = ShiftOf("grip.compliance", false, 1.0);
   const FitConfig values = With({{"grip.compliance", 0.003}});
   EXPECT_TRUE(MayBeNothing(grip, values, {Known("grip.compliance", 0.0, 0.004)}));
   EXPECT_FALSE(MayBeNothing(grip, values, {Known("grip.compliance", 0.001, 0.004)}));
-  const NumericalShifts ratio = ShiftOf("shear_orthotropy.ratio", true, 1.0);
+  const DiscretisationShifts ratio = ShiftOf("shear_orthotropy.ratio", true, 1.0);
   const FitConfig twice = With({{"shear_orthotropy.ratio", 2.0}});
   EXPECT_TRUE(MayBeNothing(ratio, twice, {Known("shear_orthotropy.ratio", 0.9, 4.0)}));
   EXPECT_FALSE(MayBeNothing(ratio, twice, {Known("shear_orthotropy.ratio", 1.1, 4.0)}));
 }
 
 TEST(MayBeNothing, OfSeveralAmountsTogether) {
-  NumericalShifts shifts;
+  DiscretisationShifts shifts;
   shifts.entries = {Entry("wind.x"), Entry("wind.y")};
   // Both are pushed by half a metre per second, but never their difference.
   shifts.by = Eigen::MatrixXd::Constant(2, 3, 0.5);
@@ -113,7 +113,7 @@ TEST(MayBeNothing, OfSeveralAmountsTogether) {
 }
 
 TEST(MayBeNothing, OfSeveralAmountsWithinNoise) {
-  NumericalShifts shifts;
+  DiscretisationShifts shifts;
   shifts.entries = {Entry("wind.x"), Entry("wind.y")};
   shifts.by = Eigen::MatrixXd::Zero(2, 3);
   shifts.noise = 0.01 * Eigen::MatrixXd::Identity(2, 2);

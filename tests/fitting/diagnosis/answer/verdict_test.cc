@@ -80,36 +80,36 @@ TEST(Verdict, IsOpenWhereTheFitCannotTell) {
 }
 
 // Of a fit that costs 100, all of which is missing.
-Model Explaining(double share, bool is_proven) {
+Model Explaining(double share, bool is_validated) {
   Model model;
   model.explained = share;
   model.cost = 100.0 * (1.0 - share);
-  model.proof.is_proven = is_proven;
+  model.validation.is_validated = is_validated;
   return model;
 }
 
-TEST(ChooseModel, TakesTheFirstThatIsProven) {
+TEST(ChooseModel, TakesTheFirstThatIsValidated) {
   const std::vector<Model> models = {Explaining(0.9, true), Explaining(0.8, false),
                                      Explaining(0.05, true), Explaining(0.6, true)};
-  const auto proven = ChooseModel(models, 1, {100.0, 0.1, true});
-  ASSERT_TRUE(proven);
-  EXPECT_EQ(proven->model, 3u);
-  EXPECT_TRUE(proven->is_kept);
+  const auto validated = ChooseModel(models, 1, {100.0, 0.1, true});
+  ASSERT_TRUE(validated);
+  EXPECT_EQ(validated->model, 3u);
+  EXPECT_TRUE(validated->is_kept);
   const auto unasked = ChooseModel(models, 1, {100.0, 0.1, false});
   ASSERT_TRUE(unasked);
   EXPECT_EQ(unasked->model, 1u);
   EXPECT_TRUE(unasked->is_kept);
 }
 
-TEST(ChooseModel, TheFirstDeservesAnotherProofOnlyWhereItLeavesFarLess) {
+TEST(ChooseModel, TheFirstDeservesAnotherTestOnlyWhereItCostsFarLess) {
   const ChoiceRules rules{100.0, 0.1, true};
   const Model kept = Explaining(0.5, true);
-  EXPECT_TRUE(FirstDeservesAnotherProof({Explaining(0.7, false), kept}, 0, rules));
-  EXPECT_FALSE(FirstDeservesAnotherProof({Explaining(0.55, false), kept}, 0, rules));
-  EXPECT_FALSE(FirstDeservesAnotherProof({Explaining(0.7, true), kept}, 0, rules));
-  EXPECT_FALSE(FirstDeservesAnotherProof({Explaining(0.7, false)}, 0, rules));  // none is kept
-  EXPECT_TRUE(FirstDeservesAnotherProof({kept, Explaining(0.7, false), kept}, 1, rules));
-  EXPECT_FALSE(FirstDeservesAnotherProof({}, 0, rules));
+  EXPECT_TRUE(FirstDeservesAnotherTest({Explaining(0.7, false), kept}, 0, rules));
+  EXPECT_FALSE(FirstDeservesAnotherTest({Explaining(0.55, false), kept}, 0, rules));
+  EXPECT_FALSE(FirstDeservesAnotherTest({Explaining(0.7, true), kept}, 0, rules));
+  EXPECT_FALSE(FirstDeservesAnotherTest({Explaining(0.7, false)}, 0, rules));  // none is kept
+  EXPECT_TRUE(FirstDeservesAnotherTest({kept, Explaining(0.7, false), kept}, 1, rules));
+  EXPECT_FALSE(FirstDeservesAnotherTest({}, 0, rules));
 }
 
 // A camera that moved explains some of whatever is wrong with a cloth.
@@ -121,7 +121,7 @@ TEST(ChooseModel, KeepsNothingThatGainsFarLessThanTheBest) {
   EXPECT_FALSE(chosen->is_kept);
 }
 
-TEST(ChooseModel, LooksAtTheBestValleyWhereNothingIsProven) {
+TEST(ChooseModel, LooksAtTheBestLocalMinimumWhereNothingIsValidated) {
   const std::vector<Model> models = {Explaining(0.3, false), Explaining(0.8, false)};
   const auto best = ChooseModel(models, 0, {100.0, 0.1, true});
   ASSERT_TRUE(best);
@@ -132,7 +132,7 @@ TEST(ChooseModel, LooksAtTheBestValleyWhereNothingIsProven) {
 }
 
 TEST(Law, TakesThePlaceOfNamesThatExplainLessOrPredictWorse) {
-  HeldOutProof law, names;
+  HeldOutValidation law, names;
   law.after = 4.7;
   names.after = 14.3;
   EXPECT_TRUE(TakesPlace(law, 0.74, &names, 0.77));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A baseline is not left in the first valley that its fit comes to.
+// A baseline is not left in the first local minimum that its fit comes to.
 #include "fitting/diagnosis/gate/baseline_fit.h"
 
 #include <algorithm>
@@ -82,7 +82,7 @@ TEST(BaselineFit, EndsNoHigherThanFromTheConfigsOwnStart) {
   const FittedScene fitted = FitBaseline(recording, config, options);
   EXPECT_LE(fitted.fit.cost_after, own.cost_after);
   const auto others = std::count_if(log.begin(), log.end(), [](const std::string& line) {
-    return line.find("from another fabric") != std::string::npos;
+    return line.find("from other material parameters") != std::string::npos;
   });
   EXPECT_EQ(others, 3);  // it was worth trying
   EXPECT_EQ(fitted.config.max_iterations, 3);

@@ -15,7 +15,7 @@
 namespace clothfit {
 namespace {
 
-TEST(DrawnNulls, HoldNumericalErrorsOfEitherSign) {
+TEST(DrawnNulls, HoldDiscretisationErrorsOfEitherSign) {
   constexpr double kAmount = 20.0;
   const std::vector<NullResidual> nulls =
       DrawNulls(Eigen::MatrixXd::Identity(3, 3), 100, {{1, kAmount}}, {}, 400, 1);
@@ -102,15 +102,15 @@ TEST_F(Twins, AreDrawnNearTheFit) {
 }
 
 TEST_F(Twins, AreFittedElsewhereThanTheyWereMade) {
-  const std::vector<NumericalShift> shifts = MeasureShifts(*fitted_, *linear_, 2, 1);
+  const std::vector<DiscretisationShift> shifts = MeasureShifts(*fitted_, *linear_, 2, 1);
   ASSERT_EQ(shifts.size(), 2u);
-  for (const NumericalShift& shift : shifts) {
+  for (const DiscretisationShift& shift : shifts) {
     ASSERT_EQ(shift.by.size(), static_cast<Eigen::Index>(linear_->rows.entries.size()));
     EXPECT_TRUE(shift.by.allFinite());
     EXPECT_GT(shift.by.norm(), 0.0);
     EXPECT_GT(shift.left_squared, 0.0);
   }
-  const std::vector<NumericalShift> again = MeasureShifts(*fitted_, *linear_, 2, 1);
+  const std::vector<DiscretisationShift> again = MeasureShifts(*fitted_, *linear_, 2, 1);
   ASSERT_EQ(again.size(), shifts.size());
   for (std::size_t k = 0; k < shifts.size(); ++k) {
     EXPECT_EQ(again[k].by, shifts[k].by);

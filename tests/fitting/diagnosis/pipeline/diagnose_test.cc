@@ -11,7 +11,7 @@
 
 #include "autodiff_sim/term/tilted_down.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/answer/words.h"
+#include "fitting/diagnosis/answer/summary_text.h"
 #include "fitting/diagnosis/evidence/candidates.h"
 #include "fitting/diagnosis/rank/ranking.h"
 #include "tracking/synthetic/recording.h"
@@ -34,8 +34,8 @@ SyntheticOptions Small() {
   return options;
 }
 
-// A baseline that knows most of the fabric, so that a test takes seconds, and its drag, without
-// which a wind's speed cannot be told.
+// A baseline that knows most of the material parameters, so that a test takes seconds, and its
+// drag, without which a wind's speed cannot be told.
 FitConfig Baseline(const Recording& recording) {
   FitConfig config = DefaultConfig(recording);
   for (auto& [name, setting] : config.parameters) setting.free = false;
@@ -70,8 +70,8 @@ TEST(Diagnose, NamesTheWind) {
   ASSERT_NE(x, diagnosis.answer->parameters.end());
   EXPECT_NEAR(x->value, 2.5, 0.15);
   EXPECT_LT(x->lower90, x->upper90);
-  EXPECT_TRUE(diagnosis.answer->proof.is_proven);
-  EXPECT_LT(diagnosis.answer->proof.after, diagnosis.answer->proof.before);
+  EXPECT_TRUE(diagnosis.answer->validation.is_validated);
+  EXPECT_LT(diagnosis.answer->validation.after, diagnosis.answer->validation.before);
   EXPECT_THAT(diagnosis.words, HasSubstr("wind"));
   EXPECT_THAT(DiagnosisAsJson(diagnosis), HasSubstr("\"verdict\": \"named\""));
   // On a finer mesh in the end, all of it.
@@ -109,7 +109,7 @@ TEST(Diagnose, UsesNoFinerMeshThanItMay) {
 TEST(Diagnose, SaysThatAFinerMeshWouldShowMore) {
   Diagnosis diagnosis;
   diagnosis.verdict = Verdict::kUndecided;
-  diagnosis.floor_rms = 2.0;
+  diagnosis.discretisation_rms = 2.0;
   EXPECT_THAT(DescribeDiagnosis(diagnosis), Not(HasSubstr("--finest")));
   EXPECT_THAT(DiagnosisAsJson(diagnosis), HasSubstr("\"finer_mesh\": null"));
   diagnosis.finer_side = 19;

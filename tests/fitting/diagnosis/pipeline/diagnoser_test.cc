@@ -30,16 +30,16 @@ class DiagnoserPeer {
   }
 
   void Keep(const FittedModel& without, const FittedModel& model,
-            const std::vector<std::string>& ambiguity) {
+            const std::vector<std::string>& confidence_set) {
     Model described;
     described.effects = {model.candidate.summary.name};
     diagnoser_.diagnosis_.models = {described};
-    diagnoser_.diagnosis_.ambiguity = ambiguity;
+    diagnoser_.diagnosis_.confidence_set = confidence_set;
     diagnoser_.TakeForAnswer({0, model.candidate, without.scene, without.errors});
   }
 
-  void ChooseAgain(FittedModel answer, const std::vector<FittedModel>& rivals) {
-    diagnoser_.ChooseAgain(rivals, &answer.scene, &answer.errors);
+  void ChooseAgain(FittedModel answer, const std::vector<FittedModel>& competitors) {
+    diagnoser_.ChooseAgain(competitors, &answer.scene, &answer.errors);
   }
 
   const Diagnosis& diagnosis() const { return diagnoser_.diagnosis_; }
@@ -47,7 +47,7 @@ class DiagnoserPeer {
  private:
   DiagnosisOptions options_ = [] {
     DiagnosisOptions options;
-    options.prove = false;
+    options.validate = false;
     return options;
   }();
   FittedScene scene_;
@@ -61,9 +61,9 @@ using Names = std::vector<std::string>;
 // Wind is the answer, and on the finer mesh a gust comes before it.
 class OutdoneAnswer : public testing::Test {
  protected:
-  void Choose(const Names& ambiguity) {
+  void Choose(const Names& confidence_set) {
     const FittedModel wind = peer_.Physics("wind", 20.0, 0.004);
-    peer_.Keep(peer_.Physics("", 100.0, 0.01), wind, ambiguity);
+    peer_.Keep(peer_.Physics("", 100.0, 0.01), wind, confidence_set);
     peer_.ChooseAgain(wind, {peer_.Physics("gust", 10.0, 0.002)});
   }
   const Diagnosis& diagnosis() const { return peer_.diagnosis(); }
@@ -75,7 +75,7 @@ class OutdoneAnswer : public testing::Test {
 TEST_F(OutdoneAnswer, StaysInTheAmbiguitySet) {
   Choose({"wind", "gravity_tilt", "gust"});
   EXPECT_EQ(diagnosis().effects, Names{"gust"});
-  EXPECT_EQ(diagnosis().ambiguity, (Names{"gust", "wind", "gravity_tilt"}));
+  EXPECT_EQ(diagnosis().confidence_set, (Names{"gust", "wind", "gravity_tilt"}));
 }
 
 // Rivals are taken from the set, which loses none of them as long as one effect alone is named; so
@@ -83,7 +83,7 @@ TEST_F(OutdoneAnswer, StaysInTheAmbiguitySet) {
 TEST_F(OutdoneAnswer, MayBeOutdoneByWhatIsNotInTheSet) {
   const auto choose = [&] {
     Choose({"wind"});
-    std::_Exit(diagnosis().ambiguity == Names{"gust", "wind"} ? EXIT_SUCCESS : EXIT_FAILURE);
+    std::_Exit(diagnosis().confidence_set == Names{"gust", "wind"} ? EXIT_SUCCESS : EXIT_FAILURE);
   };
   EXPECT_KNOWN_FAILURE("std::rotate goes on past the end of the set",
                        EXPECT_EXIT(choose(), testing::ExitedWithCode(EXIT_SUCCESS), ""));

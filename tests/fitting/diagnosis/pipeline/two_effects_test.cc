@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/answer/words.h"
+#include "fitting/diagnosis/answer/summary_text.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
 #include "tests/support/known_failure.h"
 #include "tracking/synthetic/recording.h"

@@ -37,16 +37,16 @@ const RankedCandidate& Named(const Ranking& ranking, const std::string& name) {
 }
 
 // What mesh and step leave: noise of so many sigmas.
-std::shared_ptr<const NumericalErrors> ErrorsOf(const FittedScene& fitted, double sigmas) {
+std::shared_ptr<const DiscretisationErrors> ErrorsOf(const FittedScene& fitted, double sigmas) {
   const std::optional<LinearisedFit> linear = Linearise(fitted);
   const auto rows = static_cast<Eigen::Index>(linear->frames.num_rows());
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal(0.0, sigmas);
-  NumericalErrors errors;
+  DiscretisationErrors errors;
   errors.half_step = errors.finer_mesh = Eigen::VectorXd::Zero(rows);
   for (int k = 0; k < 3; ++k)
     errors.at_draws.push_back(Eigen::VectorXd::NullaryExpr(rows, [&]() { return normal(random); }));
-  return std::make_shared<const NumericalErrors>(std::move(errors));
+  return std::make_shared<const DiscretisationErrors>(std::move(errors));
 }
 
 Ranking Rank(const FittedScene& fitted, double sigmas_of_errors,
@@ -60,7 +60,7 @@ TEST(Ranking, WhatStandsOutByItsPatternIsLookedAtWhateverMeshAndStepLeave) {
   const FittedScene fitted =
       Fitted(MakeSmallRecording({5, 30, 0.002, {{"added_mass.normal", 0.01}}}));
   const Ranking ranking = Rank(fitted, 4.0);
-  EXPECT_GT(ranking.floor_rms, ranking.residual_rms);
+  EXPECT_GT(ranking.discretisation_rms, ranking.residual_rms);
   EXPECT_GT(ranking.gate_p_value, 0.05);  // no more is left than the null leaves
   const Candidate& mass = Named(ranking, "added_mass").summary;
   EXPECT_LT(mass.p_value, 1e-3);
@@ -129,10 +129,10 @@ TEST(Ranking, AFaultIsEstimatedAgainInItsModel) {
   model.scene = *FitModel(fitted, put_right, kModelIterations, FitRunner());
   EstimateFaultAgain(ranking.faults, FitRunner(), &model);
   EXPECT_NEAR(model.candidate.amounts[0], -0.0099, 0.0003);
-  const EffectParameter& told = model.candidate.summary.parameters[0];
-  EXPECT_EQ(told.value, model.candidate.amounts[0]);
-  EXPECT_LT(told.lower90, -0.0099);
-  EXPECT_GT(told.upper90, -0.0099);
+  const EffectParameter& given = model.candidate.summary.parameters[0];
+  EXPECT_EQ(given.value, model.candidate.amounts[0]);
+  EXPECT_LT(given.lower90, -0.0099);
+  EXPECT_GT(given.upper90, -0.0099);
   const Camera& camera = model.scene.scene.recording.cameras[1];
   const double true_focal_length = recording.cameras[1].fx / 1.01;
   EXPECT_NEAR(camera.fx, true_focal_length, 3e-4 * true_focal_length);

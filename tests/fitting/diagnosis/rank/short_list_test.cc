@@ -97,7 +97,7 @@ TEST(ShortList, AFaultHasToBeLargerThanWellMadeRecordingsHaveIt) {
   EXPECT_EQ(WhyNot(Ranked({Shift(-0.0010, 1e-5, 0.5)})), "");
 }
 
-TEST(ShortList, FarOffAFaultHasToStandOutTwice) {
+TEST(ShortList, WithLargeResidualsAFaultHasToStandOutTwice) {
   Ranking far_off = Ranked({Shift(0.004, 0.003, 0.5)});
   EXPECT_EQ(WhyNot(far_off), "");
   far_off.residual_rms = 2.5;

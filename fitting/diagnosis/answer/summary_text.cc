@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/answer/summary_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/files/version.h"
+#include "tracking/text/text.h"
+
+namespace clothfit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json OrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+// "9.1 mm" or "1.3 px".
+std::string Length(double value, bool is_px) {
+  return is_px ? fmt::format("{:.3g} px", value) : fmt::format("{:.3g} mm", 1000.0 * value);
+}
+
+std::string Estimate(const EffectParameter& p) {
+  const double half = 0.5 * (p.upper90 - p.lower90);
+  const std::string unit = p.unit == "1" || p.unit.empty() ? "" : " " + p.unit;
+  if (!std::isfinite(half)) return fmt::format("{} = {:.3g}{}", p.name, p.value, unit);
+  return fmt::format("{} = {:.3g}{} ({:.3g} to {:.3g})", p.name, p.value, unit, p.lower90,
+                     p.upper90);
+}
+
+std::string NameEffects(const Diagnosis& diagnosis) {
+  const Model& answer = *diagnosis.answer;
+  const bool is_none = diagnosis.verdict == Verdict::kNoneOfTheAbove;
+  std::string words = is_none ? "None of the effects that clothfit knows; what comes nearest: "
+                              : "What was left out: ";
+  words += JoinNames(diagnosis.effects) + ".";
+  std::string estimates;
+  for (const EffectParameter& p : answer.parameters)
+    estimates += (estimates.empty() ? "" : "; ") + Estimate(p);
+  if (!estimates.empty()) words += " " + estimates + ".";
+  return words + fmt::format(" It explains {:.0f} % of what the baseline cannot.",
+                             100.0 * answer.explained);
+}
+
+std::string SayValidation(const Model& answer) {
+  const HeldOutValidation& validation = answer.validation;
+  const bool is_px = validation.is_in_pixels;
+  std::string words = "With it, the error on the held-out frames falls";
+  if (validation.is_against_others)
+    words = "With it put right, how far it is on the held-out frames from what all else saw falls";
+  if (validation.earlier) {
+    words = fmt::format(
+        "The held-out frames tell nothing of it; but fitted to the frames before {} alone, the "
+        "error "
+        "on those from there to {} falls",
+        validation.earlier->first, validation.earlier->last);
+  }
+  words += fmt::format(" from {} to {}", Length(validation.before, is_px),
+                       Length(validation.after, is_px));
+  words +=
+      validation.noise > 0.0 ? fmt::format("; noise is {}.", Length(validation.noise, is_px)) : ".";
+  const double by_mesh =
+      validation.irreducible * validation.irreducible - validation.noise * validation.noise;
+  const double squared = validation.before * validation.before;
+  constexpr double kWorthSaying = 0.05;
+  if (by_mesh > kWorthSaying * squared) {
+    words += fmt::format(" Mesh and step alone might make it fall to {}.",
+                         Length(std::sqrt(std::max(0.0, squared - by_mesh)), is_px));
+  }
+  if (validation.gain_of_null) {
+    words += fmt::format(
+        " On recordings of the baseline itself, made on a finer mesh, it explains at most {:.0f} % "
+        "as much.",
+        100.0 * std::max(0.0, *validation.gain_of_null));
+  }
+  return words;
+}
+
+std::string SayConfidenceSet(const Diagnosis& diagnosis) {
+  if (diagnosis.confidence_set.size() < 2) return "";
+  std::vector<std::string> others(diagnosis.confidence_set.begin() + 1,
+                                  diagnosis.confidence_set.end());
+  std::string words = "This recording cannot tell it from " + JoinNames(others) + ".";
+  if (diagnosis.separating) words += " " + Describe(*diagnosis.separating);
+  return words;
+}
+
+Json AsJson(const EffectParameter& p) {
+  return {{"name", p.name},
+          {"unit", p.unit},
+          {"value", OrNull(p.value)},
+          {"interval90", {OrNull(p.lower90), OrNull(p.upper90)}}};
+}
+
+Json AsJson(const std::vector<EffectParameter>& parameters) {
+  Json json = Json::array();
+  for (const EffectParameter& p : parameters) json.push_back(AsJson(p));
+  return json;
+}
+
+Json AsJson(const Candidate& c) {
+  return {{"name", c.name},
+          {"kind", c.kind == CandidateKind::kPhysics ? "physics" : "observation"},
+          {"parameters", AsJson(c.parameters)},
+          {"score", OrNull(c.score)},
+          {"score_without_projection", OrNull(c.raw_score)},
+          {"share", OrNull(c.share)},
+          {"p_value", OrNull(c.p_value)},
+          {"false_discovery_rate", OrNull(c.q_value)},
+          {"guided_p_value", c.nudged_p_value ? OrNull(*c.nudged_p_value) : Json()},
+          {"detection_limit", OrNull(c.detection_limit)},
+          {"short_listed", c.is_short_listed},
+          {"why_not", c.why_not}};
+}
+
+Json AsJson(const Model& m) {
+  Json earlier;
+  Json gain_of_null;
+  if (m.validation.gain_of_null) gain_of_null = OrNull(*m.validation.gain_of_null);
+  if (m.validation.earlier) earlier = {m.validation.earlier->first, m.validation.earlier->last};
+  return {{"effects", m.effects},
+          {"parameters", AsJson(m.parameters)},
+          {"cost", OrNull(m.cost)},
+          {"explained", OrNull(m.explained)},
+          {"held_out",
+           {{"before", OrNull(m.validation.before)},
+            {"after", OrNull(m.validation.after)},
+            {"improvement_lower95", OrNull(m.validation.improvement_lower95)},
+            {"noise", OrNull(m.validation.noise)},
+            {"floor", OrNull(m.validation.irreducible)},
+            {"unit", m.validation.is_in_pixels ? "px" : "m"},
+            {"earlier_frames", std::move(earlier)},
+            {"against_others", m.validation.is_against_others},
+            {"gain_of_null", std::move(gain_of_null)},
+            {"proven", m.validation.is_validated}}},
+          {"kept", m.is_kept}};
+}
+
+Json AsJson(const Discrepancy& m) {
+  return {{"significant", m.is_significant},
+          {"p_value", OrNull(m.p_value)},
+          {"frames", {m.first_frame, m.last_frame}},
+          {"low_uv_m", {m.low_uv.x(), m.low_uv.y()}},
+          {"high_uv_m", {m.high_uv.x(), m.high_uv.y()}},
+          {"direction", {m.direction.x(), m.direction.y(), m.direction.z()}},
+          {"peak_N_per_m2", OrNull(m.peak)},
+          {"peak_sigma_N_per_m2", OrNull(m.peak_sigma)},
+          {"even_N_per_m2", OrNull(m.even)},
+          {"even_sigma_N_per_m2", OrNull(m.even_sigma)},
+          {"words", m.words}};
+}
+
+Json AsJson(const ActingForce& a, const ActingClass& c) {
+  return {{"frames", {a.first_frame, a.last_frame}},
+          {"low_uv_m", {a.low_uv.x(), a.low_uv.y()}},
+          {"high_uv_m", {a.high_uv.x(), a.high_uv.y()}},
+          {"peak_rms_N_per_m2", OrNull(a.peak)},
+          {"mean_direction", {a.mean_direction.x(), a.mean_direction.y(), a.mean_direction.z()}},
+          {"net_force_share", OrNull(a.net_force_share)},
+          {"net_moment_share", OrNull(a.net_moment_share)},
+          {"work_in_J", OrNull(a.work_in)},
+          {"work_out_J", OrNull(a.work_out)},
+          {"internal", c.is_internal},
+          {"dissipative", c.is_dissipative},
+          {"driving", c.is_driving},
+          {"words", c.words}};
+}
+
+Json AsJson(const DiscrepancyClass& c) {
+  return {{"from_outside", c.is_from_outside},
+          {"dissipative", c.is_dissipative},
+          {"driving", c.is_driving},
+          {"net_force_sigmas", OrNull(c.net_force_sigmas)},
+          {"net_moment_sigmas", OrNull(c.net_moment_sigmas)},
+          {"power_W", OrNull(c.power)},
+          {"power_sigma_W", OrNull(c.power_sigma)},
+          {"tied_to", c.tied_to},
+          {"words", c.words}};
+}
+
+}  // namespace
+
+std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
+  std::vector<std::string> sentences;
+  if (diagnosis.verdict == Verdict::kInterrupted) sentences.push_back("Interrupted; so far:");
+  if (diagnosis.verdict == Verdict::kNothingMissing) {
+    sentences.push_back(fmt::format(
+        "Nothing is missing that this recording could show: the baseline leaves {:.2g} sigmas, of "
+        "which mesh and time step make {:.2g}, and a recording of nothing but the baseline would "
+        "leave as much with a probability of {:.2g}.",
+        diagnosis.residual_rms, diagnosis.discretisation_rms, diagnosis.gate_p_value));
+  }
+  if (diagnosis.verdict == Verdict::kUndecided) {
+    const std::string why =
+        diagnosis.promised < kAtMinimum
+            ? fmt::format("mesh and time step make {:.2g} of them", diagnosis.discretisation_rms)
+            : fmt::format(
+                  "its fit has come to no minimum, as a full step still promises {:.0f} % less",
+                  100.0 * diagnosis.promised);
+    sentences.push_back(fmt::format(
+        "Undecided: the baseline leaves {:.2g} sigmas, but {}. What it leaves is no evidence of "
+        "missing physics, nor that nothing is missing. A shorter or gentler recording, or material "
+        "parameters that are known, would help.",
+        diagnosis.residual_rms, why));
+  }
+  const bool is_open =
+      diagnosis.verdict == Verdict::kNothingMissing || diagnosis.verdict == Verdict::kUndecided;
+  if (is_open && diagnosis.finer_side > 0) {
+    sentences.push_back(
+        fmt::format("Mesh and time step err by more than noise; a finer mesh (--finest {}) would "
+                    "show more, and takes some three times as long.",
+                    diagnosis.finer_side));
+  }
+  // What is named says itself where it acts; the map of what the baseline cannot take for anything
+  // else is for what has no name.
+  const bool has_map = diagnosis.discrepancy && diagnosis.discrepancy->is_significant;
+  if (has_map && !diagnosis.acting_class) {
+    sentences.push_back(diagnosis.discrepancy->words);
+    if (diagnosis.discrepancy_class) sentences.push_back(diagnosis.discrepancy_class->words);
+  }
+  if (diagnosis.law) {
+    const Model& model = diagnosis.law->model;
+    sentences.push_back(fmt::format(
+        "Something is missing that no effect of the catalogue explains. A law learned from it "
+        "explains {:.0f} %: {}.",
+        100.0 * model.explained, diagnosis.law->formula));
+    if (diagnosis.acting_class) sentences.push_back(diagnosis.acting_class->words);
+    sentences.push_back(SayValidation(model));
+  } else if (diagnosis.answer) {
+    sentences.push_back(NameEffects(diagnosis));
+    if (diagnosis.acting_class) sentences.push_back(diagnosis.acting_class->words);
+    sentences.push_back(SayConfidenceSet(diagnosis));
+    sentences.push_back(SayValidation(*diagnosis.answer));
+  } else if (!diagnosis.effects.empty()) {
+    sentences.push_back("Put right in the observation: " + JoinNames(diagnosis.effects) + ".");
+  }
+  if (diagnosis.verdict == Verdict::kObservationFault)
+    sentences.push_back("That is a fault of the observation, not of the physics.");
+  if (diagnosis.verdict == Verdict::kNoneOfTheAbove && !diagnosis.law) {
+    sentences.push_back(
+        diagnosis.answer ? "No effect in the catalogue explains all of what is missing: what comes "
+                           "nearest may only stand for it."
+                         : "Something is missing, and no effect in the catalogue predicts "
+                           "unseen frames better.");
+  }
+  std::string words;
+  for (const std::string& sentence : sentences) {
+    if (!sentence.empty()) words += (words.empty() ? "" : " ") + sentence;
+  }
+  return words;
+}
+
+std::string DiagnosisAsMarkdown(const Diagnosis& diagnosis) {
+  std::string text = fmt::format("# {}\n\n{}\n", ToString(diagnosis.verdict), diagnosis.words);
+  text +=
+      "\n## Candidates\n\n| | explains | score | without projection | p | false discovery | "
+      "detection limit | |\n|---|---:|---:|---:|---:|---:|---:|---|\n";
+  for (const Candidate& c : diagnosis.ranking) {
+    text += fmt::format(
+        "| {} | {:.0f} % | {:.4g} | {:.4g} | {:.2g} | {:.2g} | {:.2g} {} | {} |\n", c.name,
+        100.0 * c.share, c.score, c.raw_score, c.p_value, c.q_value, c.detection_limit,
+        c.parameters.empty() ? "" : c.parameters[0].unit,
+        c.is_short_listed ? "short-listed"
+        : c.nudged_p_value
+            ? fmt::format("stands out along a nudged motion, p = {:.2g}", *c.nudged_p_value)
+            : c.why_not);
+  }
+  text +=
+      "\n## Models\n\n| effects | cost | explains | held out before | after | improvement, at "
+      "least | |\n|---|---:|---:|---:|---:|---:|---|\n";
+  for (const Model& m : diagnosis.models) {
+    text +=
+        fmt::format("| {} | {:.6g} | {:.0f} % | {:.4g} | {:.4g} | {:.3g} | {} |\n",
+                    JoinNames(m.effects), m.cost, 100.0 * m.explained, m.validation.before,
+                    m.validation.after, m.validation.improvement_lower95, m.is_kept ? "kept" : "");
+  }
+  text += "\n## Time\n\n";
+  for (const auto& [stage, seconds] : diagnosis.seconds)
+    text += fmt::format("- {}: {:.1f} s\n", stage, seconds);
+  return text;
+}
+
+std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
+  Json json;
+  json["format"] = "clothfit-diagnosis/1";
+  json["clothfit"] = Version();
+  json["verdict"] = ToString(diagnosis.verdict);
+  json["words"] = diagnosis.words;
+  json["gate"] = {{"residual_rms_sigmas", OrNull(diagnosis.residual_rms)},
+                  {"floor_rms_sigmas", OrNull(diagnosis.discretisation_rms)},
+                  {"p_value", OrNull(diagnosis.gate_p_value)},
+                  {"left_rms_sigmas", OrNull(diagnosis.left_rms)},
+                  {"null_left_rms_sigmas", diagnosis.null_left_rms},
+                  {"promised_decrease", OrNull(diagnosis.promised)}};
+  json["finer_mesh"] = diagnosis.finer_side > 0 ? Json(diagnosis.finer_side) : Json(nullptr);
+  const std::optional<Splits::FrameRange>& held_out = diagnosis.motions.held_out;
+  json["held_out_frames"] = held_out ? Json({held_out->first, held_out->last}) : Json(nullptr);
+  json["resolution"] = diagnosis.motions.resolution;
+  json["mismatch"] = diagnosis.discrepancy ? AsJson(*diagnosis.discrepancy) : Json(nullptr);
+  json["acting"] =
+      diagnosis.acting_class ? AsJson(*diagnosis.acting, *diagnosis.acting_class) : Json(nullptr);
+  json["class"] =
+      diagnosis.discrepancy_class ? AsJson(*diagnosis.discrepancy_class) : Json(nullptr);
+  json["effects"] = diagnosis.effects;
+  json["ambiguity"] = diagnosis.confidence_set;
+  json["separating_motion"] = nullptr;
+  if (diagnosis.separating) {
+    json["separating_motion"] = {{"motion", diagnosis.separating->motion},
+                                 {"apart_m", diagnosis.separating->apart},
+                                 {"apart_here_m", diagnosis.separating->apart_here}};
+  }
+  json["answer"] = diagnosis.answer ? AsJson(*diagnosis.answer) : Json(nullptr);
+  json["law"] = nullptr;
+  if (diagnosis.law)
+    json["law"] = {{"formula", diagnosis.law->formula}, {"model", AsJson(diagnosis.law->model)}};
+  json["ranking"] = Json::array();
+  for (const Candidate& c : diagnosis.ranking) json["ranking"].push_back(AsJson(c));
+  json["models"] = Json::array();
+  for (const Model& m : diagnosis.models) json["models"].push_back(AsJson(m));
+  json["seconds"] = Json::object();
+  for (const auto& [stage, seconds] : diagnosis.seconds) {
+    const double before = json["seconds"].value(stage, 0.0);
+    json["seconds"][stage] = before + seconds;
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace clothfit

@@ -1,0 +1,434 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/model/screening.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/base/parallel.h"
+#include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/gate/baseline_fit.h"
+#include "fitting/diagnosis/gate/gate.h"
+#include "fitting/diagnosis/model/explained_share.h"
+#include "fitting/diagnosis/model/fault_estimate.h"
+#include "fitting/diagnosis/model/force_matching.h"
+#include "fitting/diagnosis/rank/default_terms.h"
+#include "tracking/text/text.h"
+
+namespace clothfit {
+namespace {
+
+constexpr int kMostContinuations = 3;  // of the best, until it converges
+constexpr double kAlike = 0.3;         // of the squares of a force
+constexpr std::size_t kMostCompetitors = 3;
+constexpr int kProbes = 24;             // of what matches its force
+constexpr double kPromotedShare = 0.5;  // of what the best has gained by then
+
+// All cores; the numbers are the same for any.
+void ForAll(std::size_t count, const std::function<void(std::size_t)>& work) {
+  ParallelFor(static_cast<int>(count), NumThreads(0),
+              [&](int i, int) { work(static_cast<std::size_t>(i)); });
+}
+
+bool IsAmong(const std::vector<RankedCandidate>& candidates, const std::string& name) {
+  return std::any_of(candidates.begin(), candidates.end(), [&](const RankedCandidate& candidate) {
+    return candidate.summary.name == name;
+  });
+}
+
+// Does the first leave little more than nothing missing would and, of physics, than noise?
+// `models`: the cheapest first.
+bool ExplainsMost(const FittedScene& current, const Ranking& ranking,
+                  const std::vector<FittedModel>& models) {
+  if (models.empty()) return false;
+  const FittedScene& best = models.front().scene;
+  const bool is_physics = models.front().candidate.faults.empty();
+  if (is_physics && MayBeLocalMinimum(best.scene, best.config, best.fit)) return false;
+  return ShareExplained(current.fit.cost_after, models.front().scene.fit.cost_after,
+                        0.5 * ranking.null_mean, 0.5 * ranking.explainable) >= kMostOfIt;
+}
+
+// Of two fits of the same candidate the cheaper stays.
+void Merge(std::vector<FittedModel> more, std::vector<FittedModel>* models) {
+  for (FittedModel& model : more) {
+    const auto same = std::find_if(models->begin(), models->end(), [&](const FittedModel& other) {
+      return other.candidate.summary.name == model.candidate.summary.name;
+    });
+    if (same == models->end()) {
+      models->push_back(std::move(model));
+    } else if (IsCheaper(model, *same)) {
+      *same = std::move(model);
+    }
+  }
+  std::stable_sort(models->begin(), models->end(), IsCheaper);
+}
+
+}  // namespace
+
+ModelStart StartAt(const FittedScene& current, RankedCandidate candidate,
+                   const RankedCandidate::Start& start, const Ranking& ranking) {
+  candidate.probe = start.probe;
+  candidate.amounts = start.amounts;
+  return SwitchOn(current, candidate, ranking.faults);
+}
+
+// From either sign of its amount, where both are likely. What is ordinary begins plainly, too, as
+// it is in a simulation that has it.
+std::optional<FittedScene> ModelScreening::FirstFit(const FittedScene& current,
+                                                    const RankedCandidate& candidate,
+                                                    const Ranking& ranking) const {
+  const ModelStart start = SwitchOn(current, candidate, ranking.faults);
+  std::optional<FittedScene> model =
+      FitFirst(current, start, baseline_, candidate, kFirstIterations, runner_);
+  for (const RankedCandidate::Start& other_start : candidate.other_starts) {
+    if (Stopped()) break;
+    RankedCandidate other = candidate;
+    other.amounts = other_start.amounts;
+    std::optional<FittedScene> fitted =
+        FitFirst(current, StartAt(current, candidate, other_start, ranking), baseline_, other,
+                 kFirstIterations, runner_);
+    model = Cheaper(std::move(model), std::move(fitted));
+  }
+  const bool is_far_off = !model || HasLargeResidual(model->scene, model->config, model->fit);
+  if (!IsDefaultTerm(candidate) || !is_far_off || Stopped()) return model;
+  return Cheaper(std::move(model), FitAfresh(FromNothing(baseline_, start, candidate),
+                                             Start::kPlain, kFirstIterations, runner_));
+}
+
+std::optional<FittedScene> ModelScreening::FirstNudgedFit(const FittedScene& current,
+                                                          const RankedCandidate& candidate,
+                                                          const Ranking& ranking) const {
+  std::optional<FittedScene> model;
+  for (const RankedCandidate::Start& start : candidate.nudged_starts) {
+    if (Stopped()) break;
+    model =
+        Cheaper(std::move(model),
+                FitAfresh(WithMaterialOf(baseline_, StartAt(current, candidate, start, ranking)),
+                          Start::kNudged, kFirstIterations, runner_));
+  }
+  return model;
+}
+
+// Short-listed candidates first; far off, where a linear score says little, those too that the null
+// does not do as much as, until there are enough, and besides them default terms, each by
+// itself and all of it together.
+std::vector<RankedCandidate> ModelScreening::FirstCandidates(const Ranking& ranking,
+                                                             double least_score) const {
+  std::vector<RankedCandidate> screened;
+  const auto enter = [&](const auto& is_asked) {
+    for (const RankedCandidate& candidate : ranking.candidates) {
+      if (static_cast<int>(screened.size()) >= options_.max_models) return;
+      if (is_asked(candidate.summary)) screened.push_back(candidate);
+    }
+  };
+  enter([&](const Candidate& c) { return c.is_short_listed && c.score >= least_score; });
+  if (ranking.residual_rms < kLargeResidual) return screened;
+  if (ranking.gate_p_value < kGate) {
+    enter([&](const Candidate& c) {
+      return !c.is_short_listed && c.kind == CandidateKind::kPhysics &&
+             c.q_value <= options_.false_discovery;
+    });
+  }
+  for (const RankedCandidate& candidate : ranking.candidates) {
+    if (!IsAmong(screened, candidate.summary.name) && IsDefaultTerm(candidate))
+      screened.push_back(candidate);
+  }
+  if (const std::optional<RankedCandidate> all = AllDefaultTerms(ranking)) screened.push_back(*all);
+  return screened;
+}
+
+std::vector<RankedCandidate> ModelScreening::NextCandidates(
+    const Ranking& ranking, double least_score,
+    const std::vector<RankedCandidate>& screened) const {
+  std::vector<RankedCandidate> next;
+  for (const RankedCandidate& candidate : ranking.candidates) {
+    const Candidate& c = candidate.summary;
+    if (static_cast<int>(next.size()) >= options_.max_models) break;
+    if (c.is_short_listed && c.score >= least_score && !IsAmong(screened, c.name))
+      next.push_back(candidate);
+  }
+  return next;
+}
+
+std::vector<FittedModel> ModelScreening::RunAll(const std::vector<RankedCandidate>& screened,
+                                                const Ranking& ranking,
+                                                const FitOne& fit_one) const {
+  std::vector<std::optional<FittedScene>> fits(screened.size());
+  std::vector<std::string> names;
+  for (const RankedCandidate& each : screened) names.push_back(each.summary.name);
+  if (!names.empty()) Say("fitting with " + JoinNames(names), 0.5);
+  ForAll(screened.size(), [&](std::size_t i) {
+    if (!Stopped()) fits[i] = fit_one(screened[i]);
+  });
+  std::vector<FittedModel> models;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (fits[i]) {
+      models.push_back({screened[i], std::move(*fits[i]), {}});
+    } else if (!Stopped()) {
+      Log(names[i] + ": the fit with it fails");
+    }
+  }
+  ForAll(models.size(),
+         [&](std::size_t i) { EstimateFaultAgain(ranking.faults, runner_, &models[i]); });
+  return models;
+}
+
+std::vector<FittedModel> ModelScreening::Screen(
+    const FittedScene& current, const Ranking& ranking,
+    const std::vector<RankedCandidate>& screened) const {
+  std::vector<FittedModel> models = RunAll(
+      screened, ranking,
+      [&](const RankedCandidate& candidate) { return FirstFit(current, candidate, ranking); });
+  FinishModels(current, kPromotedShare, &models);
+  return models;
+}
+
+void ModelScreening::ScreenNudged(const FittedScene& current, const Ranking& ranking,
+                                  std::vector<FittedModel>* models) const {
+  std::vector<RankedCandidate> screened;
+  for (const RankedCandidate& candidate : ranking.candidates) {
+    if (!candidate.nudged_starts.empty()) screened.push_back(candidate);
+  }
+  if (screened.empty()) return;
+  const auto fit_one = [&](const RankedCandidate& candidate) {
+    return FirstNudgedFit(current, candidate, ranking);
+  };
+  Merge(RunAll(screened, ranking, fit_one), models);
+  FinishModels(current, kPromotedShare, models);
+}
+
+std::vector<FittedModel> ModelScreening::Run(const FittedScene& current,
+                                             const HeldOutErrors& errors, double least_score,
+                                             const RankAlongNudged& nudge,
+                                             Ranking* open_ranking) const {
+  const std::vector<RankedCandidate> screened = FirstCandidates(*open_ranking, least_score);
+  std::vector<FittedModel> models = Screen(current, *open_ranking, screened);
+  if (nudge && !ExplainsMost(current, *open_ranking, models) && !Stopped()) {
+    nudge(open_ranking);
+    ScreenNudged(current, *open_ranking, &models);
+  }
+  const Ranking& ranking = *open_ranking;
+  // A linear score says little of what changes much: a seam that bends 37 times as hard as the
+  // cloth came seventh. Where none of the first explains most of it, the next may.
+  if (ranking.residual_rms < kUnusableResidual && !ExplainsMost(current, ranking, models) &&
+      !Stopped()) {
+    Merge(Screen(current, ranking, NextCandidates(ranking, least_score, screened)), &models);
+    // Nor do the first iterations: with that seam they gain a fifth of what it gains in the end.
+    if (!ExplainsMost(current, ranking, models)) FinishModels(current, 0.0, &models);
+  }
+  BeginAnew(current, ranking, &models);
+  if (ExplainsMost(current, ranking, models) && models.front().candidate.faults.empty())
+    Merge(FitCompetitors(current, ranking, models), &models);
+  ForAll(models.size(), [&](std::size_t i) { models[i].errors = MeasureHeldOut(models[i].scene); });
+  for (const FittedModel& model : models) {
+    Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
+                    current.fit.cost_after, model.scene.fit.cost_after));
+  }
+  PutBestFirst(current.fit.cost_after, errors, ranking, &models);
+  if (!models.empty()) TakeOutIdleParts(current, ranking, &models.front());
+  return models;
+}
+
+// Of a model that stands for several effects: those without which it explains and predicts about as
+// much are taken out of it, one after the other.
+void ModelScreening::TakeOutIdleParts(const FittedScene& current, const Ranking& ranking,
+                                      FittedModel* model) const {
+  while (model->candidate.parts.size() > 1 && !Stopped()) {
+    const std::vector<std::string>& parts = model->candidate.parts;
+    Say("fitting without each of " + JoinNames(parts), 0.65);
+    std::vector<std::optional<FittedModel>> without(parts.size());
+    ForAll(parts.size(), [&](std::size_t i) {
+      std::vector<std::string> others = parts;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      std::optional<FittedScene> scene =
+          FitModel(model->scene, GoOnWithout(model->scene, Together(ranking, {parts[i]}).names),
+                   kModelIterations, runner_);
+      if (!scene) return;
+      HeldOutErrors errors = MeasureHeldOut(*scene);
+      without[i] = FittedModel{Together(ranking, others), std::move(*scene), std::move(errors)};
+    });
+    const double cost = model->scene.fit.cost_after;
+    double highest = cost + kIdle * (current.fit.cost_after - cost);
+    FittedModel* idle = nullptr;
+    for (std::size_t i = 0; i < without.size(); ++i) {
+      if (!without[i]) continue;
+      const double left = without[i]->scene.fit.cost_after;
+      Log(fmt::format("without {}: cost {:.6g} -> {:.6g}, held out {:.4g} -> {:.4g}", parts[i],
+                      cost, left, model->errors.Rms(), without[i]->errors.Rms()));
+      if (left > highest || without[i]->errors.Rms() > kAsGood * model->errors.Rms()) continue;
+      highest = left;
+      idle = &*without[i];
+    }
+    if (idle == nullptr) return;
+    FittedModel simpler = std::move(*idle);
+    *model = std::move(simpler);
+  }
+}
+
+// Fits those further that may come first: that have gained this share of what the best has. The
+// best is the first then.
+void ModelScreening::FinishModels(const FittedScene& current, double promoted_share,
+                                  std::vector<FittedModel>* models) const {
+  if (models->empty()) return;
+  const auto cost = [](const FittedModel& model) { return model.scene.fit.cost_after; };
+  double least = current.fit.cost_after;
+  for (const FittedModel& model : *models) least = std::min(least, cost(model));
+  const double worst = current.fit.cost_after - promoted_share * (current.fit.cost_after - least);
+  Say("fitting those further that may come first", 0.6);
+  const auto go_on = [&](double most) {
+    ForAll(models->size(), [&](std::size_t i) {
+      FittedModel& model = (*models)[i];
+      if (cost(model) <= most) GoOnWith(&model);
+    });
+  };
+  go_on(worst);
+  std::stable_sort(models->begin(), models->end(), IsCheaper);
+  // Those near the best once more: the one that comes first should not be the one that is fitted
+  // most easily. What the best leaves is held against the next effect, so that it has to have taken
+  // its part.
+  const double near = current.fit.cost_after - kNearBest * (current.fit.cost_after - least);
+  go_on(near);
+  std::stable_sort(models->begin(), models->end(), IsCheaper);
+  for (int k = 1; k < kMostContinuations; ++k) GoOnWith(&models->front());
+}
+
+// The best once more with what was found of their effects, but from the config's own material
+// parameters: the baseline's had to stand for what was missing, and a model that goes on from it
+// may keep some of that. Where the best leaves more than the null only.
+void ModelScreening::BeginAnew(const FittedScene& current, const Ranking& ranking,
+                               std::vector<FittedModel>* models) const {
+  if (models->empty() || Stopped()) return;
+  // Far off, every model has begun anew already, before anything was known of its effect.
+  const std::size_t most = ranking.residual_rms < kLargeResidual ? 2 : 1;
+  const double before = current.fit.cost_after, best = models->front().scene.fit.cost_after;
+  if (best <= 0.5 * ranking.null_mean) return;
+  std::vector<FittedModel*> near;
+  for (FittedModel& model : *models) {
+    const bool is_near = model.scene.fit.cost_after <= before - kNearBest * (before - best);
+    if (is_near && model.candidate.faults.empty() && near.size() < most) near.push_back(&model);
+  }
+  Say("fitting those from other material parameters", 0.62);
+  constexpr Start kStarts[] = {Start::kPlain, Start::kNudged};
+  std::vector<std::optional<FittedScene>> others(near.size() * std::size(kStarts));
+  ForAll(others.size(), [&](std::size_t i) {
+    const FittedModel& model = *near[i / std::size(kStarts)];
+    if (Stopped()) return;
+    others[i] = FitAfresh(WithMaterialOf(baseline_, GoOn(model.scene)),
+                          kStarts[i % std::size(kStarts)], 2 * kModelIterations, runner_);
+  });
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    FittedModel& model = *near[i / std::size(kStarts)];
+    const double cost = model.scene.fit.cost_after;
+    if (!others[i] || !(others[i]->fit.cost_after < cost)) continue;
+    Log(fmt::format("with {} from other material parameters: cost {:.6g} -> {:.6g}",
+                    model.candidate.summary.name, cost, others[i]->fit.cost_after));
+    model.scene = std::move(*others[i]);
+  }
+  std::stable_sort(models->begin(), models->end(), IsCheaper);
+  GoOnWith(&models->front());
+}
+
+// The best three of those that could make most of the force that the first model makes and are not
+// known to explain as much.
+std::vector<RankedCandidate> ModelScreening::MatchingCandidates(
+    const FittedScene& current, const Ranking& ranking,
+    const std::vector<FittedModel>& models) const {
+  Say("seeking what else could make this force", 0.63);
+  const FittedModel& best = models.front();
+  const double before = current.fit.cost_after;
+  const double near = before - kNearBest * (before - best.scene.fit.cost_after);
+  const std::vector<std::string> own = best.candidate.Effects();
+  const auto is_known = [&](const std::string& name) {
+    return std::find(own.begin(), own.end(), name) != own.end() ||
+           std::any_of(models.begin(), models.end(), [&](const FittedModel& model) {
+             return model.candidate.summary.name == name && model.scene.fit.cost_after <= near;
+           });
+  };
+  std::vector<CandidateTerm> terms =
+      ListCandidates(current.values, current.scene, ranking.extent, options_.excluded, kProbes);
+  const auto last = std::remove_if(terms.begin(), terms.end(),
+                                   [&](const CandidateTerm& term) { return is_known(term.name); });
+  terms.erase(last, terms.end());
+  const std::vector<ForceMatch> matches = MatchForce(best.scene, own, terms, ranking.extent);
+  std::vector<std::pair<double, RankedCandidate>> able;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const auto ranked = std::find_if(
+        ranking.candidates.begin(), ranking.candidates.end(),
+        [&](const RankedCandidate& other) { return other.summary.name == terms[i].name; });
+    if (matches[i].share < kAlike || ranked == ranking.candidates.end()) continue;
+    RankedCandidate candidate = *ranked;
+    candidate.names = terms[i].switches;
+    candidate.probe = matches[i].probe;
+    candidate.amounts = matches[i].amounts;
+    able.emplace_back(matches[i].share, std::move(candidate));
+  }
+  std::stable_sort(able.begin(), able.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  // What has more unknowns makes more of any force: those first that have fewer than all before.
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  std::vector<std::pair<double, RankedCandidate>> chosen, others;
+  for (auto& one : able) {
+    const std::size_t unknowns = one.second.NumUnknowns();
+    (unknowns < fewest ? chosen : others).push_back(std::move(one));
+    fewest = std::min(fewest, unknowns);
+  }
+  std::move(others.begin(), others.end(), std::back_inserter(chosen));
+  if (chosen.size() > kMostCompetitors) chosen.resize(kMostCompetitors);
+  std::vector<RankedCandidate> matching;
+  for (auto& [share, candidate] : chosen) {
+    Log(fmt::format("{} could make {:.0f} % of the force of {}", candidate.summary.name,
+                    100.0 * share, best.candidate.summary.name));
+    matching.push_back(std::move(candidate));
+  }
+  return matching;
+}
+
+// The same material parameters are right for them, or as wrong.
+std::vector<FittedModel> ModelScreening::FitCompetitors(
+    const FittedScene& current, const Ranking& ranking,
+    const std::vector<FittedModel>& models) const {
+  const FittedScene& best = models.front().scene;
+  const std::vector<RankedCandidate> screened = MatchingCandidates(current, ranking, models);
+  if (screened.empty() || Stopped()) return {};
+  FitConfig material = current.config;
+  for (auto& [name, setting] : material.parameters)
+    setting.value = best.values.parameters.at(name).value;
+  std::vector<FittedModel> competitors =
+      RunAll(screened, ranking, [&](const RankedCandidate& candidate) {
+        const ModelStart start =
+            WithMaterialOf(material, SwitchOn(current, candidate, ranking.faults));
+        return FitModel(best, AtBestShare(best, start, candidate, runner_), kFirstIterations,
+                        runner_);
+      });
+  const double before = current.fit.cost_after;
+  const double gain = before - best.fit.cost_after;
+  const double most = before - kPromotedShare * gain, near = before - kNearBest * gain;
+  ForAll(competitors.size(), [&](std::size_t i) {
+    FittedScene& competitor = competitors[i].scene;
+    if (competitor.fit.cost_after > most) return;
+    GoOnWith(&competitors[i]);
+    // Wind whose drag is free is slow to leave the material parameters of a tilted gravity.
+    if (competitor.fit.cost_after > near || Stopped()) return;
+    std::optional<FittedScene> other = FitAfresh(WithMaterialOf(material, GoOn(competitor)),
+                                                 Start::kNudged, 2 * kModelIterations, runner_);
+    if (other && other->fit.cost_after < competitor.fit.cost_after) competitor = std::move(*other);
+    GoOnWith(&competitors[i]);
+  });
+  return competitors;
+}
+
+// Fits a model further, unless it has converged.
+void ModelScreening::GoOnWith(FittedModel* model) const {
+  if (model->scene.fit.status == FitStatus::kConverged || Stopped()) return;
+  std::optional<FittedScene> further =
+      FitModel(model->scene, GoOn(model->scene), kModelIterations, runner_);
+  const bool is_better = further && further->fit.cost_after < model->scene.fit.cost_after;
+  if (is_better) model->scene = std::move(*further);
+}
+
+}  // namespace clothfit
