@@ -35,7 +35,8 @@ int RunBatchCommand(const BatchOptions& options) {
   ProgressDisplay display;
   std::string stage = "fits";
   StudyRunOptions run = MakeRunOptions(options.jobs, &display, &stage);
-  PrepareJobFolder(folder, "batch.yaml", Description(options.list, fits), run.folder);
+  const FolderLock lock =
+      PrepareJobFolder(folder, BatchContents(fits, Description(options.list, fits)), run.folder);
   run.jobs.folder = folder / "jobs";
   const JobRunResult done = RunJobs(
       BatchJobs(fits),

@@ -16,6 +16,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/runs/fit_run.h"
 #include "fitting/studies/comparison.h"
+#include "tracking/files/output_folder.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
@@ -70,8 +71,15 @@ std::string Conditions(const ComparisonOptions& options) {
                      options.num_threads);
 }
 
-std::optional<Comparison> Prepare(const CompareOptions& options, const FitConfig& config) {
-  const fs::path folder = options.output, file = folder / "comparison.json";
+OutputFolder OpenFolder(const CompareOptions& options) {
+  return OutputFolder(options.output, FolderKind::kComparison, "compare",
+                      ExistingIf(options.force, options.resume));
+}
+
+// The comparison to go on with.
+std::optional<Comparison> Prepare(const CompareOptions& options, const FitConfig& config,
+                                  OutputFolder* output) {
+  const fs::path folder = output->path(), file = folder / "comparison.json";
   const std::string yaml = ConfigToYaml(config), conditions = Conditions(options.comparison);
   std::optional<Comparison> before;
   if (options.resume) {
@@ -82,14 +90,10 @@ std::optional<Comparison> Prepare(const CompareOptions& options, const FitConfig
                                        "/config.yaml and conditions.yaml");
     }
     if (fs::exists(file)) before = ReadComparison(file);
-  } else if (fs::exists(folder / "config.yaml") && !options.force) {
-    throw InputError(options.output,
-                     "already holds a comparison; --force replaces it, --resume goes on with it");
   }
-  fs::create_directories(folder);
-  if (!options.resume) fs::remove(file);
-  WriteWholeFile(folder / "config.yaml", yaml);
-  WriteWholeFile(folder / "conditions.yaml", conditions);
+  output->Begin({"config.yaml", "conditions.yaml", "comparison.json", "comparison.md",
+                 "comparison.svg", "runs.csv", "history.csv", "report.html"});
+  output->WriteAll({{"config.yaml", yaml}, {"conditions.yaml", conditions}});
   return before;
 }
 
@@ -109,7 +113,8 @@ int RunCompareCommand(CompareOptions options) {
   CheckContact(scene, config);
   PrintWarnings(recording);
   PrintWarnings(scene);
-  const std::optional<Comparison> before = Prepare(options, config);
+  OutputFolder output = OpenFolder(options);
+  const std::optional<Comparison> before = Prepare(options, config, &output);
   const fs::path folder = options.output;
   ProgressDisplay display;
   ComparisonCallbacks callbacks;
@@ -179,7 +184,8 @@ void AddCompareOptions(CLI::App* command, CompareOptions* options) {
       ->expected(2);
   command->add_option("--alpha", options->alpha, "weight of the silhouettes")->type_name("W");
   command->add_option("--beta", options->beta, "weight of markers and tracks")->type_name("W");
-  command->add_flag("--force", options->force, "replace the comparison that is there");
+  command->add_flag("--force", options->force,
+                    "replace the comparison that is there; other files stay");
   command->add_flag("--resume", options->resume, "go on with an interrupted comparison")
       ->excludes("--force");
   command->add_flag("--quiet", options->quiet, "print errors only");

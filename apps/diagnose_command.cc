@@ -33,10 +33,7 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   const FitConfig config = ReadConfigOf(options.config, recording);
   config.Check("command line");
   CheckFittable(MakeScene(recording, config));
-  using Existing = DiagnosisFolder::Existing;
-  const DiagnosisFolder folder(options.output, options.resume  ? Existing::kResume
-                                               : options.force ? Existing::kReplace
-                                                               : Existing::kRefuse);
+  const DiagnosisFolder folder(options.output, ExistingIf(options.force, options.resume));
   if (!options.quiet) PrintWarnings(recording);
   options.diagnosis.project = !options.no_projection;
   options.diagnosis.simulate_null = !options.table_null;
@@ -103,8 +100,8 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
                     "ablation: keep what fits, held-out frames or not");
   command->add_flag("--no-guide", options->no_guide,
                     "ablation: score along the free motion only, not along a nudged one, too");
-  CLI::Option* const force =
-      command->add_flag("--force", options->force, "replace an earlier diagnosis there");
+  CLI::Option* const force = command->add_flag(
+      "--force", options->force, "replace an earlier diagnosis there; other files stay");
   command
       ->add_flag("--resume", options->resume,
                  "go on with an interrupted diagnosis there; begins where there is none")

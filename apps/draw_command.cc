@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "autodiff_sim/base/error.h"
 #include "fitting/pictures/picture.h"
 
 namespace clothfit {
@@ -22,14 +21,12 @@ struct DrawOptions {
 };
 
 int RunDrawCommand(DrawOptions options) {
-  if (std::filesystem::exists(options.output) && !options.force) {
-    throw InputError(options.output, "exists already; --force replaces it");
-  }
+  CheckMayWrite(options.output, OverwriteIf(options.force));
   constexpr double kDegree = M_PI / 180.0;
   options.picture.azimuth = options.azimuth * kDegree;
   options.picture.elevation = options.elevation * kDegree;
   const RunFolder run = RunFolder::Open(options.run);
-  DrawRun(ReadFittedRun(run), run, options.picture, options.output);
+  DrawRun(ReadFittedRun(run), run, options.picture, options.output, OverwriteIf(options.force));
   fmt::print("picture: {}\n", options.output);
   return kExitSuccess;
 }

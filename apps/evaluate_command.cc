@@ -8,9 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "autodiff_sim/base/error.h"
 #include "fitting/runs/surface_evaluation.h"
-#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -21,10 +19,10 @@ struct EvaluateOptions {
 };
 
 int RunEvaluateCommand(const EvaluateOptions& options) {
-  if (!options.output.empty() && std::filesystem::exists(options.output) && !options.force)
-    throw InputError(options.output, "exists; --force replaces it");
+  const Overwrite overwrite = OverwriteIf(options.force);
+  if (!options.output.empty()) CheckMayWrite(options.output, overwrite);
   const SurfaceEvaluation evaluation = EvaluateSurface(RunFolder::Open(options.run), options.truth);
-  if (!options.output.empty()) WriteTextFile(options.output, SurfaceAsCsv(evaluation));
+  if (!options.output.empty()) WriteOutputFile(options.output, SurfaceAsCsv(evaluation), overwrite);
   fmt::print("{}", SurfaceAsMarkdown(evaluation));
   return kExitSuccess;
 }

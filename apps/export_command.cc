@@ -16,8 +16,6 @@
 namespace clothfit {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct ExportOptions {
   std::string run, format, output;
   OverlayOptions overlay;
@@ -33,19 +31,11 @@ const ExportFormat& FindFormat(const std::string& name) {
   throw InputError("--format", "'" + name + "': " + Suggestion(name, names));
 }
 
-// A sequence may go into an empty folder.
-bool IsTaken(const ExportFormat& format, const fs::path& output) {
-  if (!fs::exists(output)) return false;
-  return !(format.is_sequence && fs::is_directory(output) && fs::is_empty(output));
-}
-
 int RunExportCommand(const ExportOptions& options) {
   const ExportFormat& format = FindFormat(options.format);
   const RunFolder run = RunFolder::Open(options.run);
-  if (IsTaken(format, options.output) && !options.force) {
-    throw InputError(options.output, "exists already; --force replaces it");
-  }
-  const int frames = ExportRun(run, format.name, options.overlay, options.output);
+  const int frames =
+      ExportRun(run, format.name, options.overlay, options.output, OverwriteIf(options.force));
   fmt::print("{} frames: {}\n", frames, options.output);
   return kExitSuccess;
 }
@@ -75,7 +65,8 @@ void AddExportCommand(CLI::App* app, Action* action) {
       ->add_option("--pictures", options->overlay.pictures,
                    "recording with the pictures of a video; where the run found them if left out")
       ->type_name("RECORDING");
-  command->add_flag("--force", options->force, "replace what is there");
+  command->add_flag("--force", options->force,
+                    "replace the file, or what was exported to the folder");
   command->footer(FormatsInWords() +
                   "\nExample:\n"
                   "  clothfit export runs/demo --format gltf -o demo.glb");

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // clothfit fit: from a recording to a run.
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -56,9 +55,7 @@ void ApplyOptions(const FitOptions& options, FitConfig* config) {
 }
 
 fs::path DefaultRun(const Recording& recording) {
-  std::string name = recording.name;
-  std::replace(name.begin(), name.end(), '/', '_');
-  return fs::path("runs") / name;
+  return fs::path("runs") / AsFolderName(recording.name);
 }
 
 // A resumed run goes on as it began: options that are not given are the run's own.
@@ -119,11 +116,8 @@ int Report(const FitResult& result, const RunFolder& run, bool quiet) {
 }
 
 RunFolder MakeRunFolder(const FitOptions& options, const Recording& recording) {
-  using Existing = RunFolder::Existing;
-  const Existing existing = options.resume  ? Existing::kResume
-                            : options.force ? Existing::kReplace
-                                            : Existing::kRefuse;
-  return RunFolder(options.run.empty() ? DefaultRun(recording) : fs::path(options.run), existing);
+  return RunFolder(options.run.empty() ? DefaultRun(recording) : fs::path(options.run),
+                   ExistingIf(options.force, options.resume));
 }
 
 bool HasPicturesOnly(const Recording& recording) {
@@ -135,6 +129,7 @@ Recording TrackIntoRun(const Recording& recording, const RunFolder& run,
                        const FitOptions& options) {
   const fs::path folder = run.path() / "observations";
   if (options.resume && fs::exists(folder / "recording.yaml")) return ReadRecording(folder);
+  run.Add({"observations/"});
   const TrackingResult found =
       TrackWithDisplay(recording, options.tracking, folder, Overwrite::kAllow, options.quiet);
   if (!options.quiet) fmt::print("{}\n\n", DescribeTracking(recording, found));
@@ -226,7 +221,7 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
   command->add_flag("--attract", options->attract,
                     "let markers and rays pull at the cloth while fitting (attraction_point.*, "
                     "attraction_ray.*)");
-  command->add_flag("--force", options->force, "replace the run that is there");
+  command->add_flag("--force", options->force, "replace the run that is there; other files stay");
   command->add_flag("--resume", options->resume, "go on with an interrupted run")
       ->excludes("--force");
   command->add_flag("--quiet", options->quiet, "print errors only");

@@ -42,8 +42,9 @@ int ImportCameras(std::vector<Camera> cameras, const std::vector<std::string>& n
     throw InputError((folder / "recording.yaml").string(),
                      "exists already; expected no options that describe the scene");
   }
-  WriteCameras(cameras, folder, OverwriteIf(options.force));
-  if (MissingOptions(start).empty()) WriteStart(start, folder, Overwrite::kRefuse);
+  OutputFolder output = OpenRecording(folder, "import cameras", OverwriteIf(options.force));
+  WriteCameras(cameras, &output);
+  if (MissingOptions(start).empty()) WriteStart(start, &output);
   fmt::print("{}: {} cameras\n", (folder / "cameras.yaml").string(), cameras.size());
   for (const Camera& camera : cameras) {
     const Eigen::Array3d millimetres = (CameraCentre(camera) * 1e3).array().round();
@@ -100,7 +101,7 @@ void AddCamerasOptions(CLI::App* command, CamerasOptions* options) {
       ->excludes("--up");
   AddSceneOptions(command, &options->scene);
   command->add_option("--frames", options->scene.frames, "number of frames")->type_name("N");
-  command->add_flag("--force", options->force, "replace cameras.yaml");
+  command->add_flag("--force", options->force, "replace cameras.yaml, if it was imported");
 }
 
 }  // namespace

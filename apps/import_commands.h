@@ -33,6 +33,4 @@ void AddSceneOptions(CLI::App* command, SceneOptions* options);
 // Prints which options are still needed to make a recording, if the folder holds none.
 void PrintWhatIsMissing(const std::filesystem::path& folder, const SceneStart& start);
 
-inline Overwrite OverwriteIf(bool force) { return force ? Overwrite::kAllow : Overwrite::kRefuse; }
-
 }  // namespace clothfit

@@ -41,16 +41,19 @@ TakeOptions TakeOptionsOf(const MotiveOptions& options) {
 
 int RunImportMotive(const MotiveOptions& options) {
   const Overwrite overwrite = OverwriteIf(options.force);
-  CheckMayWrite(std::filesystem::path(options.output) / "recording.yaml", overwrite);
   if (!options.save_layout.empty()) CheckMayWrite(options.save_layout, overwrite);
+  OutputFolder output = OpenRecording(options.output, "import motive", overwrite);
+  output.CheckMayWrite("recording.yaml");
   const UpAxis up = options.up == "y" ? UpAxis::kY : UpAxis::kZ;
   ImportedTake imported =
       MakeTakeRecording(ReadMotiveTake(options.file, up), TakeOptionsOf(options));
   Recording& recording = imported.recording;
   recording.name = NameOfFolder(options.output);
-  WriteRecording(recording, options.output, Overwrite::kAllow);
+  const std::map<std::string, std::string> files = FilesOf(recording);
+  output.Begin(NamesOf(files));
+  output.WriteAll(files);
   const std::string layout = LayoutAsCsv(imported.marker_names, imported.uv);
-  if (!options.save_layout.empty()) WriteTextFile(options.save_layout, layout);
+  if (!options.save_layout.empty()) WriteOutputFile(options.save_layout, layout, overwrite);
   fmt::print("{}: {} frames at {} Hz, {} markers, {} handles, cloth of {:.4f} x {:.4f} m\n",
              options.output, recording.frame_count, recording.frame_rate,
              imported.uv.size() - recording.handles.size(), recording.handles.size(),
@@ -124,7 +127,8 @@ void AddImportMotive(CLI::App* import, Action* action) {
       ->capture_default_str();
   AddMarkerOptions(command, options.get());
   AddClothOptions(command, options.get());
-  command->add_flag("--force", options->force, "replace what is there");
+  command->add_flag("--force", options->force,
+                    "replace what was imported before; cameras and videos stay");
   command->footer(
       "Example:\n"
       "  clothfit import motive take.csv -o take --handle 'left=Unlabeled 1022' "

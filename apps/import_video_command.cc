@@ -54,7 +54,7 @@ void AddImportVideo(CLI::App* import, Action* action) {
       ->required();
   AddSceneOptions(command, &options->scene);
   command->add_flag("--force", options->force,
-                    "replace videos, and set frame count and rate of recording.yaml");
+                    "replace imported videos, and set frame count and rate of recording.yaml");
   command->footer("Example:\n  clothfit import video left=GX01.MP4 right=GX02.MP4 -o drape");
   command->callback(
       [options, action] { *action = [options] { return RunImportVideo(*options); }; });

@@ -30,7 +30,8 @@ void AddJobOptions(CLI::App* command, JobOptions* options) {
                    "s without a sign of life until a job is given to somebody else")
       ->type_name("S")
       ->capture_default_str();
-  command->add_flag("--force", options->force, "replace the results that are there");
+  command->add_flag("--force", options->force,
+                    "replace the results that are there; other files stay");
   command->add_flag("--resume", options->resume, "go on with what is there")->excludes("--force");
   command->add_flag("--quiet", options->quiet, "print errors only");
 }

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "autodiff_sim/base/error.h"
 #include "fitting/runs/prediction.h"
 
 namespace clothfit {
@@ -20,16 +19,12 @@ struct PredictOptions {
 };
 
 int RunPredictCommand(const PredictOptions& options) {
-  if (std::filesystem::exists(options.output) && !options.force) {
-    throw InputError(options.output, "exists already; --force replaces it");
-  }
-  if (std::filesystem::is_directory(options.output)) {
-    throw InputError(options.output, "is a folder; expected a file");
-  }
+  const Overwrite overwrite = OverwriteIf(options.force);
+  CheckMayWrite(options.output, overwrite);
   const RunFolder run = RunFolder::Open(options.run);
   const FittedRun fitted = ReadFittedRun(run);
   const std::vector<PredictionQuery> queries = ReadQueries(options.points, fitted.scene);
-  WritePredictions(options.output, queries, Predict(fitted, run, queries));
+  WritePredictions(options.output, queries, Predict(fitted, run, queries), overwrite);
   fmt::print("{} points: {}\n", queries.size(), options.output);
   return kExitSuccess;
 }

@@ -9,8 +9,6 @@
 
 #include "apps/commands.h"
 #include "apps/report/assets.h"
-#include "autodiff_sim/base/error.h"
-#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {
@@ -25,11 +23,9 @@ int RunReportCommand(const ReportCommandOptions& options) {
   const std::filesystem::path folder = options.folder;
   const std::filesystem::path file =
       options.output.empty() ? folder / "report.html" : std::filesystem::path(options.output);
-  if (std::filesystem::exists(file) && !options.force) {
-    throw InputError(file.string(), "exists already; --force replaces it");
-  }
+  CheckMayWrite(file, OverwriteIf(options.force));
   const ReportPage page = MakeReport(folder, PageAssets(), options.report);
-  WriteWholeFile(file, page.html);
+  WriteOutputFile(file, page.html, OverwriteIf(options.force));
   fmt::print("{}\n", page.verdict.headline);
   for (const std::string& sentence : page.verdict.sentences) fmt::print("  {}\n", sentence);
   for (const std::string& note : page.notes) fmt::print("  {}\n", note);

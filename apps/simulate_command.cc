@@ -38,8 +38,7 @@ int RunSimulateCommand(const SimulateOptions& options) {
   const Scene scene = MakeScene(recording, config);
   CheckSimulable(scene);
   CheckContact(scene, config);
-  const RunFolder run(options.output,
-                      options.force ? RunFolder::Existing::kReplace : RunFolder::Existing::kRefuse);
+  const RunFolder run(options.output, ExistingIf(options.force));
   StepReport steps;
   const int reached = SimulateIntoRun(scene, config, run, frames - 1, &steps);
   fmt::print("{} frames of {} particles: {}\n", reached, scene.mesh.num_particles(),
@@ -72,7 +71,7 @@ void AddSimulateCommand(CLI::App* app, Action* action) {
   command->add_flag("--check-intersections", options->check_intersections,
                     "count after every step where the cloth passes through itself, an obstacle or "
                     "the ground; exit status 1 where it does");
-  command->add_flag("--force", options->force, "replace what an earlier run wrote there");
+  command->add_flag("--force", options->force, "replace the run that is there; other files stay");
   command->footer(
       "Writes trajectory.npy (frames x particles x 3, m), mesh.obj, residuals.csv and "
       "config.yaml.\n\n"

@@ -16,6 +16,7 @@
 #include "fitting/studies/chaos_study.h"
 #include "fitting/studies/recovery_study.h"
 #include "tracking/features/tracking_evaluation.h"
+#include "tracking/files/output_folder.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -28,10 +29,6 @@ struct StudyOptions {
 };
 
 int RunRecoveryCommand(const StudyOptions& options) {
-  const std::filesystem::path folder = options.output;
-  if (std::filesystem::exists(folder / "recovery.csv") && !options.force) {
-    throw InputError(options.output, "already holds a study; --force replaces it");
-  }
   if (options.recovery.num_seeds < 1) {
     throw InputError("--seeds", fmt::format("{}; expected 1 or more", options.recovery.num_seeds));
   }
@@ -39,7 +36,9 @@ int RunRecoveryCommand(const StudyOptions& options) {
     throw InputError("--threads",
                      fmt::format("{}; expected 1 or more", options.recovery.num_threads));
   }
-  WriteTextFile(folder / "recovery.csv", "");  // fail now rather than at the end
+  OutputFolder output(options.output, FolderKind::kStudyTables, "study recovery",
+                      ExistingIf(options.force));
+  output.Begin({"recovery.csv", "recovery.md", "report.html"});
   const std::vector<RecoveredSeed> seeds =
       RunRecoveryStudy(options.recovery, [](const RecoveredSeed& seed) {
         const Coverage coverage = CountCoverage({seed});
@@ -47,8 +46,8 @@ int RunRecoveryCommand(const StudyOptions& options) {
                    seed.seed, ToString(seed.status), seed.seconds, coverage.covered,
                    coverage.total);
       });
-  WriteTextFile(folder / "recovery.csv", RecoveryAsCsv(seeds));
-  WriteTextFile(folder / "recovery.md", RecoveryAsMarkdown(seeds));
+  output.WriteAll(
+      {{"recovery.csv", RecoveryAsCsv(seeds)}, {"recovery.md", RecoveryAsMarkdown(seeds)}});
   fmt::print("{}", RecoveryAsMarkdown(seeds));
   return kExitSuccess;
 }
@@ -86,15 +85,16 @@ struct TrackingStudyOptions {
 };
 
 int RunTrackingStudy(const TrackingStudyOptions& options) {
-  const std::filesystem::path folder = options.output;
-  if (std::filesystem::exists(folder / "tracking.md") && !options.force) {
-    throw InputError(options.output, "already holds a study; --force replaces it");
-  }
+  OutputFolder output(options.output, FolderKind::kStudyTables, "study tracking",
+                      ExistingIf(options.force));
+  output.Begin({"tracking.md", "tracking.csv", "report.html"});
   std::string table = TrackingTableHeader(), course = "recording,frame,tracks,markers\n", filters;
   for (const std::string& path : options.recordings) {
     const Recording recording = ReadRecording(path);
     const TruthSurface truth = TruthSurface::Read(recording.path);
-    const std::filesystem::path out = folder / recording.name;
+    const std::string name = AsFolderName(recording.name);
+    const std::filesystem::path out = output.path() / name;
+    output.Add({name + "/"});
     const auto start = std::chrono::steady_clock::now();
     const TrackingResult found =
         TrackWithDisplay(recording, options.tracking, out, Overwrite::kAllow, false);
@@ -110,8 +110,8 @@ int RunTrackingStudy(const TrackingStudyOptions& options) {
     filters += fmt::format("\n{}: {}\n{:.1f} s, {:.1f} frames a second and camera\n",
                            recording.name, DescribeTracking(recording, found), seconds,
                            static_cast<double>(found.pictures.size()) / seconds);
-    WriteTextFile(folder / "tracking.md", table + filters);  // what there is, should it end early
-    WriteTextFile(folder / "tracking.csv", course);
+    // What there is, should it end early.
+    output.WriteAll({{"tracking.md", table + filters}, {"tracking.csv", course}});
     if (found.num_frames < recording.frame_count) return kExitInterrupted;
   }
   fmt::print("{}{}", table, filters);
@@ -142,10 +142,6 @@ struct ChaosStudyOptions {
 };
 
 int RunChaosCommand(ChaosStudyOptions options) {
-  const std::filesystem::path folder = options.output;
-  if (std::filesystem::exists(folder / "chaos.csv") && !options.force) {
-    throw InputError(options.output, "already holds a study; --force replaces it");
-  }
   if (options.chaos.particles < 4 || options.chaos.particles > 200) {
     throw InputError("--particles", fmt::format("{}; expected 4 to 200", options.chaos.particles));
   }
@@ -154,13 +150,15 @@ int RunChaosCommand(ChaosStudyOptions options) {
                      fmt::format("{}; expected a number above 0", options.chaos.duration));
   }
   options.chaos.self_contact = !options.no_contact;
-  WriteTextFile(folder / "chaos.csv", "");  // fail now rather than at the end
+  OutputFolder output(options.output, FolderKind::kStudyTables, "study chaos",
+                      ExistingIf(options.force));
+  output.Begin({"chaos.csv", "chaos.md", "chaos.svg", "chaos.png", "report.html"});
   const ChaosResult result =
       RunChaosStudy(options.chaos, [](int frame) { fmt::print(stderr, "frame {}\n", frame); });
-  WriteTextFile(folder / "chaos.csv", ChaosAsCsv(result));
-  WriteTextFile(folder / "chaos.md", ChaosAsMarkdown(options.chaos, result));
-  WriteTextFile(folder / "chaos.svg", ChaosAsSvg(result));
-  DrawChaos(options.chaos, result, (folder / "chaos.png").string());
+  output.WriteAll({{"chaos.csv", ChaosAsCsv(result)},
+                   {"chaos.md", ChaosAsMarkdown(options.chaos, result)},
+                   {"chaos.svg", ChaosAsSvg(result)}});
+  DrawChaos(options.chaos, result, (output.path() / "chaos.png").string());
   fmt::print("{}", ChaosAsMarkdown(options.chaos, result));
   if (result.complete) return kExitSuccess;
   throw std::runtime_error(

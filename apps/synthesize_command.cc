@@ -62,7 +62,7 @@ int RunSynthesizeCommand(const SynthesizeOptions& options) {
   made.Check("synthesize");
   ShareDisplay display;
   const SyntheticRecording synthetic =
-      Synthesize(made, options.output, options.force ? Overwrite::kAllow : Overwrite::kRefuse,
+      Synthesize(made, options.output, OverwriteIf(options.force),
                  [&](double share, const std::string& stage) { display.Show(share, stage); });
   display.Finish();
   fmt::print("{}: {} frames, {} markers, {} tracks, {} pictures\n", options.output,
@@ -106,7 +106,8 @@ void AddSynthesizeCommand(CLI::App* app, Action* action) {
   command->add_option("--config", options->config, "YAML file of preset and the options below")
       ->type_name("FILE");
   for (const SyntheticKey& key : SyntheticKeys()) AddKey(command, key, options.get());
-  command->add_flag("--force", options->force, "replace the recording that is there");
+  command->add_flag("--force", options->force,
+                    "replace what clothfit wrote there; other files stay");
   command->footer(
       "Examples:\n"
       "  clothfit synthesize -o lift --scenario corner-lift --cameras 3 --set air_drag.normal=0.5\n"

@@ -30,9 +30,8 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 int RunTrackCommand(const TrackOptions& options) {
   const Recording recording = ReadRecording(options.recording);
   const auto start = std::chrono::steady_clock::now();
-  const TrackingResult result =
-      TrackWithDisplay(recording, options.tracking, options.output,
-                       options.force ? Overwrite::kAllow : Overwrite::kRefuse, options.quiet);
+  const TrackingResult result = TrackWithDisplay(recording, options.tracking, options.output,
+                                                 OverwriteIf(options.force), options.quiet);
   const double seconds = SecondsSince(start);
   if (!options.quiet) {
     fmt::print("{}\n", DescribeTracking(recording, result));
@@ -61,7 +60,8 @@ void AddTrackCommand(CLI::App* app, Action* action) {
       ->type_name("OUT")
       ->required();
   AddTrackingOptions(command, &options->tracking);
-  command->add_flag("--force", options->force, "replace the recording that is there");
+  command->add_flag("--force", options->force,
+                    "replace what clothfit wrote there; other files stay");
   command->add_flag("--quiet", options->quiet, "print errors only");
   command->footer(
       "Writes masks/, tracks.csv and markers.csv, what each picture gave (pictures.csv) and what\n"

@@ -61,17 +61,24 @@ std::string Conditions(const TrialsOptions& options, const std::string& commitme
 }
 
 // Makes the folder and writes down what is to be found in it.
-void Prepare(const TrialsOptions& options, const std::vector<Trial>& trials,
-             const JobFolderOptions& folder_options) {
+FolderLock Prepare(const TrialsOptions& options, const std::vector<Trial>& trials,
+                   const JobFolderOptions& folder_options) {
   const fs::path folder = options.jobs.output;
   const std::string commitments = CommitmentsAsCsv(trials);
-  PrepareJobFolder(folder, "conditions.yaml", Conditions(options, commitments), folder_options);
-  if (folder_options.ranks.rank > 0) return;
-  if (!options.jobs.resume) {
-    fs::remove(folder / "trials.csv");
-    fs::remove(folder / "trials.md");
+  JobFolderContents contents;
+  contents.kind = FolderKind::kTrials;
+  contents.command = "trials";
+  contents.file = "conditions.yaml";
+  contents.description = Conditions(options, commitments);
+  contents.jobs = TrialJobs(trials);
+  contents.files = {"commitments.csv", "trials.csv", "trials.md", "report.html"};
+  for (const Trial& trial : trials) {
+    contents.files.push_back("recordings/" + trial.name + "/");
+    contents.files.push_back("diagnoses/" + trial.name + "/");
   }
-  WriteWholeFile(folder / "commitments.csv", commitments);
+  FolderLock lock = PrepareJobFolder(folder, contents, folder_options);
+  if (folder_options.ranks.rank == 0) WriteWholeFile(folder / "commitments.csv", commitments);
+  return lock;
 }
 
 TrialRunOptions HowToRun(const TrialsOptions& options) {
@@ -111,7 +118,7 @@ int RunAll(const TrialsOptions& options, const std::vector<Trial>& trials) {
   ProgressDisplay display;
   std::string stage = "trials";
   StudyRunOptions run = MakeRunOptions(options.jobs, &display, &stage);
-  Prepare(options, trials, run.folder);
+  const FolderLock lock = Prepare(options, trials, run.folder);
   run.jobs.folder = folder / "jobs";
   const bool is_first = run.folder.ranks.rank == 0;
   JobRunOptions jobs = run.jobs;

@@ -3,12 +3,13 @@
 #include "fitting/batch/batch.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "fitting/runs/fit_run.h"
 #include "tracking/features/tracking_folder.h"
+#include "tracking/files/part_folder.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
@@ -31,14 +32,16 @@ constexpr ErrorColumn kErrors[] = {
     {"silhouette_px", "silhouettes, px", &Evaluation::silhouette_error, 1.0},
     {"held_out_silhouette_px", "held out", &Evaluation::held_out_silhouette_error, 1.0}};
 
-Recording Track(const Recording& recording, const fs::path& folder, const JobContext& context) {
+Recording TrackInto(const RunFolder& run, const Recording& recording, const JobContext& context) {
+  const fs::path folder = run.path() / "observations";
+  run.Add({"observations/"});
   TrackingOptions options;
   options.num_threads = 1;
   TrackingCallbacks callbacks;
   callbacks.stop = context.stop;
   callbacks.on_frame = [&](int) { context.alive(); };
   const TrackingResult found =
-      TrackIntoFolder(recording, options, folder, Overwrite::kAllow, callbacks);
+      TrackIntoFolder(recording, options, folder, Overwrite::kRefuse, callbacks);
   if (found.num_frames < recording.frame_count) throw std::runtime_error("stopped");
   return ReadRecording(folder);
 }
@@ -64,12 +67,16 @@ nlohmann::json ToJson(const FitResult& result) {
   return json;
 }
 
-FitResult FitInto(const fs::path& folder, const BatchFit& fit, const JobContext& context) {
+// `place`: where the folder is moved to afterwards.
+FitResult FitInto(const fs::path& folder, const fs::path& place, const BatchFit& fit,
+                  const JobContext& context) {
   const RunFolder run(folder, RunFolder::Existing::kRefuse);
   Recording recording = ReadRecording(fit.recording);
-  if (recording.markers.empty() && recording.tracks.empty() && HasPictures(recording))
-    recording = Track(recording, folder / "observations", context);
-  const FitConfig config = BatchConfig(fit, recording);
+  const bool track =
+      recording.markers.empty() && recording.tracks.empty() && HasPictures(recording);
+  if (track) recording = TrackInto(run, recording, context);
+  FitConfig config = BatchConfig(fit, recording);
+  if (track) config.recording = fs::absolute(place / "observations").lexically_normal().string();
   const Scene scene = MakeScene(recording, config);
   CheckFittable(scene);
   CheckContact(scene, config);
@@ -86,6 +93,18 @@ std::string Cell(const nlohmann::json& value, bool markdown) {
 
 }  // namespace
 
+JobFolderContents BatchContents(const std::vector<BatchFit>& fits, std::string description) {
+  JobFolderContents contents;
+  contents.kind = FolderKind::kBatch;
+  contents.command = "batch";
+  contents.file = "batch.yaml";
+  contents.description = std::move(description);
+  contents.jobs = BatchJobs(fits);
+  contents.files = {"batch.csv", "parameters.csv", "batch.md", "report.html"};
+  for (const BatchFit& fit : fits) contents.files.push_back("runs/" + fit.name + "/");
+  return contents;
+}
+
 std::vector<Job> BatchJobs(const std::vector<BatchFit>& fits) {
   std::vector<Job> jobs;
   for (const BatchFit& fit : fits) jobs.push_back({fit.name, nullptr});
@@ -94,12 +113,9 @@ std::vector<Job> BatchJobs(const std::vector<BatchFit>& fits) {
 
 nlohmann::json RunBatchFit(const fs::path& folder, const BatchFit& fit, const JobContext& context) {
   const fs::path place = folder / "runs" / fit.name;
-  const fs::path part = folder / "runs" / fmt::format(".{}.{}", fit.name, getpid());
-  fs::remove_all(part);
-  fs::create_directories(part.parent_path());
-  const FitResult result = FitInto(part, fit, context);
-  fs::remove_all(place);  // of an earlier batch, or of a worker that was taken for dead
-  fs::rename(part, place);
+  PartFolder part(place);  // a worker that was taken for dead may still write one of its own
+  const FitResult result = FitInto(part.path(), place, fit, context);
+  part.MoveToPlace();
   if (result.status == FitStatus::kFailed)
     throw std::runtime_error("the simulation diverges, see " + (place / "log.txt").string());
   return ToJson(result);

@@ -9,11 +9,14 @@
 #include <vector>
 
 #include "fitting/batch/list.h"
-#include "fitting/jobs/job.h"
+#include "fitting/jobs/folder.h"
 
 namespace clothfit {
 
 std::vector<Job> BatchJobs(const std::vector<BatchFit>& fits);
+
+// All that a batch writes into its folder.
+JobFolderContents BatchContents(const std::vector<BatchFit>& fits, std::string description);
 
 // Fits one into folder/runs/NAME, after tracking into folder/runs/NAME/observations where there are
 // pictures only. The run is whole or not there.

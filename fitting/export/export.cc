@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "autodiff_sim/base/error.h"
 #include "fitting/export/gltf.h"
 #include "fitting/export/mesh_files.h"
 #include "fitting/export/point_cache.h"
 #include "fitting/files/npy_file.h"
+#include "tracking/files/output_folder.h"
 #include "tracking/files/whole_file.h"
 
 namespace clothfit {
@@ -24,14 +24,16 @@ std::string AsOneFile(const RunMotion& motion, const std::string& format) {
   return PointsAsNpy(motion.frames);
 }
 
-void WriteSequence(const RunMotion& motion, const std::string& format, const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
-  for (std::size_t f = 0; f < motion.frames.size(); ++f) {
-    WriteWholeFile(folder / fmt::format("{:06d}.{}", f, format),
+void WriteSequence(const RunMotion& motion, const std::string& format, const fs::path& folder,
+                   Overwrite overwrite) {
+  OutputFolder output(folder, FolderKind::kExport, "export", ExistingIf(overwrite));
+  std::vector<std::string> names;
+  for (std::size_t f = 0; f < motion.frames.size(); ++f)
+    names.push_back(fmt::format("{:06d}.{}", f, format));
+  output.Begin(names);
+  for (std::size_t f = 0; f < motion.frames.size(); ++f)
+    WriteWholeFile(folder / names[f],
                    format == "obj" ? FrameAsObj(motion, f) : FrameAsPly(motion, f));
-  }
 }
 
 }  // namespace
@@ -50,14 +52,16 @@ const std::vector<ExportFormat>& ExportFormats() {
 }
 
 int ExportRun(const RunFolder& run, const std::string& format, const OverlayOptions& overlay,
-              const fs::path& output) {
+              const fs::path& output, Overwrite overwrite) {
+  const bool is_sequence = format == "obj" || format == "ply";
+  if (!is_sequence) CheckMayWrite(output, overwrite);
   const RunMotion motion = ReadRunMotion(run);
-  if (format == "video") {
-    WriteOverlayVideo(run, motion, overlay, output);
-  } else if (format == "obj" || format == "ply") {
-    WriteSequence(motion, format, output);
+  if (is_sequence) {
+    WriteSequence(motion, format, output, overwrite);
+  } else if (format == "video") {
+    WriteOverlayVideo(run, motion, overlay, output, overwrite);
   } else {
-    WriteWholeFile(output, AsOneFile(motion, format));
+    WriteOutputFile(output, AsOneFile(motion, format), overwrite);
   }
   return static_cast<int>(motion.frames.size());
 }

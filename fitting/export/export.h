@@ -24,6 +24,6 @@ const std::vector<ExportFormat>& ExportFormats();
 // InputError where the run lacks what is needed or the place cannot be written. `format`: the name
 // of one of the formats.
 int ExportRun(const RunFolder& run, const std::string& format, const OverlayOptions& overlay,
-              const std::filesystem::path& output);
+              const std::filesystem::path& output, Overwrite overwrite = Overwrite::kRefuse);
 
 }  // namespace clothfit

@@ -7,6 +7,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/pictures/run_pictures.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/recording/images.h"
 #include "tracking/silhouette/raster.h"
 #include "tracking/text/text.h"
@@ -37,24 +38,31 @@ void DrawOutline(const SilhouetteRaster& raster, const Eigen::VectorXd& x, cv::M
   cv::drawContours(*image, contours, -1, kSimulated, 2, cv::LINE_AA);
 }
 
-cv::VideoWriter OpenVideo(const fs::path& file, double rate, const Camera& camera) {
+std::string VideoExtension(const fs::path& file) {
   const std::string extension = file.extension().string();
   if (extension != ".mp4" && extension != ".avi") {
     throw InputError(file.string(), "expected a name that ends in .mp4 or .avi");
   }
+  return extension;
+}
+
+// `place`: what an error names.
+cv::VideoWriter OpenVideo(const fs::path& file, const fs::path& place, double rate,
+                          const Camera& camera) {
+  const std::string extension = place.extension().string();
   const int codec = extension == ".mp4" ? cv::VideoWriter::fourcc('m', 'p', '4', 'v')
                                         : cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
   cv::VideoWriter video;
   const bool is_open =
       video.open(file.string(), codec, rate, cv::Size(camera.width, camera.height));
-  if (!is_open) throw InputError(file.string(), "cannot be written");
+  if (!is_open) throw InputError(place.string(), "cannot be written");
   return video;
 }
 
 }  // namespace
 
 void WriteOverlayVideo(const RunFolder& run, const RunMotion& motion, const OverlayOptions& options,
-                       const fs::path& file) {
+                       const fs::path& file, Overwrite overwrite) {
   const Recording fitted = ReadRecording(ReadConfigRecording(run.ConfigFile()));
   const std::optional<Recording> pictures = FindPictures(fitted, options.pictures).recording;
   if (!pictures) {
@@ -65,7 +73,8 @@ void WriteOverlayVideo(const RunFolder& run, const RunMotion& motion, const Over
   const Camera& camera = pictures->cameras[index];
   const SilhouetteRaster raster(camera, motion.mesh.triangles);
   ImageReader reader(*pictures, index);
-  cv::VideoWriter video = OpenVideo(file, motion.frame_rate, camera);
+  PartFile part(file, VideoExtension(file));
+  cv::VideoWriter video = OpenVideo(part.path(), file, motion.frame_rate, camera);
   int written = 0;
   for (std::size_t f = 0; f < motion.frames.size(); ++f) {
     cv::Mat image = reader.Load(static_cast<int>(f)).clone();
@@ -75,6 +84,9 @@ void WriteOverlayVideo(const RunFolder& run, const RunMotion& motion, const Over
     ++written;
   }
   if (written == 0) throw InputError("--camera", "camera " + camera.name + " has no picture");
+  video.release();
+  CheckMayWrite(file, overwrite);
+  part.MoveToPlace();
 }
 
 }  // namespace clothfit

@@ -20,6 +20,6 @@ struct OverlayOptions {
 // reached and the camera has a picture of. Throws InputError where there is no such camera or no
 // picture, or the file cannot be written.
 void WriteOverlayVideo(const RunFolder& run, const RunMotion& motion, const OverlayOptions& options,
-                       const std::filesystem::path& file);
+                       const std::filesystem::path& file, Overwrite overwrite);
 
 }  // namespace clothfit

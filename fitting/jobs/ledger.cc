@@ -3,11 +3,9 @@
 #include "fitting/jobs/ledger.h"
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -50,21 +48,6 @@ double Seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Makes the file, whole, where there is none. The system sees to it that only one of many succeeds;
-// a process that dies on the way leaves no lease without a holder.
-bool CreateAlone(const fs::path& file, const std::string& contents) {
-  static std::atomic<int> count = 0;
-  fs::path own = file;
-  own += fmt::format(".new-{}-{}-{}", HostName(), getpid(), ++count);
-  WriteWholeFile(own, contents);
-  const bool is_ours = link(own.c_str(), file.c_str()) == 0;
-  const int problem = errno;
-  std::error_code ignored;
-  fs::remove(own, ignored);
-  if (is_ours || problem == EEXIST) return is_ours;
-  throw InputError(file.string(), fmt::format("cannot be written: {}", std::strerror(problem)));
-}
-
 int CountLines(const fs::path& file) {
   std::ifstream stream(file);
   int lines = 0;
@@ -73,14 +56,6 @@ int CountLines(const fs::path& file) {
 }
 
 }  // namespace
-
-void WriteAmongMany(const fs::path& file, const std::string& contents) {
-  static std::atomic<int> count = 0;
-  fs::path own = file;
-  own += fmt::format(".{}-{}-{}", HostName(), getpid(), ++count);
-  WriteWholeFile(own, contents);
-  fs::rename(own, file);
-}
 
 JobLedger::JobLedger(fs::path folder, double patience, int worker)
     : folder_(std::move(folder)),
@@ -93,6 +68,10 @@ JobLedger::JobLedger(fs::path folder, double patience, int worker)
 
 fs::path JobLedger::File(const std::string& name, const char* ending) const {
   return folder_ / (name + ending);
+}
+
+std::vector<std::string> JobLedger::FilesOf(const std::string& name) {
+  return {name + ".json", name + ".lease", name + ".lost"};
 }
 
 bool JobLedger::HasResult(const std::string& name) const { return fs::exists(File(name, ".json")); }
@@ -118,9 +97,8 @@ bool JobLedger::IsVoid(const fs::path& lease) const {
   pid_t process = 0;
   if (holder >> host >> process && host == HostName() && kill(process, 0) != 0 && errno == ESRCH)
     return true;
-  const fs::path clock = folder_ / fmt::format("clock-{}-{}", HostName(), getpid());
-  std::ofstream(clock) << token_;
-  const std::optional<double> now = ModifiedAt(clock);
+  const PartFile clock(lease);
+  const std::optional<double> now = ModifiedAt(clock.path());
   return now && *now - *sign > patience_;
 }
 
@@ -128,13 +106,11 @@ bool JobLedger::IsVoid(const fs::path& lease) const {
 // job is done twice, with the same outcome.
 void JobLedger::Break(const std::string& name) {
   const fs::path lease = File(name, ".lease");
-  fs::path broken = lease;
-  broken += fmt::format(".{}", std::hash<std::string>()(token_));
+  const PartFile broken(lease);
   const std::string holder = ReadAll(lease);
   std::error_code error;
-  fs::rename(lease, broken, error);
+  fs::rename(lease, broken.path(), error);
   if (error) return;
-  fs::remove(broken, error);
   AppendLine(File(name, ".lost"), holder);
 }
 
@@ -149,7 +125,7 @@ bool JobLedger::Take(const std::string& name) {
     Record({name, nullptr, fmt::format("given up: {} workers died or hung in it", lost), 0.0});
     return false;
   }
-  if (!CreateAlone(lease, token_)) return false;
+  if (!WriteNewFile(lease, token_)) return false;
   if (!HasResult(name)) return true;  // or it came while we were looking
   Release(name);
   return false;
@@ -175,18 +151,7 @@ void JobLedger::Record(const JobResult& result) {
   if (HasResult(result.name)) return;
   const nlohmann::json json = {
       {"output", result.output}, {"problem", result.problem}, {"seconds", result.seconds}};
-  WriteAmongMany(File(result.name, ".json"), json.dump(1) + "\n");
-}
-
-void JobLedger::Clear(const fs::path& folder) {
-  std::error_code ignored;
-  if (!fs::exists(folder)) return;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    const bool is_lease = name.find(".lease") != std::string::npos;
-    if (is_lease || entry.path().extension() == ".lost" || name.rfind("clock-", 0) == 0)
-      fs::remove(entry.path(), ignored);
-  }
+  WriteWholeFile(File(result.name, ".json"), json.dump(1) + "\n");
 }
 
 }  // namespace clothfit

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "fitting/jobs/job.h"
 
@@ -37,8 +38,8 @@ class JobLedger {
   // Writes the result, whole or not at all, unless there is one already: the first counts.
   void Record(const JobResult& result);
 
-  // Nobody works here: breaks all leases and forgets the losses, as before a study goes on.
-  static void Clear(const std::filesystem::path& folder);
+  // The files that a ledger keeps of a job, in its folder.
+  static std::vector<std::string> FilesOf(const std::string& name);
 
  private:
   std::filesystem::path File(const std::string& name, const char* ending) const;
@@ -51,8 +52,5 @@ class JobLedger {
   std::string token_;  // host, process, worker
   double last_sign_ = 0.0;
 };
-
-// As WriteWholeFile, where others may be writing the same file: the last one's is there, whole.
-void WriteAmongMany(const std::filesystem::path& file, const std::string& contents);
 
 }  // namespace clothfit

@@ -16,7 +16,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "tracking/files/whole_file.h"
+#include "tracking/files/output_file.h"
 #include "tracking/recording/validation.h"
 
 namespace clothfit {
@@ -173,17 +173,19 @@ std::string PictureExtension(const std::filesystem::path& file) {
 }
 
 void WritePicture(const cv::Mat& image, const std::string& extension,
-                  const std::filesystem::path& file) {
+                  const std::filesystem::path& file, Overwrite overwrite) {
   std::vector<unsigned char> encoded;
   cv::imencode(extension, image, encoded);
-  WriteWholeFile(file,
-                 std::string_view(reinterpret_cast<const char*>(encoded.data()), encoded.size()));
+  WriteOutputFile(file,
+                  std::string_view(reinterpret_cast<const char*>(encoded.data()), encoded.size()),
+                  overwrite);
 }
 
 }  // namespace
 
 void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,
-             const std::filesystem::path& file) {
+             const std::filesystem::path& file, Overwrite overwrite) {
+  CheckMayWrite(file, overwrite);
   const std::string extension = PictureExtension(file);
   const std::vector<int> frames = ChooseFrames(fitted.scene, options.frames);
   const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
@@ -203,7 +205,7 @@ void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions
     }
     Below(panels, &rows);
   }
-  WritePicture(rows, extension, file);
+  WritePicture(rows, extension, file, overwrite);
 }
 
 void DrawCloths(const ClothMesh& mesh, const std::vector<std::vector<ClothPanel>>& rows,
@@ -223,7 +225,7 @@ void DrawCloths(const ClothMesh& mesh, const std::vector<std::vector<ClothPanel>
     }
     Below(panels, &all);
   }
-  WritePicture(all, extension, file);
+  WritePicture(all, extension, file, Overwrite::kAllow);
 }
 
 }  // namespace clothfit

@@ -27,7 +27,7 @@ struct PictureOptions {
 // A png or jpg file. Throws InputError where a frame is outside the recording or the file cannot be
 // written, std::runtime_error where the simulation does not reach a frame.
 void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,
-             const std::filesystem::path& file);
+             const std::filesystem::path& file, Overwrite overwrite);
 
 // A cloth's state as a panel of a picture.
 struct ClothPanel {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The folders that a report can be made of, and the page of each kind.
+// The page of each kind of folder that a report can be made of.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,6 @@
 #include "fitting/report/report.h"
 
 namespace clothfit {
-
-enum class FolderKind { kRun, kDiagnosis, kComparison, kStudy };
-
-// Known by the files that each kind of folder begins with, whether it is complete or not. Throws
-// InputError, one line, where it is none of them, saying what it is instead.
-FolderKind KindOfFolder(const std::filesystem::path& folder);
 
 // What 'clothfit diagnose' wrote. Each of these throws InputError where a file is missing, damaged
 // or of another version.

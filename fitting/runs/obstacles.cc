@@ -74,8 +74,10 @@ std::vector<ObstacleSurface> ObstacleSurfaces(const Scene& scene) {
 void WriteObstacles(const Scene& scene, const RunFolder& run) {
   const std::vector<ObstacleSurface> surfaces = ObstacleSurfaces(scene);
   if (surfaces.empty()) return;
-  std::error_code ignored;  // what cannot be written is told below
-  std::filesystem::create_directories(run.path() / "report", ignored);
+  std::vector<std::string> files = {"report/obstacles.json"};
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    files.push_back(fmt::format("report/obstacle_{}.npy", i));
+  run.Add(files);
   std::string json;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const ObstacleSurface& surface = surfaces[i];

@@ -9,7 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "tracking/files/whole_file.h"
+#include "tracking/files/output_file.h"
 #include "tracking/recording/validation.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"
@@ -89,7 +89,7 @@ std::vector<Eigen::Vector3d> Predict(const FittedRun& fitted, const RunFolder& r
 }
 
 void WritePredictions(const fs::path& file, const std::vector<PredictionQuery>& queries,
-                      const std::vector<Eigen::Vector3d>& positions) {
+                      const std::vector<Eigen::Vector3d>& positions, Overwrite overwrite) {
   std::string text = "frame,u,v,x,y,z\n";
   for (size_t i = 0; i < queries.size(); ++i) {
     const auto& [frame, uv, line] = queries[i];
@@ -97,7 +97,7 @@ void WritePredictions(const fs::path& file, const std::vector<PredictionQuery>& 
     text += fmt::format("{},{},{},{},{},{}\n", frame, FormatNumber(uv.x()), FormatNumber(uv.y()),
                         FormatNumber(x.x()), FormatNumber(x.y()), FormatNumber(x.z()));
   }
-  WriteWholeFile(file, text);
+  WriteOutputFile(file, text, overwrite);
 }
 
 }  // namespace clothfit

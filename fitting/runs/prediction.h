@@ -41,6 +41,6 @@ std::vector<Eigen::Vector3d> Predict(const FittedRun& fitted, const RunFolder& r
 // Columns frame,u,v,x,y,z.
 void WritePredictions(const std::filesystem::path& file,
                       const std::vector<PredictionQuery>& queries,
-                      const std::vector<Eigen::Vector3d>& positions);
+                      const std::vector<Eigen::Vector3d>& positions, Overwrite overwrite);
 
 }  // namespace clothfit

@@ -1,26 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A run is a folder: config.yaml, parameters.yaml, summary.json, trajectory.npy, mesh.obj,
-// residuals.csv, log.txt, progress.csv and, while a fit is under way, checkpoint.json.
+// A run is a folder of clothfit's (tracking/files/output_folder.h): config.yaml, parameters.yaml,
+// summary.json, trajectory.npy, mesh.obj, residuals.csv, log.txt, progress.csv and, while a fit is
+// under way, checkpoint.json.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "fitting/fit/fit.h"
+#include "tracking/files/output_folder.h"
 
 namespace clothfit {
 
 class RunFolder {
  public:
-  enum class Existing { kRefuse, kReplace, kResume };
+  using Existing = clothfit::Existing;
 
-  // Makes the folder and begins its log, by which a run is known. Throws InputError where it exists
-  // and holds files (kRefuse), is not a run's (kReplace, kResume: nothing but a run's own files is
-  // ever replaced), holds a finished run (kResume), or cannot be written.
+  // Makes the folder and begins its log; other commands are kept out of it as long as this lives.
+  // Throws InputError as OutputFolder does, and where there is no run to resume or a finished one.
   RunFolder(const std::filesystem::path& folder, Existing existing);
   // An existing run, to read.
   static RunFolder Open(const std::filesystem::path& folder);
@@ -36,6 +38,8 @@ class RunFolder {
   // trajectory.npy (float64, frames x particles x 3, m, world), mesh.obj (vt in metres) and
   // residuals.csv of one open-loop simulation from frame 0 on.
   void WriteTrajectory(const Scene& scene, const std::vector<Eigen::VectorXd>& positions) const;
+  // Lists further files, or folders "NAME/" with a manifest of their own, before they are written.
+  void Add(const std::vector<std::string>& files) const;
   void AppendLog(const std::string& line) const;
   // progress.csv: a row an iteration. `seconds`: since the fit began.
   void AppendProgress(const FitProgress& progress, double seconds) const;
@@ -50,6 +54,7 @@ class RunFolder {
  private:
   explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
   std::filesystem::path path_;
+  std::shared_ptr<OutputFolder> output_;  // null: to read only
 };
 
 }  // namespace clothfit

@@ -241,6 +241,8 @@ Study ContactStudy() {
   study.name = "contact";
   study.doc = "hard scenes of contact: convergence, intersections, energy and cost";
   study.uses_recordings = false;
+  for (const HardScene& scene : HardScenes())
+    study.files.push_back("contact-" + std::string(scene.name) + ".csv");
   study.jobs = Jobs;
   study.work = RunContactJob;
   study.report = Report;

@@ -235,6 +235,7 @@ Study GradientStudy() {
   study.name = "gradients";
   study.doc = "derivatives: accuracy and cost against step, mesh, parameters and horizon";
   study.uses_recordings = false;
+  study.files = {"gradients-differences.csv"};
   study.jobs = Jobs;
   study.work = RunGradientJob;
   study.report = Report;

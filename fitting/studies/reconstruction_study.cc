@@ -109,6 +109,7 @@ Study ReconstructionStudy() {
   Study study;
   study.name = "reconstructions";
   study.doc = "Figures 7 and 8: the last frame of the last experiment in several ways";
+  study.files = {"view-side.png", "view-top.png"};
   study.jobs = Jobs;
   study.report = Report;
   return study;

@@ -100,10 +100,45 @@ void StudyRun::Add(const JobRunResult& result) {
   num_hanging += result.num_hanging;
 }
 
+namespace {
+
+// A folder of recordings is never replaced, and other studies may use it at the same time.
+void PrepareRecordings(const StudyOptions& options, const StudyPlace& place) {
+  std::vector<Job> jobs;
+  std::vector<std::string> files;
+  for (const std::string& experiment : options.experiments) {
+    jobs.push_back(RecordingJob(options, experiment));
+    for (const char* part : {"/pictures/", "/seen/"}) files.push_back(jobs.back().name + part);
+  }
+  OutputFolder folder(place.recordings, FolderKind::kStudyRecordings, "study", Existing::kJoin);
+  const std::vector<std::string> of_jobs = LedgerFiles(jobs);
+  files.insert(files.end(), of_jobs.begin(), of_jobs.end());
+  folder.Begin(files);
+}
+
+FolderLock Prepare(const Study& study, const StudyOptions& options, const StudyPlace& place,
+                   const StudyRunOptions& run) {
+  JobFolderContents contents;
+  contents.command = "study " + study.name;
+  contents.file = "study.json";
+  contents.description = Description(study, options);
+  contents.jobs = study.jobs(options);
+  contents.files = study.files;
+  contents.files.emplace_back("report.html");
+  for (const char* ending : {".md", ".csv", ".svg", ".png"})
+    contents.files.push_back(study.name + ending);
+  contents.shares_searches = options.share_search && !study.work;
+  FolderLock lock = PrepareJobFolder(place.folder, contents, run.folder);
+  if (study.uses_recordings && run.folder.ranks.rank == 0) PrepareRecordings(options, place);
+  return lock;
+}
+
+}  // namespace
+
 StudyRun RunStudy(const Study& study, const StudyOptions& options, const StudyPlace& place,
                   const StudyRunOptions& run) {
   options.Check();
-  PrepareJobFolder(place.folder, "study.json", Description(study, options), run.folder);
+  const FolderLock lock = Prepare(study, options, place, run);
   const auto tell = [&](const char* stage) {
     if (run.stage) run.stage(stage);
   };

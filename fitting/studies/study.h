@@ -28,6 +28,7 @@ struct Study {
   std::function<std::vector<Job>(const StudyOptions&)> jobs;
   // Does one of them. Empty: RunStudyFit.
   std::function<nlohmann::json(const StudyOptions&, const Job&, const JobContext&)> work;
+  std::vector<std::string> files;  // of its report beside NAME.md, NAME.csv, NAME.svg and NAME.png
   // Writes NAME.csv and pictures into the folder and returns the table, as Markdown. Of the same
   // results it makes the same files. `results` are in the order of the jobs, those without a
   // problem.

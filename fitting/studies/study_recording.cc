@@ -5,9 +5,10 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "tracking/features/tracking_folder.h"
+#include "tracking/files/output_folder.h"
+#include "tracking/files/part_folder.h"
 #include "tracking/synthetic/presets.h"
 
 namespace clothfit {
@@ -33,6 +34,15 @@ SyntheticOptions RecordingOptions(const nlohmann::json& input) {
   return options;
 }
 
+// All but the masks.
+void CopyTruth(const fs::path& from, const fs::path& to) {
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(from / "truth"))
+    if (entry.is_regular_file()) files.push_back("truth/" + entry.path().filename().string());
+  OutputFolder(to, FolderKind::kRecording, "study", Existing::kResume).Begin(files);
+  for (const std::string& file : files) fs::copy_file(from / file, to / file);
+}
+
 }  // namespace
 
 Job RecordingJob(const StudyOptions& options, const std::string& experiment) {
@@ -50,25 +60,19 @@ nlohmann::json MakeStudyRecording(const fs::path& folder, const Job& job,
                                   const JobContext& context) {
   const fs::path place = folder / job.name;
   if (fs::exists(place)) return {{"folder", job.name}};
-  fs::path part = place;  // in case somebody else, taken for dead, is still making it
-  part += fmt::format(".{}.part", getpid());
-  fs::remove_all(part);
-  Synthesize(RecordingOptions(job.input), part / "pictures", Overwrite::kAllow,
+  PartFolder part(place);  // in case somebody else, taken for dead, is still making it
+  const fs::path pictures = part.path() / "pictures", seen = part.path() / "seen";
+  Synthesize(RecordingOptions(job.input), pictures, Overwrite::kRefuse,
              [&](double, const std::string&) { context.alive(); });
   TrackingOptions options;
   options.num_threads = 1;
   TrackingCallbacks callbacks;
   callbacks.stop = context.stop;
   callbacks.on_frame = [&](int) { context.alive(); };
-  const Recording recording = ReadRecording(part / "pictures");
-  TrackIntoFolder(recording, options, part / "seen", Overwrite::kAllow, callbacks);
+  TrackIntoFolder(ReadRecording(pictures), options, seen, Overwrite::kRefuse, callbacks);
   if (context.stop != nullptr && *context.stop) throw std::runtime_error("stopped");
-  fs::copy(part / "pictures" / "truth", part / "seen" / "truth", fs::copy_options::recursive);
-  fs::remove_all(part / "seen" / "truth" / "masks");
-  std::error_code exists;
-  fs::rename(part, place, exists);
-  if (exists && !fs::exists(place)) throw std::runtime_error(exists.message());
-  fs::remove_all(part);
+  CopyTruth(pictures, seen);
+  part.MoveToFreePlace();
   return {{"folder", job.name}};
 }
 

@@ -14,6 +14,7 @@
 #include "fitting/trials/finite_elements/generator.h"
 #include "fitting/trials/force.h"
 #include "fitting/trials/terms/trial_terms.h"
+#include "tracking/files/output_folder.h"
 #include "tracking/silhouette/raster.h"
 #include "tracking/synthetic/observations.h"
 #include "tracking/synthetic/picture_writer.h"
@@ -113,12 +114,10 @@ void WriteMasks(const Trial& trial, const SyntheticSurface& surface, const Recor
     BitMask mask(camera.width, camera.height);
     const std::vector<VectorXd> frames =
         FramesAt(surface, trial.recording, is_faulty ? trial.fault->delay : 0.0);
-    const fs::path masks = folder / "masks" / camera.name;
-    fs::create_directories(masks);
     for (std::size_t f = 0; f < frames.size(); ++f) {
       mask.Clear();
       raster.Draw(frames[f], &mask);
-      WritePicture(mask.ToMat(), masks / fmt::format("{:06d}.png", f));
+      WritePicture(mask.ToMat(), FrameFile(folder / "masks", camera, static_cast<int>(f)));
     }
   }
 }
@@ -241,9 +240,16 @@ TrialRecording MakeTrialRecording(const Trial& trial, const fs::path& folder) {
     if (has_masks) throw std::invalid_argument(trial.name + ": masks need a folder");
     return result;
   }
+  const std::map<std::string, std::string> files = FilesOf(synthetic);
+  std::vector<std::string> names = NamesOf(files);
+  for (const Camera& camera : synthetic.recording.cameras) {
+    for (int frame = 0; has_masks && frame < synthetic.recording.frame_count; ++frame)
+      names.push_back(FrameFile("masks", camera, frame).string());
+  }
+  OutputFolder output(folder, FolderKind::kRecording, "trials", Existing::kReplace);
+  output.Begin(names);
   if (has_masks) WriteMasks(trial, synthetic.surface, synthetic.recording, folder);
-  synthetic.recording = result.recording;
-  WriteSyntheticRecording(synthetic, folder, Overwrite::kAllow);
+  output.WriteAll(files);
   result.recording = ReadRecording(folder);
   return result;
 }

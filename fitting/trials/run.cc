@@ -8,6 +8,7 @@
 
 #include "fitting/jobs/ledger.h"
 #include "fitting/trials/summary.h"
+#include "tracking/files/manifest.h"
 
 namespace clothfit {
 namespace {
@@ -75,7 +76,7 @@ TrialScore RunTrial(const Trial& trial, const DiagnoseFunction& diagnose,
     score.problem = error.what();
     Describe(trial, truth, &score);
   }
-  if (!folder.empty() && !options.keep_recordings) fs::remove_all(folder);
+  if (!folder.empty() && !options.keep_recordings) RemoveWrittenFolder(folder);
   score.nonce = commitment.nonce;
   score.digest = commitment.digest;
   return score;
@@ -93,12 +94,16 @@ std::vector<TrialScore> ScoresSoFar(const std::vector<Trial>& trials, const fs::
   return scores;
 }
 
+std::vector<Job> TrialJobs(const std::vector<Trial>& trials) {
+  std::vector<Job> jobs;
+  for (const Trial& trial : trials) jobs.push_back({trial.name, nullptr});
+  return jobs;
+}
+
 JobRunResult RunTrials(const std::vector<Trial>& trials, const DiagnoseFunction& diagnose,
                        const TrialRunOptions& options, const JobRunOptions& jobs) {
-  std::vector<Job> list;
-  for (const Trial& trial : trials) list.push_back({trial.name, nullptr});
   return RunJobs(
-      list,
+      TrialJobs(trials),
       [trials, diagnose, options](const Job& job, const JobContext& context) -> nlohmann::json {
         for (const Trial& trial : trials) {
           if (trial.name == job.name)

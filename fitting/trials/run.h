@@ -39,6 +39,9 @@ TrialScore RunTrial(const Trial& trial, const DiagnoseFunction& diagnose,
 std::vector<TrialScore> ScoresSoFar(const std::vector<Trial>& trials,
                                     const std::filesystem::path& ledger);
 
+// One a trial, by its name.
+std::vector<Job> TrialJobs(const std::vector<Trial>& trials);
+
 // Runs what the ledger (see JobRunOptions) does not hold yet, a trial a job, whose output is its
 // score. Trials that were stopped are no part of the result.
 JobRunResult RunTrials(const std::vector<Trial>& trials, const DiagnoseFunction& diagnose,

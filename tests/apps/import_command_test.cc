@@ -94,7 +94,7 @@ TEST_F(ImportCommand, RefusesBadTakes) {
   EXPECT_FALSE(fs::exists(path() / "rec"));
   folder_.Write("rec/recording.yaml", "mine");
   EXPECT_THAT(BadInputLine(Import({"motive", "take.csv", "-o", "rec"})),
-              HasSubstr("recording.yaml: exists already; --force replaces it"));
+              HasSubstr("recording.yaml: exists already and is not replaced"));
   EXPECT_EQ(ReadTextFile(path() / "rec" / "recording.yaml"), "mine");
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Ctrl-C, and going on afterwards.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -106,7 +107,13 @@ TEST(InterruptedDiagnosis, GoesOnToTheSameAnswer) {
   RunningCommand command(DiagnoseInto("run"), folder.path());
   const fs::path fits = folder.path() / "run" / "fits";
   ASSERT_TRUE(WaitFor(fits, &command)) << command.Wait().err;
-  while (fs::is_empty(fits)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const auto has_fit = [&] {
+    const fs::directory_iterator files(fits);
+    return std::any_of(begin(files), end(files), [](const fs::directory_entry& file) {
+      return file.path().extension() == ".cbor";
+    });
+  };
+  while (!has_fit()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   command.Signal(SIGINT);
   const CommandResult result = command.Wait();
   ASSERT_EQ(result.status, 130) << result.err;

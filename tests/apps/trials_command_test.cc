@@ -37,7 +37,7 @@ TEST(TrialsCommand, RunsOneTrialAndKeepsItsDiagnosis) {
   EXPECT_TRUE(std::filesystem::exists(kept / "diagnosis.json"));
   EXPECT_TRUE(std::filesystem::exists(kept / "log.txt"));
   const CommandResult again = Trials({"clean", "-o", output}, folder);
-  EXPECT_THAT(BadInputLine(again), HasSubstr("already holds results"));
+  EXPECT_THAT(BadInputLine(again), HasSubstr("already holds results of trials"));
   const CommandResult other = Trials({"clean", "--resume", "-o", output}, folder);
   EXPECT_THAT(BadInputLine(other), HasSubstr("conditions.yaml"));
 }

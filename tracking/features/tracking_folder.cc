@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "autodiff_sim/base/error.h"
+#include "tracking/files/output_folder.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -15,8 +16,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOrigin = "origin.txt";
 
-fs::path MaskFile(const fs::path& folder, const Camera& camera, int frame) {
-  return folder / "masks" / camera.name / fmt::format("{:06d}.png", frame);
+std::string MaskFile(const Camera& camera, int frame) {
+  return fmt::format("masks/{}/{:06d}.png", camera.name, frame);
 }
 
 void WriteMask(const cv::Mat& mask, const fs::path& file) {
@@ -28,18 +29,25 @@ void WriteMask(const cv::Mat& mask, const fs::path& file) {
   if (!is_written) throw InputError(file.string(), "cannot be written");
 }
 
-void MakeFolder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "cannot be made (" + error.message() + ")");
+// All that tracking may write.
+std::vector<std::string> FilesOfTracking(const Recording& recording, bool find_masks) {
+  std::vector<std::string> files = NamesOf(FilesOf(recording));
+  files.insert(files.end(), {"tracks.csv", "markers.csv", "pictures.csv", "filters.csv", kOrigin});
+  for (std::size_t c = 0; c < recording.cameras.size(); ++c) {
+    for (int frame = 0; frame < recording.frame_count; ++frame) {
+      const bool has_mask = c < recording.files.size() && recording.files[c].masks.count(frame) > 0;
+      if (find_masks || has_mask) files.push_back(MaskFile(recording.cameras[c], frame));
+    }
+  }
+  return files;
 }
 
 void CopyMasks(const Recording& recording, const fs::path& folder) {
   for (std::size_t c = 0; c < recording.files.size(); ++c) {
     for (const auto& [frame, file] : recording.files[c].masks) {
-      const fs::path copy = MaskFile(folder, recording.cameras[c], frame);
+      const fs::path copy = folder / MaskFile(recording.cameras[c], frame);
       std::error_code error;
-      fs::copy_file(file, copy, fs::copy_options::overwrite_existing, error);
+      fs::copy_file(file, copy, error);
       if (error) throw InputError(copy.string(), "cannot be written (" + error.message() + ")");
     }
   }
@@ -50,28 +58,23 @@ void CopyMasks(const Recording& recording, const fs::path& folder) {
 TrackingResult TrackIntoFolder(const Recording& recording, const TrackingOptions& options,
                                const fs::path& folder, Overwrite overwrite,
                                const TrackingCallbacks& callbacks) {
-  if (fs::exists(folder / "recording.yaml")) {
-    if (overwrite == Overwrite::kRefuse) {
-      throw InputError(folder.string(), "already holds a recording; --force replaces it");
-    }
-    std::error_code error;
-    if (fs::equivalent(folder, recording.path, error)) {
-      throw InputError(folder.string(), "is the recording itself; expected another folder");
-    }
-    fs::remove_all(folder / "masks", error);
-  }
-  for (const Camera& camera : recording.cameras) MakeFolder(folder / "masks" / camera.name);
+  std::error_code error;
+  if (overwrite == Overwrite::kAllow && fs::equivalent(folder, recording.path, error))
+    throw InputError(folder.string(), "is the recording itself; expected another folder");
+  OutputFolder output(folder, FolderKind::kRecording, "track", ExistingIf(overwrite));
+  output.Begin(FilesOfTracking(recording, options.find_masks));
   CopyMasks(recording, folder);
   TrackingCallbacks with_masks = callbacks;
   with_masks.on_silhouette = [&](int camera, int frame, const Silhouette& silhouette) {
-    WriteMask(silhouette.mask, MaskFile(folder, recording.cameras[camera], frame));
+    WriteMask(silhouette.mask, folder / MaskFile(recording.cameras[camera], frame));
     if (callbacks.on_silhouette) callbacks.on_silhouette(camera, frame, silhouette);
   };
   TrackingResult result = TrackRecording(recording, options, with_masks);
-  WriteRecording(WithObservations(recording, result), folder, Overwrite::kAllow);
-  WriteTextFile(folder / "pictures.csv", PicturesAsCsv(recording, result));
-  WriteTextFile(folder / "filters.csv", FiltersAsCsv(result));
-  WriteTextFile(folder / kOrigin, fs::absolute(recording.path).lexically_normal().string() + "\n");
+  std::map<std::string, std::string> files = FilesOf(WithObservations(recording, result));
+  files["pictures.csv"] = PicturesAsCsv(recording, result);
+  files["filters.csv"] = FiltersAsCsv(result);
+  files[kOrigin] = fs::absolute(recording.path).lexically_normal().string() + "\n";
+  output.WriteAll(files);
   return result;
 }
 

@@ -15,8 +15,8 @@ namespace clothfit {
 // recording.yaml, cameras.yaml, handles and the like as they are, masks/ as they are found or
 // copied, tracks.csv and markers.csv; beside it pictures.csv, filters.csv and origin.txt. Stopped
 // early, the folder holds what was found so far, and recording.yaml is written all the same.
-// Throws InputError as TrackRecording does, and where the folder already holds a recording (unless
-// allowed; then its masks, tracks and markers are replaced) or cannot be written.
+// Throws InputError as TrackRecording and OutputFolder do: where the folder already holds a
+// recording (unless allowed; then what clothfit wrote there is replaced) or something else.
 TrackingResult TrackIntoFolder(const Recording& recording, const TrackingOptions& options,
                                const std::filesystem::path& folder, Overwrite overwrite,
                                const TrackingCallbacks& callbacks = {});

@@ -11,6 +11,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "tracking/camera/camera_file.h"
+#include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 #include "tracking/text/yaml_reader.h"
 
@@ -92,34 +93,37 @@ std::string UpdatedScene(const fs::path& file, const ImportedVideos& found, Over
   return text;
 }
 
+std::string PlaceOf(const fs::path& file) { return "videos/" + file.filename().string(); }
+
 // Whole or not at all.
-void CopyVideo(const NamedVideo& video, const fs::path& folder) {
-  const fs::path copy = folder / "videos" / (video.camera + video.file.extension().string());
-  const fs::path part = folder / "videos" / (video.camera + ".part");
-  try {
-    if (fs::exists(copy) && fs::equivalent(copy, video.file)) return;
-    fs::create_directories(copy.parent_path());
-    fs::copy_file(video.file, part, fs::copy_options::overwrite_existing);
-    for (const fs::path& there : VideosThere(folder, video.camera)) {
-      if (there != part) fs::remove(there);
-    }
-    fs::rename(part, copy);
-  } catch (const fs::filesystem_error& error) {
-    throw InputError(copy.string(), fmt::format("cannot be written ({})", error.code().message()));
-  }
+void CopyVideo(const NamedVideo& video, OutputFolder* folder) {
+  const std::string name = "videos/" + video.camera + video.file.extension().string();
+  const fs::path copy = folder->path() / name;
+  std::error_code error;
+  if (fs::equivalent(copy, video.file, error)) return;
+  folder->Add({name});
+  PartFile part(copy);
+  fs::copy_file(video.file, part.path(), fs::copy_options::overwrite_existing, error);
+  if (error) throw InputError(copy.string(), "cannot be written: " + error.message());
+  for (const fs::path& there : VideosThere(folder->path(), video.camera))
+    folder->Remove({PlaceOf(there)});
+  part.MoveToPlace();
 }
 
 // What all videos have in common; each is checked against the cameras.
-ImportedVideos InspectAll(const std::vector<NamedVideo>& videos, const fs::path& folder,
-                          Overwrite overwrite) {
+ImportedVideos InspectAll(const std::vector<NamedVideo>& videos, const OutputFolder& output) {
   ImportedVideos result;
+  const fs::path& folder = output.path();
   const fs::path cameras_file = folder / "cameras.yaml";
   std::vector<Camera> cameras;
   if (fs::exists(cameras_file)) cameras = ReadCameras(cameras_file);
   for (size_t i = 0; i < videos.size(); ++i) {
     const NamedVideo& video = videos[i];
     CheckName(video);
-    for (const fs::path& there : VideosThere(folder, video.camera)) CheckMayWrite(there, overwrite);
+    for (const fs::path& there : VideosThere(folder, video.camera)) {
+      std::error_code ignored;
+      if (!fs::equivalent(there, video.file, ignored)) output.CheckMayWrite(PlaceOf(there));
+    }
     const VideoFacts facts = InspectVideo(video.file);
     if (fs::exists(cameras_file)) CheckCamera(video, facts, cameras);
     for (size_t j = 0; j < i; ++j) {
@@ -166,7 +170,8 @@ VideoFacts InspectVideo(const fs::path& file) {
 
 ImportedVideos ImportVideos(const std::vector<NamedVideo>& videos, SceneStart start,
                             const fs::path& folder, Overwrite overwrite) {
-  ImportedVideos result = InspectAll(videos, folder, overwrite);
+  OutputFolder output = OpenRecording(folder, "import video", overwrite);
+  ImportedVideos result = InspectAll(videos, output);
   if (start.frame_rate) result.frame_rate = *start.frame_rate;
   if (!(result.frame_rate > 0.0)) {
     throw InputError(videos.front().file.string(), "does not say its frame rate; expected --rate");
@@ -174,13 +179,14 @@ ImportedVideos ImportVideos(const std::vector<NamedVideo>& videos, SceneStart st
   const fs::path scene = folder / "recording.yaml";
   const bool has_scene = fs::exists(scene);
   const std::string updated = has_scene ? UpdatedScene(scene, result, overwrite) : "";
+  if (!updated.empty()) CheckMayWrite(scene, overwrite);
   if (!has_scene) {
     start.frame_rate = result.frame_rate;
     start.frame_count = result.frame_count;
-    if (MissingOptions(start).empty()) WriteStart(start, folder, overwrite);
+    if (MissingOptions(start).empty()) WriteStart(start, &output);
   }
-  for (const NamedVideo& video : videos) CopyVideo(video, folder);
-  if (!updated.empty()) WriteTextFile(scene, updated);
+  for (const NamedVideo& video : videos) CopyVideo(video, &output);
+  if (!updated.empty()) WriteWholeFile(scene, updated);
   return result;
 }
 

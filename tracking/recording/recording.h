@@ -18,6 +18,7 @@
 #include <Eigen/Core>
 
 #include "tracking/camera/camera.h"
+#include "tracking/files/output_file.h"
 
 namespace clothfit {
 
@@ -174,14 +175,15 @@ Recording ReadRecording(const std::filesystem::path& folder);
 // Checks the values of a recording in memory. Throws InputError as if it had been read from disk.
 void CheckRecording(const Recording& recording);
 
-enum class Overwrite { kRefuse, kAllow };
+// The files of a recording's folder, contents by name: recording.yaml and, where there is something
+// to write, cameras.yaml, markers.csv, tracks.csv, initial.csv, handles/*.csv, obstacles/*.csv and
+// copies of meshes. Numbers are the shortest decimals that read back as the same doubles. Pictures
+// are not among them: whoever makes them puts them beside. Throws InputError where a value is
+// wrong.
+std::map<std::string, std::string> FilesOf(const Recording& recording);
 
-// Checks the values, then writes recording.yaml and, where there is something to write,
-// cameras.yaml, markers.csv, tracks.csv, initial.csv, handles/*.csv and obstacles/*.csv, and copies
-// meshes. Numbers
-// are the shortest decimals that read back as the same doubles. Pictures are not
-// written: whoever makes them puts them beside, before or after.
-// Throws InputError when the folder already holds a recording (unless allowed) or is not writable.
+// Writes these. Throws InputError as OutputFolder does, where the folder already holds a recording
+// (unless it may be replaced) or anything else.
 void WriteRecording(const Recording& recording, const std::filesystem::path& folder,
                     Overwrite overwrite = Overwrite::kRefuse);
 

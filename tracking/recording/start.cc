@@ -4,14 +4,10 @@
 
 #include <limits>
 
-#include <fmt/format.h>
-
-#include "autodiff_sim/base/error.h"
 #include "tracking/camera/camera_file.h"
 #include "tracking/recording/picture_files.h"
 #include "tracking/recording/tables.h"
 #include "tracking/recording/validation.h"
-#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -51,43 +47,36 @@ std::vector<std::string> MissingOptions(const SceneStart& start) {
   return missing;
 }
 
-void CheckMayWrite(const fs::path& file, Overwrite overwrite) {
-  if (overwrite == Overwrite::kAllow || !fs::exists(file)) return;
-  throw InputError(file.string(), "exists already; --force replaces it");
+OutputFolder OpenRecording(const fs::path& folder, const std::string& command,
+                           Overwrite overwrite) {
+  return OutputFolder(folder, FolderKind::kRecording, command,
+                      overwrite == Overwrite::kAllow ? Existing::kAddAndReplace : Existing::kAdd);
 }
 
-void WriteStart(const SceneStart& start, const fs::path& folder, Overwrite overwrite) {
-  CheckMayWrite(folder / "recording.yaml", overwrite);
-  const Recording recording = RecordingOf(start, folder);
+void WriteStart(const SceneStart& start, OutputFolder* folder) {
+  const Recording recording = RecordingOf(start, folder->path());
   CheckScene(recording);
   CheckCloth(recording);
-  // Written elsewhere first: in the folder itself, what lies there would be taken for the remains
-  // of another recording and removed.
-  const fs::path part = folder / "recording.part";
-  try {
-    WriteRecording(recording, part, Overwrite::kAllow);
-    fs::rename(part / "recording.yaml", folder / "recording.yaml");
-    fs::remove_all(part);
-  } catch (const fs::filesystem_error& error) {
-    throw InputError(folder.string(),
-                     fmt::format("cannot be written ({})", error.code().message()));
-  }
+  const std::map<std::string, std::string> files = FilesOf(recording);
+  folder->Add(NamesOf(files));
+  folder->WriteAll(files);
 }
 
-void WriteCameras(const std::vector<Camera>& cameras, const fs::path& folder, Overwrite overwrite) {
-  const fs::path file = folder / "cameras.yaml";
-  CheckMayWrite(file, overwrite);
+void WriteCameras(const std::vector<Camera>& cameras, OutputFolder* folder) {
+  constexpr const char* kFile = "cameras.yaml";
+  folder->CheckMayWrite(kFile);
   Recording recording;
-  recording.path = folder;
+  recording.path = folder->path();
   recording.frame_count = std::numeric_limits<int>::max();  // only the names are looked at here
   recording.cameras = cameras;
   CheckCameras(recording);
   ListPictures(recording);
-  if (fs::exists(folder / "tracks.csv")) {
+  if (fs::exists(folder->path() / "tracks.csv")) {
     std::vector<int> lines;
-    ReadTracks(folder / "tracks.csv", recording, &lines);
+    ReadTracks(folder->path() / "tracks.csv", recording, &lines);
   }
-  WriteTextFile(file, CamerasAsYaml(cameras));
+  folder->Add({kFile});
+  folder->WriteAll({{kFile, CamerasAsYaml(cameras)}});
 }
 
 }  // namespace clothfit

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tracking/files/output_folder.h"
 #include "tracking/recording/recording.h"
 
 namespace clothfit {
@@ -31,16 +32,17 @@ std::vector<std::string> MissingOptions(const SceneStart& start);
 // "take" for "runs/take" and "runs/take/".
 std::string NameOfFolder(const std::filesystem::path& folder);
 
-// Throws InputError where the file exists, unless it may be replaced.
-void CheckMayWrite(const std::filesystem::path& file, Overwrite overwrite);
+// The folder of a recording, old or new, to put more into it. Replaced is only what an import wrote
+// before. `command`: "import video", for example.
+OutputFolder OpenRecording(const std::filesystem::path& folder, const std::string& command,
+                           Overwrite overwrite);
 
 // Writes recording.yaml and nothing else. Everything has to be there, and right, in `start`; throws
 // InputError otherwise.
-void WriteStart(const SceneStart& start, const std::filesystem::path& folder, Overwrite overwrite);
+void WriteStart(const SceneStart& start, OutputFolder* folder);
 
 // Writes cameras.yaml. Throws InputError where a camera is wrong, or where the pictures or tracks
 // that lie in the folder are of another one.
-void WriteCameras(const std::vector<Camera>& cameras, const std::filesystem::path& folder,
-                  Overwrite overwrite);
+void WriteCameras(const std::vector<Camera>& cameras, OutputFolder* folder);
 
 }  // namespace clothfit

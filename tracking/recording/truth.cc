@@ -14,11 +14,11 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path PointsFile(const fs::path& recording_folder) {
-  return recording_folder / "truth" / "points.csv";
+  return recording_folder / kTruthPointsFile;
 }
 
 fs::path ParametersFile(const fs::path& recording_folder) {
-  return recording_folder / "truth" / "parameters.yaml";
+  return recording_folder / kTruthParametersFile;
 }
 
 // Puts the numbers of a map and of the maps in it under their joined names.
@@ -57,20 +57,19 @@ std::map<std::string, double> ReadTruthParameters(const fs::path& recording_fold
   return parameters;
 }
 
-void WriteTruthPoints(const std::vector<TruthPoint>& points, const fs::path& recording_folder) {
+std::string TruthPointsAsCsv(const std::vector<TruthPoint>& points) {
   std::string text = "frame,u,v,x,y,z\n";
   for (const TruthPoint& point : points) {
     text += fmt::format("{},{},{},{},{},{}\n", point.frame, point.uv.x(), point.uv.y(),
                         point.position.x(), point.position.y(), point.position.z());
   }
-  WriteTextFile(PointsFile(recording_folder), text);
+  return text;
 }
 
-void WriteTruthParameters(const std::map<std::string, double>& parameters,
-                          const fs::path& recording_folder) {
+std::string TruthParametersAsYaml(const std::map<std::string, double>& parameters) {
   std::string text;
   for (const auto& [name, value] : parameters) text += fmt::format("{}: {}\n", name, value);
-  WriteTextFile(ParametersFile(recording_folder), text.empty() ? "{}\n" : text);
+  return text.empty() ? "{}\n" : text;
 }
 
 }  // namespace clothfit

@@ -32,10 +32,10 @@ bool HasTruthPoints(const std::filesystem::path& recording_folder);
 std::map<std::string, double> ReadTruthParameters(const std::filesystem::path& recording_folder);
 bool HasTruthParameters(const std::filesystem::path& recording_folder);
 
-// Write the same files, making truth/. Throw InputError when they cannot be written.
-void WriteTruthPoints(const std::vector<TruthPoint>& points,
-                      const std::filesystem::path& recording_folder);
-void WriteTruthParameters(const std::map<std::string, double>& parameters,
-                          const std::filesystem::path& recording_folder);
+// The text of these files, and their names in a recording's folder.
+std::string TruthPointsAsCsv(const std::vector<TruthPoint>& points);
+std::string TruthParametersAsYaml(const std::map<std::string, double>& parameters);
+inline constexpr const char* kTruthPointsFile = "truth/points.csv";
+inline constexpr const char* kTruthParametersFile = "truth/parameters.yaml";
 
 }  // namespace clothfit

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "autodiff_sim/base/error.h"
 #include "tracking/camera/camera_file.h"
+#include "tracking/files/output_folder.h"
 #include "tracking/recording/recording.h"
 #include "tracking/recording/tables.h"
 #include "tracking/recording/validation.h"
@@ -125,64 +125,36 @@ std::string RecordingAsYaml(const Recording& recording) {
   return text + NoiseAsYaml(recording.noise) + SplitsAsYaml(recording.splits);
 }
 
-// What an earlier recording left would otherwise be read as part of this one.
-void RemoveEarlierFiles(const fs::path& folder) {
-  for (const char* name : {"cameras.yaml", "markers.csv", "tracks.csv", "initial.csv"}) {
-    fs::remove(folder / name);
-  }
-  for (const char* name : {"handles", "obstacles"}) {
-    if (!fs::is_directory(folder / name)) continue;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder / name)) {
-      if (entry.path().extension() == ".csv") fs::remove(entry.path());
-    }
-  }
-}
-
-void CopyMesh(const fs::path& mesh, const fs::path& folder) {
-  const fs::path copy = folder / mesh.filename();
-  if (fs::exists(copy) && fs::equivalent(mesh, copy)) return;
-  fs::copy_file(mesh, copy, fs::copy_options::overwrite_existing);
-}
-
-void WriteFiles(const Recording& recording, const fs::path& folder) {
-  WriteTextFile(folder / "recording.yaml", RecordingAsYaml(recording));
-  if (!recording.cameras.empty()) {
-    WriteTextFile(folder / "cameras.yaml", CamerasAsYaml(recording.cameras));
-  }
-  if (!recording.markers.empty()) {
-    WriteTextFile(folder / "markers.csv", MarkersAsCsv(recording.markers));
-  }
-  if (!recording.tracks.empty()) WriteTextFile(folder / "tracks.csv", TracksAsCsv(recording));
-  if (const auto* placement = std::get_if<PointPlacement>(&recording.cloth.initial)) {
-    WriteTextFile(folder / "initial.csv", PlacedPointsAsCsv(placement->points));
-  }
-  for (const HandleDescription& handle : recording.handles) {
-    if (handle.path) WriteTextFile(folder / HandleFile(handle), HandlePathAsCsv(*handle.path));
-  }
-  for (const ObstacleDescription& obstacle : recording.obstacles) {
-    if (obstacle.path.size() > 1)
-      WriteTextFile(folder / ObstacleFile(obstacle), ObstaclePathAsCsv(obstacle.path));
-    if (const auto* mesh = std::get_if<MeshShape>(&obstacle.shape)) CopyMesh(mesh->file, folder);
-  }
-  if (const auto* mesh = std::get_if<MeshPlacement>(&recording.cloth.initial)) {
-    CopyMesh(mesh->file, folder);
-  }
-}
+std::string MeshName(const fs::path& mesh) { return mesh.filename().string(); }
 
 }  // namespace
 
-void WriteRecording(const Recording& recording, const fs::path& folder, Overwrite overwrite) {
+std::map<std::string, std::string> FilesOf(const Recording& recording) {
   CheckValues(recording, {});
-  if (fs::exists(folder / "recording.yaml") && overwrite == Overwrite::kRefuse) {
-    throw InputError(folder.string(), "already holds a recording; expected a new or empty folder");
+  std::map<std::string, std::string> files = {{"recording.yaml", RecordingAsYaml(recording)}};
+  if (!recording.cameras.empty()) files["cameras.yaml"] = CamerasAsYaml(recording.cameras);
+  if (!recording.markers.empty()) files["markers.csv"] = MarkersAsCsv(recording.markers);
+  if (!recording.tracks.empty()) files["tracks.csv"] = TracksAsCsv(recording);
+  if (const auto* placement = std::get_if<PointPlacement>(&recording.cloth.initial))
+    files["initial.csv"] = PlacedPointsAsCsv(placement->points);
+  for (const HandleDescription& handle : recording.handles) {
+    if (handle.path) files[HandleFile(handle)] = HandlePathAsCsv(*handle.path);
   }
-  try {
-    RemoveEarlierFiles(folder);
-    WriteFiles(recording, folder);
-  } catch (const fs::filesystem_error& error) {
-    throw InputError(folder.string(),
-                     fmt::format("cannot be written ({})", error.code().message()));
+  for (const ObstacleDescription& obstacle : recording.obstacles) {
+    if (obstacle.path.size() > 1) files[ObstacleFile(obstacle)] = ObstaclePathAsCsv(obstacle.path);
+    if (const auto* mesh = std::get_if<MeshShape>(&obstacle.shape))
+      files[MeshName(mesh->file)] = ReadTextFile(mesh->file);
   }
+  if (const auto* mesh = std::get_if<MeshPlacement>(&recording.cloth.initial))
+    files[MeshName(mesh->file)] = ReadTextFile(mesh->file);
+  return files;
+}
+
+void WriteRecording(const Recording& recording, const fs::path& folder, Overwrite overwrite) {
+  const std::map<std::string, std::string> files = FilesOf(recording);
+  OutputFolder output(folder, FolderKind::kRecording, "recording", ExistingIf(overwrite));
+  output.Begin(NamesOf(files));
+  output.WriteAll(files);
 }
 
 }  // namespace clothfit

@@ -48,17 +48,6 @@ fs::path FrameFile(const fs::path& folder, const Camera& camera, int frame) {
   return folder / camera.name / fmt::format("{:06}.png", frame);
 }
 
-void RemovePictures(const fs::path& recording_folder) {
-  for (const char* name : {"images", "videos", "background", "masks", "truth/masks"}) {
-    std::error_code error;
-    fs::remove_all(recording_folder / name, error);
-    if (error) {
-      throw InputError((recording_folder / name).string(),
-                       "cannot be removed (" + error.message() + ")");
-    }
-  }
-}
-
 FrameWriter::FrameWriter(const fs::path& recording_folder, const Camera& camera, double frame_rate,
                          const std::string& video)
     : folder_(recording_folder / (video.empty() ? "images" : "videos")), camera_(camera) {

@@ -26,10 +26,6 @@ void WritePicture(const cv::Mat& picture, const std::filesystem::path& file);
 std::filesystem::path FrameFile(const std::filesystem::path& folder, const Camera& camera,
                                 int frame);
 
-// Removes what an earlier recording left of pictures in images/, videos/, background/, masks/ and
-// truth/masks/, so that none is taken for one of this. Other files stay.
-void RemovePictures(const std::filesystem::path& recording_folder);
-
 // mp4 (MPEG-4, loses a little), avi (Motion JPEG, likewise), mkv (FFV1, loses nothing).
 const std::vector<std::string>& VideoContainers();
 

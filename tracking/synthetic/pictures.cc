@@ -156,6 +156,20 @@ Eigen::VectorXd SyntheticSurface::At(double time) const {
   return (1.0 - rest) * positions[before] + rest * positions[before + 1];
 }
 
+std::vector<std::string> SyntheticPictureFiles(const PictureOptions& options,
+                                               const Recording& recording) {
+  std::vector<std::string> files;
+  for (const Camera& camera : recording.cameras) {
+    files.push_back("background/" + camera.name + ".png");
+    if (!options.video.empty()) files.push_back("videos/" + camera.name + "." + options.video);
+    for (int frame = 0; frame < recording.frame_count; ++frame) {
+      files.push_back(FrameFile("truth/masks", camera, frame).string());
+      if (options.video.empty()) files.push_back(FrameFile("images", camera, frame).string());
+    }
+  }
+  return files;
+}
+
 void WriteSyntheticPictures(const PictureOptions& options, std::uint64_t seed,
                             const Recording& recording, const SyntheticSurface& surface,
                             const fs::path& folder, const SyntheticProgress& progress) {

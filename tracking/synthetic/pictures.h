@@ -52,6 +52,10 @@ struct PictureOptions {
 // time.
 using SyntheticProgress = std::function<void(double share, const std::string& stage)>;
 
+// The names of the files that WriteSyntheticPictures writes.
+std::vector<std::string> SyntheticPictureFiles(const PictureOptions& options,
+                                               const Recording& recording);
+
 // Writes images/ or videos/, background/ and truth/masks/ into the recording's folder, for the
 // cameras of the recording. Of each picture the noise depends on the seed, the camera and the frame
 // alone. Throws InputError where a file cannot be written.

@@ -13,10 +13,9 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/scenes/cloth_scene.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "tracking/files/output_folder.h"
 #include "tracking/synthetic/keys.h"
 #include "tracking/synthetic/observations.h"
-#include "tracking/synthetic/picture_writer.h"
-#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -184,24 +183,29 @@ SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options,
   return result;
 }
 
-void WriteSyntheticRecording(const SyntheticRecording& synthetic,
-                             const std::filesystem::path& folder, Overwrite overwrite) {
-  WriteRecording(synthetic.recording, folder, overwrite);
-  WriteTruthPoints(synthetic.truth_points, folder);
-  WriteTruthParameters(synthetic.truth_parameters, folder);
+std::map<std::string, std::string> FilesOf(const SyntheticRecording& synthetic) {
+  std::map<std::string, std::string> files = FilesOf(synthetic.recording);
+  files[kTruthPointsFile] = TruthPointsAsCsv(synthetic.truth_points);
+  files[kTruthParametersFile] = TruthParametersAsYaml(synthetic.truth_parameters);
+  return files;
 }
 
 SyntheticRecording Synthesize(const SyntheticOptions& options, const std::filesystem::path& folder,
                               Overwrite overwrite, const SyntheticProgress& progress) {
   options.Check("synthetic recording");
   // What cannot be written is told before the simulation, which takes a while.
-  if (overwrite == Overwrite::kRefuse && std::filesystem::exists(folder / "recording.yaml"))
-    throw InputError(folder.string(), "already holds a recording; --force replaces it");
-  const std::filesystem::path config = folder / "truth" / "synthesize.yaml";
-  WriteTextFile(config, SyntheticConfigAsYaml(options));
+  OutputFolder output(folder, FolderKind::kRecording, "synthesize", ExistingIf(overwrite));
   SyntheticRecording synthetic = MakeSyntheticRecording(options, progress);
-  if (overwrite == Overwrite::kAllow) RemovePictures(folder);
-  WriteSyntheticRecording(synthetic, folder, overwrite);
+  std::map<std::string, std::string> files = FilesOf(synthetic);
+  files["truth/synthesize.yaml"] = SyntheticConfigAsYaml(options);
+  std::vector<std::string> names = NamesOf(files);
+  if (options.images) {
+    const std::vector<std::string> pictures =
+        SyntheticPictureFiles(options.pictures, synthetic.recording);
+    names.insert(names.end(), pictures.begin(), pictures.end());
+  }
+  output.Begin(names);
+  output.WriteAll(files);
   if (options.images) {
     WriteSyntheticPictures(options.pictures, options.seed, synthetic.recording, synthetic.surface,
                            folder, progress);

@@ -95,11 +95,8 @@ SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options,
                                           const SyntheticProgress& progress = {},
                                           const SyntheticGenerator& generator = {});
 
-// The recording's folder with its truth/, but no pictures. Throws InputError as WriteRecording
-// does.
-void WriteSyntheticRecording(const SyntheticRecording& synthetic,
-                             const std::filesystem::path& folder,
-                             Overwrite overwrite = Overwrite::kRefuse);
+// The files of its folder with truth/, but no pictures: contents by name.
+std::map<std::string, std::string> FilesOf(const SyntheticRecording& synthetic);
 
 // Makes the recording and writes all of it, pictures too.
 SyntheticRecording Synthesize(const SyntheticOptions& options, const std::filesystem::path& folder,

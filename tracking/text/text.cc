@@ -57,13 +57,4 @@ std::string ReadTextFile(const std::filesystem::path& file) {
   return text;
 }
 
-void WriteTextFile(const std::filesystem::path& file, const std::string& text) {
-  std::error_code ignored;  // the stream below says whether it worked
-  std::filesystem::create_directories(file.parent_path(), ignored);
-  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  if (!stream) throw InputError(file.string(), "cannot be written");
-}
-
 }  // namespace clothfit

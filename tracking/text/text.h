@@ -24,8 +24,7 @@ std::string FormatNumber(double value);
 
 std::string_view TrimBlanks(std::string_view text);
 
-// Throw InputError when the file cannot be read or written.
+// Throws InputError when the file cannot be read.
 std::string ReadTextFile(const std::filesystem::path& file);
-void WriteTextFile(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace clothfit

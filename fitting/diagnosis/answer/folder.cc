@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/answer/folder.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
@@ -15,6 +17,7 @@ namespace clothfit {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* kFits = "fits/";
 constexpr const char* kMap = "missing-force.png";
 constexpr const char* kCloth = "missing-force-cloth.png";
 constexpr const char* kBaseline = "baseline.npy";
@@ -25,34 +28,40 @@ void WritePoints(const std::vector<Eigen::VectorXd>& frames, const fs::path& fil
   if (!frames.empty()) WriteWholeFile(file, PointsAsNpy(frames));
 }
 
+// The kept fits are listed as long as it is; those of version 0.1.0 one by one.
+bool IsUnfinished(const fs::path& folder) {
+  const std::optional<Manifest> manifest = ReadManifest(folder);
+  if (!manifest || manifest->kind != FolderKind::kDiagnosis) return false;
+  const std::set<std::string> files = manifest->All();
+  return std::any_of(files.begin(), files.end(),
+                     [](const std::string& file) { return file.rfind(kFits, 0) == 0; });
+}
+
 }  // namespace
 
 DiagnosisFolder::DiagnosisFolder(const fs::path& folder, Existing existing) : path_(folder) {
-  const bool is_there = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
-  const bool is_diagnosis = fs::exists(folder / "diagnosis.json") || fs::exists(folder / "log.txt");
-  if (is_there && !is_diagnosis)
-    throw InputError(folder.string(),
-                     "holds something else than a diagnosis; expected a new folder");
-  const bool is_unfinished = is_there && fs::is_directory(KeptFits());
-  if (is_there && existing == Existing::kRefuse)
-    throw InputError(folder.string(),
-                     is_unfinished ? "holds an unfinished diagnosis; --resume goes on with it, "
-                                     "--force replaces it"
-                                   : "already holds a diagnosis; --force replaces it");
-  if (is_there && existing == Existing::kResume && !is_unfinished)
+  const bool is_unfinished = IsUnfinished(folder);
+  if (existing == Existing::kRefuse && is_unfinished)
+    throw InputError(
+        folder.string(),
+        "holds an unfinished diagnosis; --resume goes on with it, --force replaces it");
+  output_ = std::make_shared<OutputFolder>(folder, FolderKind::kDiagnosis, "diagnose", existing);
+  const bool goes_on = existing == Existing::kResume && output_->was_there();
+  if (goes_on && !is_unfinished)
     throw InputError(folder.string(),
                      "holds a finished diagnosis; there is nothing to resume, --force replaces it");
-  std::error_code error;
-  if (existing == Existing::kReplace) fs::remove_all(KeptFits(), error);
-  fs::create_directories(KeptFits(), error);
-  if (is_there && existing == Existing::kResume) {
+  std::vector<std::string> files = {"config.yaml", "diagnosis.json", "diagnosis.md", "report.html",
+                                    kMap,          kCloth,           kBaseline,      kAnswer,
+                                    kForce};
+  if (goes_on) output_->Remove(files);
+  files.insert(files.end(), {"log.txt", kFits});
+  output_->Begin(files);
+  OutputFolder(KeptFits(), FolderKind::kKeptFits, "diagnose", Existing::kResume).Begin({});
+  if (goes_on) {
     AppendLog(fmt::format("resumed with {} fits", NumKeptFits(KeptFits())));
   } else {
-    WriteWholeFile(folder / "log.txt", "clothfit diagnose\n");
+    AppendLog("clothfit diagnose");
   }
-  for (const char* name : {"diagnosis.json", "diagnosis.md", "config.yaml", kMap, kCloth, kBaseline,
-                           kAnswer, kForce, "report.html"})
-    fs::remove(folder / name, error);
 }
 
 void DiagnosisFolder::AppendLog(const std::string& line) const {
@@ -71,8 +80,7 @@ void DiagnosisFolder::Write(const Diagnosis& diagnosis) const {
     WritePicture(diagnosis.discrepancy_pictures->map, path_ / kMap);
     WritePicture(diagnosis.discrepancy_pictures->cloth, path_ / kCloth);
   }
-  std::error_code error;
-  if (diagnosis.verdict != Verdict::kInterrupted) fs::remove_all(KeptFits(), error);
+  if (diagnosis.verdict != Verdict::kInterrupted) output_->Remove({kFits});
 }
 
 }  // namespace clothfit

@@ -8,28 +8,38 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
+<<<<<<< HEAD:fitting/diagnosis/answer/folder.h
 #include "fitting/diagnosis/answer/diagnosis.h"
+    == == ==
+    =
+#include "fitting/diagnosis/diagnosis.h"
+#include "tracking/files/output_folder.h"
+        >>>>>>> ef6338b(Keep a manifest of what is ours in every folder, and touch nothing else)
+    : fitting / diagnosis /
+      diagnosis_folder.h
 
-namespace clothfit {
+      namespace clothfit {
 
-class DiagnosisFolder {
- public:
-  enum class Existing { kRefuse, kReplace, kResume };
+  class DiagnosisFolder {
+   public:
+    using Existing = clothfit::Existing;
 
-  // Makes the folder and begins its log; kResume goes on with that of an unfinished one, or begins
-  // where there is nothing. Throws InputError where it holds files and they may not be replaced, or
-  // are not a diagnosis, or a finished one (kResume), or where it cannot be written.
-  DiagnosisFolder(const std::filesystem::path& folder, Existing existing);
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path KeptFits() const { return path_ / "fits"; }
-  void AppendLog(const std::string& line) const;
-  // An interrupted one can be gone on with afterwards; of others the kept fits are removed.
-  void Write(const Diagnosis& diagnosis) const;
+    // Makes the folder and begins its log; kResume goes on with that of an unfinished one, or
+    // begins where there is nothing. Other commands are kept out of it as long as this lives.
+    // Throws InputError as OutputFolder does, and where a finished one is to be resumed.
+    DiagnosisFolder(const std::filesystem::path& folder, Existing existing);
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path KeptFits() const { return path_ / "fits"; }
+    void AppendLog(const std::string& line) const;
+    // An interrupted one can be gone on with afterwards; of others the kept fits are removed.
+    void Write(const Diagnosis& diagnosis) const;
 
- private:
-  std::filesystem::path path_;
-};
+   private:
+    std::filesystem::path path_;
+    std::shared_ptr<OutputFolder> output_;
+  };
 
 }  // namespace clothfit

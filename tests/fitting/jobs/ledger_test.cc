@@ -86,26 +86,5 @@ TEST(JobLedger, GivesUpAJobThatKillsItsWorkers) {
   EXPECT_THAT(ledger.Read("a")->problem, testing::HasSubstr("3 workers died"));
 }
 
-TEST(JobLedger, ForgetsWorkersButNoResults) {
-  const TestFolder folder;
-  JobLedger ledger(folder.path(), kPatience, 0), other(folder.path(), kPatience, 1);
-  ledger.Record({"a", 1, "", 0.0});
-  EXPECT_TRUE(ledger.Take("b"));
-  JobLedger::Clear(folder.path());
-  EXPECT_TRUE(other.Take("b"));
-  EXPECT_TRUE(other.HasResult("a"));
-}
-
-TEST(WriteAmongMany, LeavesOneWholeFile) {
-  const TestFolder folder;
-  const std::string text(100000, 'x');
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 4; ++i)
-    threads.emplace_back([&] { WriteAmongMany(folder.path() / "table", text); });
-  for (std::thread& thread : threads) thread.join();
-  EXPECT_EQ(fs::file_size(folder.path() / "table"), text.size());
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
-}
-
 }  // namespace
 }  // namespace clothfit

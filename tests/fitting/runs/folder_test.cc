@@ -29,32 +29,6 @@ std::string OpenErrorOf(const fs::path& path, Existing existing) {
   return InputErrorOf([&] { RunFolder(path, existing); });
 }
 
-TEST(WholeFile, IsThereOrLeavesWhatWasThere) {
-  const TestFolder folder;
-  const fs::path file = folder.Write("a.txt", "before");
-  WriteWholeFile(file, "after");
-  EXPECT_EQ(ReadTextFile(file), "after");
-  fs::create_symlink("/dev/full", folder.path() / "a.txt.part");
-  EXPECT_THAT(InputErrorOf([&] { WriteWholeFile(file, "lost"); }),
-              HasSubstr("a.txt.part: cannot be written: No space left on device"));
-  EXPECT_EQ(ReadTextFile(file), "after");
-  EXPECT_FALSE(fs::is_symlink(folder.path() / "a.txt.part"));
-  EXPECT_THAT(InputErrorOf([&] { WriteWholeFile(file / "below", ""); }),
-              HasSubstr("Not a directory"));
-  fs::create_directories(folder.path() / "b" / "c");
-  EXPECT_THAT(InputErrorOf([&] { WriteWholeFile(folder.path() / "b", ""); }),
-              HasSubstr("cannot be written"));
-}
-
-TEST(WholeFile, AppendsLines) {
-  const TestFolder folder;
-  AppendLine(folder.path() / "log.txt", "one");
-  AppendLine(folder.path() / "log.txt", "two");
-  EXPECT_EQ(ReadTextFile(folder.path() / "log.txt"), "one\ntwo\n");
-  EXPECT_THAT(InputErrorOf([] { AppendLine("/dev/full", "line"); }),
-              HasSubstr("/dev/full: cannot be written: No space left on device"));
-}
-
 TEST(RunFolder, TakesANewOrEmptyFolder) {
   const TestFolder folder;
   const RunFolder run(folder.path() / "a" / "b", Existing::kRefuse);
@@ -68,6 +42,7 @@ TEST(RunFolder, RefusesWhatIsThere) {
   const TestFolder folder;
   const RunFolder run(folder.path() / "run", Existing::kRefuse);
   EXPECT_THAT(OpenErrorOf(run.path(), Existing::kRefuse), HasSubstr("--force replaces it"));
+  EXPECT_THAT(OpenErrorOf(run.path(), Existing::kReplace), HasSubstr("another clothfit"));
   const fs::path file = folder.Write("other/log.txt", "not of clothfit");
   EXPECT_THAT(OpenErrorOf(file.parent_path(), Existing::kRefuse), HasSubstr("is not empty"));
   EXPECT_THAT(OpenErrorOf(file.parent_path(), Existing::kReplace), HasSubstr("is not the folder"));
@@ -79,8 +54,7 @@ TEST(RunFolder, RefusesWhatIsThere) {
 
 TEST(RunFolder, ReplacesOnlyItsOwnFiles) {
   const TestFolder folder;
-  const RunFolder run(folder.path() / "run", Existing::kRefuse);
-  run.WriteConfig(DefaultConfig({}));
+  RunFolder(folder.path() / "run", Existing::kRefuse).WriteConfig(DefaultConfig({}));
   folder.Write("run/mine.txt", "keep");
   const RunFolder again(folder.path() / "run", Existing::kReplace);
   EXPECT_FALSE(fs::exists(again.ConfigFile()));
@@ -89,17 +63,34 @@ TEST(RunFolder, ReplacesOnlyItsOwnFiles) {
 
 TEST(RunFolder, ResumesWhatIsNotFinished) {
   const TestFolder folder;
-  EXPECT_THAT(OpenErrorOf(folder.path() / "run", Existing::kResume), HasSubstr("no run to resume"));
-  const RunFolder run(folder.path() / "run", Existing::kRefuse);
-  EXPECT_NO_THROW(RunFolder(run.path(), Existing::kResume));  // ended before its first checkpoint
+  const fs::path place = folder.path() / "run";
+  EXPECT_THAT(OpenErrorOf(place, Existing::kResume), HasSubstr("no run to resume"));
+  EXPECT_FALSE(fs::exists(place));
+  RunFolder(place, Existing::kRefuse);
+  EXPECT_NO_THROW(RunFolder(place, Existing::kResume));  // ended before its first checkpoint
   folder.Write("run/summary.json", "{\"status\": \"interrupted\"}");
-  EXPECT_NO_THROW(RunFolder(run.path(), Existing::kResume));
+  EXPECT_NO_THROW(RunFolder(place, Existing::kResume));
   folder.Write("run/summary.json", "{\"status\": \"converged\"}");
-  EXPECT_THAT(OpenErrorOf(run.path(), Existing::kResume), HasSubstr("the run is finished"));
-  run.WriteCheckpoint({});
-  EXPECT_NO_THROW(RunFolder(run.path(), Existing::kResume));
-  run.RemoveCheckpoint();
-  EXPECT_FALSE(run.HasCheckpoint());
+  EXPECT_THAT(OpenErrorOf(place, Existing::kResume), HasSubstr("the run is finished"));
+  RunFolder::Open(place).WriteCheckpoint({});
+  EXPECT_NO_THROW(RunFolder(place, Existing::kResume));
+  RunFolder::Open(place).RemoveCheckpoint();
+  EXPECT_FALSE(RunFolder::Open(place).HasCheckpoint());
+}
+
+TEST(RunFolder, IsKnownWithoutAManifest) {
+  const TestFolder folder;
+  folder.Write("run/log.txt", "clothfit 0.1.0\n");
+  folder.Write("run/config.yaml", "of before");
+  folder.Write("run/mine.txt", "keep");
+  EXPECT_EQ(RunFolder::Open(folder.path() / "run").path(), folder.path() / "run");
+  EXPECT_NO_THROW(RunFolder(folder.path() / "run", Existing::kReplace));
+  EXPECT_FALSE(fs::exists(folder.path() / "run" / "config.yaml"));
+  EXPECT_EQ(ReadTextFile(folder.path() / "run" / "mine.txt"), "keep");
+  folder.Write("diagnosis/log.txt", "clothfit diagnose\n");
+  EXPECT_THAT(InputErrorOf([&] { RunFolder::Open(folder.path() / "diagnosis"); }),
+              HasSubstr("is not the folder of a run; expected one that 'clothfit fit' made, found "
+                        "a diagnosis"));
 }
 
 TEST(Checkpoint, RoundTripsExactly) {

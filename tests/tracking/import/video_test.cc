@@ -44,6 +44,13 @@ class VideoImport : public testing::Test {
     return camera;
   }
 
+  void WriteCamerasOf(const std::vector<std::string>& names) const {
+    std::vector<Camera> cameras;
+    for (const std::string& name : names) cameras.push_back(CameraOf(name));
+    OutputFolder folder = OpenRecording(recording(), "import cameras", Overwrite::kRefuse);
+    WriteCameras(cameras, &folder);
+  }
+
   std::string ErrorOf(const std::vector<NamedVideo>& videos,
                       Overwrite overwrite = Overwrite::kRefuse) const {
     return InputErrorOf([&] { ImportVideos(videos, {}, recording(), overwrite); });
@@ -62,7 +69,7 @@ class VideoImport : public testing::Test {
 TEST_F(VideoImport, BeginsARecording) {
   const fs::path left = WriteVideo("GX01.avi", 5);
   const fs::path right = WriteVideo("GX02.avi", 4);
-  WriteCameras({CameraOf("left"), CameraOf("right")}, recording(), Overwrite::kRefuse);
+  WriteCamerasOf({"left", "right"});
   const ImportedVideos imported = ImportVideos({{"left", left}, {"right", right}}, LyingCloth(),
                                                recording(), Overwrite::kRefuse);
   EXPECT_EQ(imported.frame_count, 5);
@@ -114,10 +121,18 @@ TEST_F(VideoImport, ChecksARecordingThatIsThere) {
 TEST_F(VideoImport, OverwritesNothingUnlessAllowed) {
   const fs::path first = WriteVideo("a.avi", 3);
   const fs::path second = WriteVideo("b.avi", 4);
-  folder_.Write("rec/videos/left.mp4", "of before");
-  EXPECT_THAT(ErrorOf({{"left", first}}), HasSubstr("left.mp4: exists already; --force replaces"));
-  ImportVideos({{"left", first}}, {}, recording(), Overwrite::kAllow);
-  EXPECT_FALSE(fs::exists(recording() / "videos" / "left.mp4"));  // a camera has one video
+  folder_.Write("rec/videos/left.mp4", "of somebody else");
+  for (const Overwrite overwrite : {Overwrite::kRefuse, Overwrite::kAllow}) {
+    EXPECT_THAT(ErrorOf({{"left", first}}, overwrite),
+                HasSubstr("left.mp4: exists already and is not replaced"));
+  }
+  EXPECT_EQ(ReadTextFile(recording() / "videos" / "left.mp4"), "of somebody else");
+  fs::remove(recording() / "videos" / "left.mp4");
+  fs::rename(first, folder_.path() / "a.MJPG");
+  ImportVideos({{"left", folder_.path() / "a.MJPG"}}, {}, recording(), Overwrite::kRefuse);
+  EXPECT_THAT(ErrorOf({{"left", second}}), HasSubstr("left.MJPG: exists already; --force repl"));
+  ImportVideos({{"left", second}}, {}, recording(), Overwrite::kAllow);
+  EXPECT_FALSE(fs::exists(recording() / "videos" / "left.MJPG"));  // a camera has one video
   ImportVideos({{"left", second}}, {}, recording(), Overwrite::kAllow);
   EXPECT_EQ(InspectVideo(recording() / "videos" / "left.avi").frame_count, 4);
   // A video that is in its place already stays there.
@@ -135,7 +150,7 @@ TEST_F(VideoImport, RefusesWrongVideos) {
   EXPECT_THAT(ErrorOf({{"left", file}, {"left", file}}), HasSubstr("'left' has two videos"));
   EXPECT_THAT(ErrorOf({{"left", file}, {"right", WriteVideo("c.avi", 3, 30.0)}}),
               HasSubstr("c.avi: expected 25 Hz as in"));
-  WriteCameras({CameraOf("left"), CameraOf("right")}, recording(), Overwrite::kRefuse);
+  WriteCamerasOf({"left", "right"});
   EXPECT_THAT(ErrorOf({{"lefd", file}}),
               HasSubstr("'lefd' is no camera of cameras.yaml; did you mean 'left'?"));
   EXPECT_THAT(ErrorOf({{"left", WriteVideo("d.avi", 3, 25.0, 32)}}),
@@ -146,23 +161,24 @@ TEST_F(VideoImport, RefusesWrongVideos) {
 TEST_F(VideoImport, WritesCamerasThatFitTheFolder) {
   folder_.Write("rec/masks/left/000003.png", "");
   folder_.Write("rec/markers.csv", "frame,id,u,v,x,y,z\n0,0,0,0,0,0,0\n");
-  EXPECT_THAT(
-      InputErrorOf([&] { WriteCameras({CameraOf("lfet")}, recording(), Overwrite::kRefuse); }),
-      HasSubstr("'left' is no camera of cameras.yaml; did you mean 'lfet'?"));
+  EXPECT_THAT(InputErrorOf([&] { WriteCamerasOf({"lfet"}); }),
+              HasSubstr("'left' is no camera of cameras.yaml; did you mean 'lfet'?"));
   EXPECT_FALSE(fs::exists(recording() / "cameras.yaml"));
-  WriteCameras({CameraOf("left")}, recording(), Overwrite::kRefuse);
-  EXPECT_THAT(
-      InputErrorOf([&] { WriteCameras({CameraOf("left")}, recording(), Overwrite::kRefuse); }),
-      HasSubstr("cameras.yaml: exists already; --force replaces it"));
+  WriteCamerasOf({"left"});
+  EXPECT_THAT(InputErrorOf([&] { WriteCamerasOf({"left"}); }),
+              HasSubstr("cameras.yaml: exists already; --force replaces it"));
   SceneStart start = LyingCloth();
   start.frame_rate = 30.0;
   start.frame_count = 10;
-  WriteStart(start, recording(), Overwrite::kRefuse);
+  const auto write_start = [&] {
+    OutputFolder folder = OpenRecording(recording(), "import video", Overwrite::kRefuse);
+    WriteStart(start, &folder);
+  };
+  write_start();
   const Recording read = ReadRecording(recording());
   EXPECT_EQ(read.markers.size(), 1u);  // what lay there before stays
   EXPECT_EQ(read.cameras.size(), 1u);
-  EXPECT_THAT(InputErrorOf([&] { WriteStart(start, recording(), Overwrite::kRefuse); }),
-              HasSubstr("recording.yaml: exists already"));
+  EXPECT_THAT(InputErrorOf(write_start), HasSubstr("recording.yaml: exists already"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ TEST(TruthPoints, RoundTripExactly) {
   EXPECT_FALSE(HasTruthPoints(folder.path()));
   const std::vector<TruthPoint> points = {{0, {0.1, 1.0 / 3.0}, {1e-17, -2.0, 1.0 / 7.0}},
                                           {7, {0.0, 0.5}, {1.0, 2.0, 3.0}}};
-  WriteTruthPoints(points, folder.path());
+  folder.Write(kTruthPointsFile, TruthPointsAsCsv(points));
   ASSERT_TRUE(HasTruthPoints(folder.path()));
   const std::vector<TruthPoint> again = ReadTruthPoints(folder.path());
   ASSERT_EQ(again.size(), 2u);
@@ -41,10 +41,10 @@ TEST(TruthParameters, RoundTripExactly) {
   EXPECT_FALSE(HasTruthParameters(folder.path()));
   const std::map<std::string, double> parameters = {{"air_drag.normal", 0.1},
                                                     {"bending.stiffness", 1.0 / 3.0}};
-  WriteTruthParameters(parameters, folder.path());
+  folder.Write(kTruthParametersFile, TruthParametersAsYaml(parameters));
   EXPECT_TRUE(HasTruthParameters(folder.path()));
   EXPECT_EQ(ReadTruthParameters(folder.path()), parameters);
-  WriteTruthParameters({}, folder.path());
+  folder.Write(kTruthParametersFile, TruthParametersAsYaml({}));
   EXPECT_TRUE(ReadTruthParameters(folder.path()).empty());
 }
 

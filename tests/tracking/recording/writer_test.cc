@@ -215,7 +215,7 @@ TEST(WriteRecording, RefusesWrongValuesAndFolders) {
   const TestFolder folder;
   const auto file = folder.Write("file", "");
   EXPECT_THAT(InputErrorOf([&] { WriteRecording(recording, file / "below"); }),
-              HasSubstr("cannot be written"));
+              HasSubstr("cannot be made"));
   recording.frame_rate = 0.0;
   EXPECT_THAT(InputErrorOf([&] { WriteRecording(recording, folder.path()); }),
               HasSubstr("frame_rate: expected a number above 0"));

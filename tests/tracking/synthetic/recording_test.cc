@@ -165,7 +165,7 @@ TEST(SyntheticRecording, ReadsBackAsWritten) {
   options.parameters = {{"air_drag.normal", 0.5}};
   const SyntheticRecording written = MakeSyntheticRecording(options);
   const TestFolder folder;
-  WriteSyntheticRecording(written, folder.path());
+  for (const auto& [file, contents] : FilesOf(written)) folder.Write(file, contents);
   const Recording read = ReadRecording(folder.path());
   ExpectSameMarkers(written.recording, read);
   EXPECT_EQ(read.tracks.size(), written.recording.tracks.size());

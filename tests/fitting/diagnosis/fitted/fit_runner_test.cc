@@ -18,6 +18,7 @@
 #include "tests/support/small_recording.h"
 #include "tests/support/test_folder.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -269,12 +270,14 @@ TEST_F(FitKeyTest, IsAnotherForWhateverIsToldTheFit) {
 TEST(DiagnosisFolder, GoesOnWithWhatIsNotFinishedOnly) {
   using Existing = DiagnosisFolder::Existing;
   const TestFolder folder;
-  const fs::path place = folder.path() / "run";
-  const DiagnosisFolder begun(place, Existing::kResume);
-  WriteWholeFile(begun.KeptFits() / "a.cbor", "kept");
+  const fs::path place = folder.path() / "run", fits = place / "fits";
   Diagnosis diagnosis;
   diagnosis.verdict = Verdict::kInterrupted;
-  begun.Write(diagnosis);
+  {
+    const DiagnosisFolder begun(place, Existing::kResume);
+    WriteWholeFile(begun.KeptFits() / (std::string(64, 'a') + ".cbor"), "kept");
+    begun.Write(diagnosis);
+  }
   const auto error_of = [&](Existing existing) -> std::string {
     try {
       DiagnosisFolder again(place, existing);
@@ -285,14 +288,18 @@ TEST(DiagnosisFolder, GoesOnWithWhatIsNotFinishedOnly) {
   };
   EXPECT_THAT(error_of(Existing::kRefuse), HasSubstr("--resume goes on with it"));
   EXPECT_EQ(error_of(Existing::kResume), "");
-  EXPECT_EQ(NumKeptFits(begun.KeptFits()), 1);
+  EXPECT_EQ(NumKeptFits(fits), 1);
+  folder.Write("run/fits/mine.txt", "mine");
   EXPECT_EQ(error_of(Existing::kReplace), "");
-  EXPECT_EQ(NumKeptFits(begun.KeptFits()), 0);
+  EXPECT_EQ(NumKeptFits(fits), 0);
   diagnosis.verdict = Verdict::kNothingMissing;
-  begun.Write(diagnosis);
-  EXPECT_FALSE(fs::exists(begun.KeptFits()));
+  DiagnosisFolder(place, Existing::kResume).Write(diagnosis);
   EXPECT_THAT(error_of(Existing::kResume), HasSubstr("there is nothing to resume"));
   EXPECT_THAT(error_of(Existing::kRefuse), HasSubstr("already holds a diagnosis"));
+  EXPECT_EQ(ReadTextFile(fits / "mine.txt"), "mine");
+  fs::remove(fits / "mine.txt");
+  DiagnosisFolder(place, Existing::kReplace).Write(diagnosis);
+  EXPECT_FALSE(fs::exists(fits));
 }
 
 }  // namespace
