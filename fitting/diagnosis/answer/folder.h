@@ -15,7 +15,7 @@
 #include "fitting/diagnosis/answer/diagnosis.h"
     == == ==
     =
-#include "fitting/diagnosis/diagnosis.h"
+#include "fitting/diagnosis/answer/diagnosis.h"
 #include "tracking/files/output_folder.h"
         >>>>>>> ef6338b(Keep a manifest of what is ours in every folder, and touch nothing else)
     : fitting / diagnosis /
