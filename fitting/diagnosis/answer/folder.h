@@ -11,35 +11,28 @@
 #include <memory>
 #include <string>
 
-<<<<<<< HEAD:fitting/diagnosis/answer/folder.h
-#include "fitting/diagnosis/answer/diagnosis.h"
-    == == ==
-    =
 #include "fitting/diagnosis/answer/diagnosis.h"
 #include "tracking/files/output_folder.h"
-        >>>>>>> ef6338b(Keep a manifest of what is ours in every folder, and touch nothing else)
-    : fitting / diagnosis /
-      diagnosis_folder.h
 
-      namespace clothfit {
+namespace clothfit {
 
-  class DiagnosisFolder {
-   public:
-    using Existing = clothfit::Existing;
+class DiagnosisFolder {
+ public:
+  using Existing = clothfit::Existing;
 
-    // Makes the folder and begins its log; kResume goes on with that of an unfinished one, or
-    // begins where there is nothing. Other commands are kept out of it as long as this lives.
-    // Throws InputError as OutputFolder does, and where a finished one is to be resumed.
-    DiagnosisFolder(const std::filesystem::path& folder, Existing existing);
-    const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path KeptFits() const { return path_ / "fits"; }
-    void AppendLog(const std::string& line) const;
-    // An interrupted one can be gone on with afterwards; of others the kept fits are removed.
-    void Write(const Diagnosis& diagnosis) const;
+  // Makes the folder and begins its log; kResume goes on with that of an unfinished one, or
+  // begins where there is nothing. Other commands are kept out of it as long as this lives.
+  // Throws InputError as OutputFolder does, and where a finished one is to be resumed.
+  DiagnosisFolder(const std::filesystem::path& folder, Existing existing);
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path KeptFits() const { return path_ / "fits"; }
+  void AppendLog(const std::string& line) const;
+  // An interrupted one can be gone on with afterwards; of others the kept fits are removed.
+  void Write(const Diagnosis& diagnosis) const;
 
-   private:
-    std::filesystem::path path_;
-    std::shared_ptr<OutputFolder> output_;
-  };
+ private:
+  std::filesystem::path path_;
+  std::shared_ptr<OutputFolder> output_;
+};
 
 }  // namespace clothfit
