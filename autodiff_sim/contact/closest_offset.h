@@ -9,6 +9,8 @@
 
 #include <array>
 
+#include <Eigen/Geometry>
+
 #include "autodiff_sim/base/scalar.h"
 #include "autodiff_sim/contact/closest_points.h"
 #include "autodiff_sim/contact/feature_pair.h"

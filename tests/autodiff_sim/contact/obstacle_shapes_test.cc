@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
