@@ -54,7 +54,7 @@ FitConfig AwkwardConfig() {
   config.polish_hard = false;
   config.max_iterations = 7;
   config.function_tolerance = 1e-300;
-  config.parameters["air_drag.normal"] = {1.0 / 3.0, false, 1e-17, 1e17 / 7.0, 2.0 / 3.0, 1.1};
+  config.parameters["air_drag.normal"] = {1.0 / 3.0, false, 1e-17, 1e17 / 7.0, 2.0 / 3.0, 1.1, {}};
   return config;
 }
 
