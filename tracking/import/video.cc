@@ -105,9 +105,10 @@ void CopyVideo(const NamedVideo& video, OutputFolder* folder) {
   PartFile part(copy);
   fs::copy_file(video.file, part.path(), fs::copy_options::overwrite_existing, error);
   if (error) throw InputError(copy.string(), "cannot be written: " + error.message());
-  for (const fs::path& there : VideosThere(folder->path(), video.camera))
-    folder->Remove({PlaceOf(there)});
   part.MoveToPlace();
+  for (const fs::path& there : VideosThere(folder->path(), video.camera)) {
+    if (PlaceOf(there) != name) folder->Remove({PlaceOf(there)});
+  }
 }
 
 // What all videos have in common; each is checked against the cameras.
