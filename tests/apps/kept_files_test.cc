@@ -299,21 +299,6 @@ TEST_F(KeptFilesOfRuns, ABatchKeepsWhatOthersPutIntoItsFolders) {
   ExpectMine(mine);
 }
 
-TEST_F(KeptFilesOfRuns, TrialsKeepWhatOthersPutIntoTheirFolders) {
-  const Words trials = {"trials",   "clean", "--match",      "stiff-four-corner-sag-markers",
-                        "--frames", "5",     "--resolution", "3",
-                        "--finest", "3",     "-o",           "out",
-                        "--quiet"};
-  ASSERT_EQ(Run(trials).status, 0);
-  const Words mine = {"out/jobs/mine.json", "out/recordings/mine.txt", "out/mine.csv"};
-  WriteMine(mine);
-  ASSERT_EQ(Run(trials, {"--force"}).status, 0);
-  ExpectMine(mine);
-  WriteMine({"p/trials.csv"});
-  BadInputLine(Run({"trials", "clean", "-o", "p", "--force"}));
-  ExpectMine({"p/trials.csv"});
-}
-
 TEST_F(KeptFilesOfRuns, AComparisonTakesNoForeignFolder) {
   WriteMine({"p/runs.csv"});
   for (const Words& more : {Words(), Words{"--force"}})

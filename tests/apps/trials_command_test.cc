@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Plans of trials can be looked at, and wrong ones are refused in one line.
+#include <chrono>
+#include <csignal>
+#include <thread>
+
 #include "tests/apps/command.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -27,10 +32,18 @@ TEST(TrialsCommand, ListsAPlan) {
 TEST(TrialsCommand, RunsOneTrialAndKeepsItsDiagnosis) {
   const TestFolder folder;
   const std::string output = (folder.path() / "out").string();
-  const CommandResult run =
-      Trials({"clean", "--match", "stiff-four-corner-sag-markers", "--finite-elements", "--frames",
-              "10", "--resolution", "4", "--keep-diagnoses", "-o", output},
-             folder);
+  const std::vector<std::string> one = {"clean",
+                                        "--match",
+                                        "stiff-four-corner-sag-markers",
+                                        "--finite-elements",
+                                        "--frames",
+                                        "10",
+                                        "--resolution",
+                                        "4",
+                                        "--keep-diagnoses",
+                                        "-o",
+                                        output};
+  const CommandResult run = Trials(one, folder);
   ASSERT_EQ(run.status, 0) << run.err;
   const std::filesystem::path kept =
       folder.path() / "out" / "diagnoses" / "clean-none-stiff-four-corner-sag-markers-s1";
@@ -40,6 +53,25 @@ TEST(TrialsCommand, RunsOneTrialAndKeepsItsDiagnosis) {
   EXPECT_THAT(BadInputLine(again), HasSubstr("already holds results of trials"));
   const CommandResult other = Trials({"clean", "--resume", "-o", output}, folder);
   EXPECT_THAT(BadInputLine(other), HasSubstr("conditions.yaml"));
+
+  // Begun anew, it removes its own results and nothing else.
+  const std::vector<std::string> mine = {"out/jobs/mine.json", "out/recordings/mine.txt",
+                                         "out/trials.txt"};
+  for (const std::string& file : mine) folder.Write(file, "mine");
+  std::vector<std::string> forced = one;
+  forced.insert(forced.begin(), "trials");
+  forced.emplace_back("--force");
+  RunningCommand begun(forced, folder.path());
+  while (std::filesystem::exists(kept / "diagnosis.json") && !begun.HasEnded())
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  begun.Signal(SIGKILL);
+  begun.Wait();
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out" / "trials.csv"));
+  for (const std::string& file : mine) EXPECT_EQ(ReadTextFile(folder.path() / file), "mine");
+  folder.Write("other/trials.csv", "mine");
+  for (const char* how : {"--force", "--resume"})
+    BadInputLine(Trials({"clean", "-o", (folder.path() / "other").string(), how}, folder));
+  EXPECT_EQ(ReadTextFile(folder.path() / "other" / "trials.csv"), "mine");
 }
 
 TEST(TrialsCommand, MeasuresHowFarEffectsMoveTheCloth) {

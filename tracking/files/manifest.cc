@@ -195,10 +195,11 @@ void RemoveWritten(const fs::path& folder, const std::set<std::string>& files) {
 }
 
 void RemoveWrittenFolder(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(folder, error))) return;
   const std::optional<Manifest> manifest = ReadManifest(folder);
   if (!manifest) return;
   RemoveWritten(folder, manifest->All());
-  std::error_code error;
   fs::remove(folder / kManifestFile, error);
   fs::remove(folder, error);  // not where something is left in it
   if (error) WriteManifest({manifest->kind, {}}, folder);

@@ -174,7 +174,7 @@ TEST(Export, SaysWhatIsMissing) {
   };
   EXPECT_THAT(error("video", {{}, "fornt"}, "a.mp4"), HasSubstr("did you mean 'front'?"));
   EXPECT_THAT(error("video", {}, "a.mkv"), HasSubstr("expected a name that ends in .mp4 or .avi"));
-  EXPECT_THAT(error("gltf", {}, "none/a.glb"), HasSubstr("cannot be written"));
+  EXPECT_THAT(error("gltf", {}, "none/a.glb"), HasSubstr("none: no such folder"));
   WriteWholeFile(run.path() / "trajectory.npy", PointsAsNpy({Eigen::VectorXd::Zero(30)}));
   EXPECT_THAT(error("gltf", {}, "a.glb"), HasSubstr("has 10 particles; expected 25"));
   fs::remove(run.path() / "trajectory.npy");
