@@ -40,11 +40,12 @@ class TrackRecordingTest : public testing::Test {
     const Eigen::Vector3d middle(0.4, 0.3, 0.0);
     recording.cameras = {LookAt({0.2, -0.4, 1.2}, middle), LookAt({0.7, -0.3, 1.2}, middle),
                          LookAt({0.4, 0.6, 1.3}, middle)};
-    for (std::size_t c = 0; c < recording.cameras.size(); ++c) {
-      Camera& camera = recording.cameras[c];
-      camera.name = "cam" + std::to_string(c);
+    for (std::size_t c = 0; c < recording.cameras.size(); ++c)
+      recording.cameras[c].name = "cam" + std::to_string(c);
+    WriteRecording(recording, folder_->path());
+    fs::create_directories(folder_->path() / "background");
+    for (const Camera& camera : recording.cameras) {
       fs::create_directories(folder_->path() / "images" / camera.name);
-      fs::create_directories(folder_->path() / "background");
       for (int frame = 0; frame < kFrames; ++frame) {
         cv::imwrite(Image(camera.name, frame).string(),
                     scene.Render(camera, PlacementAt(frame),
@@ -53,7 +54,6 @@ class TrackRecordingTest : public testing::Test {
       cv::imwrite((folder_->path() / "background" / (camera.name + ".png")).string(),
                   scene.RenderEmpty(camera, {1.0, 1.0, 1.0, 7}));
     }
-    WriteRecording(recording, folder_->path());
   }
   static void TearDownTestSuite() { delete folder_; }
 
