@@ -126,7 +126,7 @@ std::vector<Probe> Combinations(const std::vector<const NamedParameter*>& shapes
 CandidateTerm MakeCandidate(const std::string& name, const TermInfo& term,
                             const std::vector<const NamedParameter*>& switches,
                             std::vector<Probe> probes) {
-  CandidateTerm candidate{name, term.name, term.role, {}, {}, std::move(probes)};
+  CandidateTerm candidate{name, term.name, {}, {}, std::move(probes), term.role};
   for (const NamedParameter* named : switches) {
     const Parameter& p = named->parameter;
     candidate.switches.push_back(named->name);

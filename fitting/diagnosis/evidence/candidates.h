@@ -21,10 +21,10 @@ using Probe = std::map<std::string, double>;
 struct CandidateTerm {
   std::string name;  // the term's, or the parameter's full name
   std::string term;
-  Role role = Role::kMayBeMissing;    // the term's
   std::vector<std::string> switches;  // full names; off in the baseline, and they switch it on
   std::vector<bool> is_one_sided;     // may a switch only grow?
   std::vector<Probe> probes;          // at least one; empty maps where there is nothing to choose
+  Role role = Role::kMayBeMissing;    // the term's
 };
 
 enum class CandidateSet {
