@@ -44,8 +44,7 @@ TEST(WithProbes, MovesWhatIsNothingByAmounts) {
   damping.prior = 3.0;
   damping.prior_sigma = 10.0;
   const Scene scene = MakeScene(recording, config);
-  const CandidateTerm candidate{"stretch.damping",   "stretch", Role::kOrdinary,
-                                {"stretch.damping"}, {true},    {}};
+  const CandidateTerm candidate{"stretch.damping", "stretch", {"stretch.damping"}, {true}, {}};
   const FreeParameters free(WithProbes(config, {{&candidate, {}}}), scene, MakeParameterTable());
   ASSERT_EQ(free.Fabric().size(), 1U);
   const FreeEntry entry = free.entries()[0];
