@@ -114,8 +114,9 @@ TEST(RolloutDerivative, OfEveryParameterThatActsByItself) {
   std::vector<std::string> names;
   for (const NamedParameter& p : MakeParameterTable()) {
     names.push_back(p.name);
-    if (std::find(catalogue.begin(), catalogue.end(), p.term) == catalogue.end())
+    if (std::find(catalogue.begin(), catalogue.end(), p.term) == catalogue.end()) {
       EXPECT_THAT(checked, ::testing::Contains(p.name));
+    }
   }
   EXPECT_THAT(names, ::testing::IsSupersetOf(checked));
 }
