@@ -103,36 +103,21 @@ TEST_F(KeptFilesOfImports, CamerasMadeByHandStay) {
   ExpectMine({"rec/cameras.yaml"});
 }
 
-const Words kTinyPictures = {"synthesize",
-                             "-o",
-                             "rec",
-                             "--scenario",
-                             "corner-lift",
-                             "--images",
-                             "--cameras",
-                             "1",
-                             "--frames",
-                             "3",
-                             "--resolution",
-                             "4",
-                             "4",
-                             "--refinement",
-                             "1",
-                             "--picture-size",
-                             "64",
-                             "48",
-                             "--markers",
-                             "0",
-                             "0"};
+Words Synthesize(const std::string& frames) {
+  return {"synthesize",     "-o",        "rec", "--scenario",   "corner-lift",
+          "--images",       "--cameras", "1",   "--frames",     frames,
+          "--resolution",   "4",         "4",   "--refinement", "1",
+          "--picture-size", "64",        "48"};
+}
 
 TEST_F(KeptFiles, ForeignPicturesStayInASynthesizedRecording) {
-  const CommandResult made = Run(kTinyPictures);
+  const CommandResult made = Run(Synthesize("3"));
   ASSERT_EQ(made.status, 0) << made.err;
   ASSERT_TRUE(Has("rec/images/cam0/000002.png"));
   const Words mine = {"rec/masks/cam0/mine.png", "rec/images/cam0/mine.png", "rec/videos/mine.mkv",
                       "rec/truth/masks/mine.png", "rec/background/mine.png"};
   WriteMine(mine);
-  const CommandResult again = Run(kTinyPictures, {"--force", "--frames", "2"});
+  const CommandResult again = Run(Synthesize("2"), {"--force"});
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_FALSE(Has("rec/images/cam0/000002.png"));
   ExpectMine(mine);
@@ -141,13 +126,13 @@ TEST_F(KeptFiles, ForeignPicturesStayInASynthesizedRecording) {
 TEST_F(KeptFiles, ARecordingMadeByHandIsNotSynthesizedOver) {
   const Words mine = {"rec/recording.yaml", "rec/cameras.yaml", "rec/images/cam0/000000.png"};
   WriteMine(mine);
-  EXPECT_THAT(BadInputLine(Run(kTinyPictures, {"--force"})),
+  EXPECT_THAT(BadInputLine(Run(Synthesize("3"), {"--force"})),
               HasSubstr("rec: is not the folder of a recording that clothfit wrote"));
   ExpectMine(mine);
 }
 
 TEST_F(KeptFiles, TrackingWritesThroughNoLinkAndOverNothing) {
-  ASSERT_EQ(Run(kTinyPictures).status, 0);
+  ASSERT_EQ(Run(Synthesize("3")).status, 0);
   const Words track = {"track", "rec", "-o", "seen", "--no-tracks", "--no-markers", "--quiet"};
   WriteMine({"thesis.txt", "seen/masks/cam0/000000.png"});
   fs::create_symlink(path() / "thesis.txt", path() / "seen" / "filters.csv");
