@@ -3,6 +3,7 @@
 //
 // No command replaces, removes or writes through what is not clothfit's own.
 #include <chrono>
+#include <csignal>
 #include <thread>
 
 #include <fmt/format.h>
@@ -241,8 +242,10 @@ TEST_F(KeptFilesOfRuns, ASingleFileReplacesRegularFilesOnly) {
   }
 
   WriteMine({"out.csv.part", "out.png.part", "out.html.part", "out.glb.part"});
+  WriteMine({"out.csv", "out.png", "out.html", "out.glb"});
   for (const Words& words : commands("out")) EXPECT_EQ(Run(words).status, 0) << words[0];
-  for (const Words& words : commands("out")) EXPECT_EQ(Run(words).status, 0) << words[0];
+  for (const char* file : {"out.csv", "out.png", "out.html", "out.glb"})
+    EXPECT_NE(Read(file), kMine) << file;
   ExpectMine({"out.csv.part", "out.png.part", "out.html.part", "out.glb.part"});
 }
 
@@ -297,12 +300,13 @@ TEST_F(KeptFilesOfRuns, TwoFitsDoNotShareAFolder) {
   RunningCommand first({"fit", "rec", "-o", "run"}, path());
   while (!Has("run/config.yaml") && !first.HasEnded())
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  first.Signal(SIGSTOP);  // it lives until this test has looked
+  ASSERT_FALSE(first.HasEnded());
   for (const char* how : {"--force", "--resume"}) {
     EXPECT_THAT(BadInputLine(Run(Fit("run"), {how})),
                 HasSubstr("run: another clothfit is writing it"));
   }
   EXPECT_THAT(BadInputLine(Run(Fit("run"))), HasSubstr("already holds a run"));
-  ASSERT_FALSE(first.HasEnded()) << "the fit was over too soon for this test";
   first.Signal(SIGKILL);
   first.Wait();
   EXPECT_EQ(Run(Fit("run"), {"--force"}).status, 0);
