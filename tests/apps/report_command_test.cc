@@ -40,7 +40,7 @@ TEST_F(ReportCommand, SaysInOneLineWhatIsWrong) {
   EXPECT_THAT(BadInputLine(Run({"report", "rec"})), HasSubstr("is the folder of a recording"));
   EXPECT_THAT(BadInputLine(Run({"report", "run", "--pictures", "none"})), HasSubstr("none"));
   EXPECT_THAT(BadInputLine(Run({"report", "run", "-o", "none/a.html"})),
-              HasSubstr("cannot be written"));
+              HasSubstr("none: no such folder"));
   fs::remove(folder_.path() / "run" / "summary.json");
   EXPECT_THAT(BadInputLine(Run({"report", "run"})),
               HasSubstr("run/summary.json: is missing; expected the run of a fit that has ended"));

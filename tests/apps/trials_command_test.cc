@@ -62,11 +62,11 @@ TEST(TrialsCommand, RunsOneTrialAndKeepsItsDiagnosis) {
   forced.insert(forced.begin(), "trials");
   forced.emplace_back("--force");
   RunningCommand begun(forced, folder.path());
-  while (std::filesystem::exists(kept / "diagnosis.json") && !begun.HasEnded())
+  while (std::filesystem::exists(folder.path() / "out" / "trials.md") && !begun.HasEnded())
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   begun.Signal(SIGKILL);
   begun.Wait();
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out" / "trials.csv"));
+  EXPECT_FALSE(std::filesystem::exists(kept / "diagnosis.json"));
   for (const std::string& file : mine) EXPECT_EQ(ReadTextFile(folder.path() / file), "mine");
   folder.Write("other/trials.csv", "mine");
   for (const char* how : {"--force", "--resume"})

@@ -69,14 +69,15 @@ TEST_F(FolderReport, OfAComparisonSaysWhoCameLowerAndByHowMuch) {
 
 TEST_F(FolderReport, OfAComparisonNamesTheFileThatIsMissing) {
   WriteSmallComparison();
-  fs::remove(folder() / "config.yaml");
-  EXPECT_THAT(ErrorOf(), HasSubstr("config.yaml: is missing"));
   fs::remove(folder() / "comparison.json");
   EXPECT_THAT(ErrorOf(), HasSubstr("comparison.json: is missing"));
   Write("comparison.json", "{\"format\": \"clothfit-comparison/0\"}");
   EXPECT_THAT(ErrorOf(), HasSubstr("expected clothfit-comparison/1"));
   WriteComparison(folder() / "comparison.json", Comparison{});
   EXPECT_THAT(ErrorOf(), HasSubstr("holds no run that ended"));
+  WriteSmallComparison();
+  fs::remove(folder() / "config.yaml");
+  EXPECT_THAT(ErrorOf(), HasSubstr("config.yaml: is missing"));
 }
 
 TEST_F(FolderReport, OfAStudyTakesItsTextsPicturesAndTables) {
@@ -110,7 +111,7 @@ TEST_F(FolderReport, OfAnythingElseSaysWhatItIs) {
   EXPECT_THAT(ErrorOf(), HasSubstr("is the folder of a recording; expected one that"));
   fs::rename(folder() / "recording.yaml", folder() / "notes.pdf");
   EXPECT_THAT(ErrorOf(), HasSubstr("is not the folder of a run or a study"));
-  EXPECT_THAT(InputErrorOf([this] { KindOfFolder(folder() / "notes.pdf"); }),
+  EXPECT_THAT(InputErrorOf([this] { MakeReport(folder() / "notes.pdf", kAssets); }),
               HasSubstr("is no folder"));
 }
 
