@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <limits>
 
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 #include "autodiff_sim/mesh/obj_file.h"
 #include "autodiff_sim/terms/parameter_table.h"
@@ -257,10 +259,18 @@ TEST_F(RunOfScene, SummarisesWithNullForWhatIsNotKnown) {
   EXPECT_TRUE(json.at("parameters").at("a.b").at("interval")[1].is_null());
 }
 
+// A limit on the size of files stands for a full disk: it needs no disk of its own.
 TEST_F(RunOfScene, AFullDiskEndsAFitInOneLine) {
-  fs::create_symlink("/dev/full", run.path() / "checkpoint.json.part");
-  EXPECT_THAT(InputErrorOf([&] { FitIntoRun(scene, config, run, {}, false); }),
-              HasSubstr("checkpoint.json.part: cannot be written: No space left on device"));
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit;
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
+  rlimit small = limit;
+  small.rlim_cur = 4096;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string error = InputErrorOf([&] { FitIntoRun(scene, config, run, {}, false); });
+  setrlimit(RLIMIT_FSIZE, &limit);
+  std::signal(SIGXFSZ, SIG_DFL);
+  EXPECT_THAT(error, HasSubstr("cannot be written: File too large"));
 }
 
 }  // namespace
