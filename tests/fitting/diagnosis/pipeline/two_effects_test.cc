@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whole diagnoses of a strip of cloth in which more than one thing is wrong.
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/answer/summary_text.h"
+#include "fitting/diagnosis/pipeline/diagnose.h"
+#include "tests/support/known_failure.h"
+#include "tracking/synthetic/recording.h"
+
+namespace clothfit {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::StartsWith;
+using testing::UnorderedElementsAre;
+using Names = std::vector<std::string>;
+
+constexpr const char* kPose = "camera cam1: pose";
+
+// A mesh so long that it is taken as it is, and as narrow as can be, so that a diagnosis takes
+// seconds.
+SyntheticOptions Strip(const std::map<std::string, double>& effects) {
+  SyntheticOptions options;
+  options.scenario = SyntheticScenario::kTwoCornerTurn;
+  options.size = {0.4, 0.12};
+  options.resolution = {9, 3};
+  options.markers = {6, 3};
+  options.marker_sigma = 0.003;
+  options.frame_rate = 30.0;
+  options.frame_count = 30;
+  options.steps_per_frame = 8;
+  options.seed = 5;
+  options.parameters = effects;
+  return options;
+}
+
+// Seen by three cameras alone, of which the second stands so far (m) from where it is said to be.
+Recording SeenAskew(const std::map<std::string, double>& effects, const Eigen::Vector3d& shift) {
+  SyntheticOptions options = Strip(effects);
+  options.markers = {0, 0};
+  options.num_cameras = 3;
+  options.track_sigma = 2.0;
+  Recording recording = MakeSyntheticRecording(options).recording;
+  Camera& camera = recording.cameras[1];
+  camera.camera_from_world_translation -= camera.camera_from_world_rotation * shift;
+  return recording;
+}
+
+FitConfig Told(const Recording& recording) {
+  FitConfig config = DefaultConfig(recording);
+  if (recording.markers.empty()) config.loss = LossKind::kNone;
+  for (auto& [name, setting] : config.parameters)
+    setting.free = name == "stretch.stiffness" || name == "bending.stiffness";
+  config.max_iterations = 8;
+  return config;
+}
+
+// Of all physics, that of these terms alone is looked for.
+DiagnosisOptions OnlyAmong(const Names& terms) {
+  DiagnosisOptions options;
+  options.max_effects = 2;
+  options.max_models = 2;
+  options.num_nulls = 100;
+  options.finest_side = 10;
+  for (const TermInfo& term : AllTerms()) {
+    if (std::find(terms.begin(), terms.end(), term.name) == terms.end())
+      options.excluded.push_back(term.name);
+  }
+  return options;
+}
+
+Names ParametersOf(const Model& model) {
+  Names names;
+  for (const EffectParameter& p : model.parameters) names.push_back(p.name);
+  return names;
+}
+
+// What every answer has, whatever it is.
+void ExpectToldAlike(const Diagnosis& diagnosis) {
+  EXPECT_THAT(DiagnosisAsJson(diagnosis),
+              HasSubstr("\"verdict\": \"" + ToString(diagnosis.verdict) + "\""));
+  for (const std::string& effect : diagnosis.effects)
+    EXPECT_THAT(diagnosis.words, HasSubstr(effect));
+  ASSERT_TRUE(diagnosis.answer);
+  EXPECT_TRUE(
+      std::any_of(diagnosis.models.begin(), diagnosis.models.end(), [&](const Model& model) {
+        return model.is_kept && model.effects == diagnosis.answer->effects;
+      }));
+  for (const EffectParameter& p : diagnosis.answer->parameters)
+    EXPECT_LE(p.lower90, p.upper90) << p.name;
+}
+
+// One diagnosis a test: tests may run in processes of their own, and it takes all the time.
+
+// A third effect is left, so that a law is learned, of a family that does not explain as much.
+TEST(TwoEffects, AreNamedAndHeldAgainstALaw) {
+  const std::map<std::string, double> effects = {
+      {"wind.x", 3.0}, {"added_mass.normal", 0.08}, {"hem.high_v", 0.02}};
+  const Recording recording = MakeSyntheticRecording(Strip(effects)).recording;
+  const Diagnosis diagnosis =
+      Diagnose(recording, Told(recording), OnlyAmong({"wind", "added_mass", "law_field"}));
+  EXPECT_EQ(diagnosis.verdict, Verdict::kNoneOfTheAbove) << diagnosis.words;
+  EXPECT_THAT(diagnosis.effects, UnorderedElementsAre("added_mass", "wind"));
+  ExpectToldAlike(diagnosis);
+  ASSERT_TRUE(diagnosis.answer);
+  EXPECT_EQ(diagnosis.answer->effects, diagnosis.effects);
+  ASSERT_FALSE(diagnosis.confidence_set.empty());
+  EXPECT_EQ(diagnosis.confidence_set.front(), diagnosis.effects.front());
+
+  const Model& last = diagnosis.models.back();
+  EXPECT_THAT(last.effects, ElementsAre("law_field"));
+  EXPECT_FALSE(last.is_kept);
+  EXPECT_FALSE(diagnosis.law);
+
+  EXPECT_EQ(diagnosis.motions.resolution[0], 10);  // refined
+  EXPECT_EQ(diagnosis.motions.answer.front().size(), diagnosis.motions.baseline.front().size());
+  const Names names = ParametersOf(*diagnosis.answer);
+  EXPECT_KNOWN_FAILURE("a law that was not taken leaves the amounts of the last effect alone",
+                       EXPECT_THAT(names, IsSupersetOf({"added_mass.normal", "wind.x"})));
+}
+
+TEST(TwoEffects, MayBeACamerasFaultAndWind) {
+  const Recording recording = SeenAskew({{"wind.x", 3.0}}, {0.03, -0.02, 0.0});
+  const Diagnosis diagnosis =
+      Diagnose(recording, Told(recording), OnlyAmong({"wind", "gravity_tilt"}));
+  EXPECT_EQ(diagnosis.verdict, Verdict::kNamed) << diagnosis.words;
+  EXPECT_THAT(diagnosis.effects, ElementsAre(kPose, "wind"));
+  ExpectToldAlike(diagnosis);
+  ASSERT_TRUE(diagnosis.answer);
+  const std::vector<EffectParameter>& parameters = diagnosis.answer->parameters;
+  const auto x = std::find_if(parameters.begin(), parameters.end(),
+                              [](const EffectParameter& p) { return p.name == "wind.x"; });
+  ASSERT_NE(x, parameters.end());
+  EXPECT_GT(x->lower90, 0.0);
+  ASSERT_FALSE(diagnosis.confidence_set.empty());
+  EXPECT_KNOWN_FAILURE("what else it could be is asked of the first effect, a camera's fault",
+                       EXPECT_THAT(diagnosis.confidence_set, Contains("wind")));
+}
+
+// Of what is left with the camera put right wind explains half; the rest is of a term that is not
+// looked for.
+TEST(TwoEffects, AreNotAllThatIsMissing) {
+  const Recording recording =
+      SeenAskew({{"wind.x", 3.0}, {"added_mass.normal", 0.2}}, {0.06, -0.04, 0.0});
+  const Diagnosis diagnosis = Diagnose(recording, Told(recording), OnlyAmong({"wind"}));
+  ASSERT_THAT(diagnosis.effects, ElementsAre(kPose, "wind"));
+  ExpectToldAlike(diagnosis);
+  ASSERT_TRUE(diagnosis.answer);
+  ASSERT_LT(diagnosis.answer->explained, 0.8);
+  EXPECT_KNOWN_FAILURE("what the camera's fault explained counts as explained by the physics",
+                       EXPECT_EQ(diagnosis.verdict, Verdict::kNoneOfTheAbove));
+}
+
+// Wind that has no name, and a camera's fault that explains less than it.
+TEST(TwoEffects, MayBeACamerasFaultAndALaw) {
+  const Recording recording = SeenAskew({{"wind.x", 3.0}}, {0.01, -0.005, 0.0});
+  DiagnosisOptions options = OnlyAmong({"law_air"});
+  options.max_effects = 1;
+  const Diagnosis diagnosis = Diagnose(recording, Told(recording), options);
+  EXPECT_EQ(diagnosis.verdict, Verdict::kNoneOfTheAbove) << diagnosis.words;
+  ASSERT_FALSE(diagnosis.models.empty());
+  EXPECT_THAT(diagnosis.models.front().effects, ElementsAre(kPose));
+  EXPECT_TRUE(diagnosis.models.front().is_kept);
+  ASSERT_TRUE(diagnosis.law);
+  EXPECT_THAT(diagnosis.law->model.effects, Contains("law_air"));
+  EXPECT_THAT(diagnosis.law->formula, StartsWith("velocity of the air along x = "));
+  ExpectToldAlike(diagnosis);
+  EXPECT_KNOWN_FAILURE("a law is learned on the recording as it was, and taken for all effects",
+                       EXPECT_THAT(diagnosis.effects, Contains(kPose)));
+}
+
+}  // namespace
+}  // namespace clothfit
