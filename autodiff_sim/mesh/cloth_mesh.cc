@@ -213,6 +213,7 @@ ClothTopology BuildTopology(const ClothMesh& mesh) {
     for (Spring& spring : *springs) {
       const Eigen::Vector2d d = mesh.uv[spring.nodes[1]] - mesh.uv[spring.nodes[0]];
       spring.warp_share = d.x() * d.x() / d.squaredNorm();
+      if (mesh.buckles) spring.buckling_length = spring.rest_length;
     }
   }
   topology.areas.assign(mesh.uv.size(), 0.0);

@@ -18,6 +18,9 @@ struct ClothMesh {
   std::vector<Eigen::Vector2d> uv;            // m, one per particle
   std::vector<std::array<int, 3>> triangles;  // counter-clockwise in (u, v)
   std::array<int, 2> grid = {0, 0};  // particles along u and v where the mesh is a grid, else 0
+  // Whether the cloth buckles in wrinkles that are shorter than the mesh (term/buckling.h); else it
+  // resists compression as it does tension.
+  bool buckles = false;
 
   int num_particles() const { return static_cast<int>(uv.size()); }
   bool is_grid() const { return grid[0] > 0; }
@@ -45,9 +48,10 @@ void ValidateMesh(const ClothMesh& mesh, const std::string& source);
 // A spring between two particles. Its spring constant is the membrane stiffness (N/m) times weight.
 struct Spring {
   std::array<int, 2> nodes;
-  double rest_length;       // m
-  double weight;            // width that the spring stands for / its length, no unit
-  double warp_share = 0.0;  // squared cosine of its angle to the warp
+  double rest_length;            // m
+  double weight;                 // width that the spring stands for / its length, no unit
+  double warp_share = 0.0;       // squared cosine of its angle to the warp
+  double buckling_length = 0.0;  // m, of the wrinkles that it may have; 0: it never buckles
 };
 
 // Two triangles that share an edge: nodes[0], nodes[1] are the opposite particles and nodes[2],

@@ -42,16 +42,18 @@ struct StretchOrthotropy : TermDefaults {
   static constexpr bool kInternal = true;
   static constexpr bool kUsesShrinkage = true;
   static constexpr std::array<Parameter, 1> kParameters = {{kWarpOverWeft}};
-  static constexpr std::array<const char*, 1> kReads = {"stretch.stiffness"};
+  static constexpr std::array<const char*, 2> kReads = {"stretch.stiffness", "bending.stiffness"};
   using Element = Directed<Spring>;
   static std::vector<Element> Elements(const TermContext& context);
 
   template <class T>
   static void AddForce(const Element& element, const ElementInput<StretchOrthotropy, T>& in,
                        ElementOutput<StretchOrthotropy, T>* out) {
-    const T stiffness = ExtraStiffness<T>(in.read[0], in.parameter[0], element.exponent);
-    AddSpringForce<T>(element.elastic, stiffness, T(0.0), in.shrinkage, in.x[1] - in.x[0],
-                      in.v[1] - in.v[0], &out->force[0], &out->force[1]);
+    using std::pow;
+    const SpringLaw<T> even = {in.read[0], T(0.0), in.read[1]};
+    const SpringLaw<T> law = {in.read[0] * pow(in.parameter[0], element.exponent), T(0.0),
+                              in.read[1]};
+    AddSpringForce<T>(element.elastic, law, &even, in.shrinkage, in.x, in.v, &out->force);
   }
 };
 
@@ -73,8 +75,8 @@ struct ShearOrthotropy : TermDefaults {
   static void AddForce(const Element& element, const ElementInput<ShearOrthotropy, T>& in,
                        ElementOutput<ShearOrthotropy, T>* out) {
     const T stiffness = ExtraStiffness<T>(in.read[0], in.parameter[0], element.exponent);
-    AddSpringForce<T>(element.elastic, stiffness, T(0.0), in.shrinkage, in.x[1] - in.x[0],
-                      in.v[1] - in.v[0], &out->force[0], &out->force[1]);
+    AddSpringForce<T>(element.elastic, {stiffness, T(0.0), T(0.0)}, nullptr, in.shrinkage, in.x,
+                      in.v, &out->force);
   }
 };
 

@@ -21,7 +21,7 @@ struct StiffSeamStretch : TermDefaults {
   static constexpr bool kInternal = true;
   static constexpr bool kUsesShrinkage = true;
   static constexpr std::array<Parameter, 4> kParameters = kStiffSeamParameters;
-  static constexpr std::array<const char*, 1> kReads = {"stretch.stiffness"};
+  static constexpr std::array<const char*, 2> kReads = {"stretch.stiffness", "bending.stiffness"};
   using Element = Placed<Spring>;
   static std::vector<Element> Elements(const TermContext& context) {
     return Place(context.topology.structural, context.mesh);
@@ -30,9 +30,10 @@ struct StiffSeamStretch : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<StiffSeamStretch, T>& in,
                        ElementOutput<StiffSeamStretch, T>* out) {
-    const T stiffness = in.read[0] * StiffSeamFactor<T>(element.from_middle, in.parameter);
-    AddSpringForce<T>(element.elastic, stiffness, T(0.0), in.shrinkage, in.x[1] - in.x[0],
-                      in.v[1] - in.v[0], &out->force[0], &out->force[1]);
+    const SpringLaw<T> without = {in.read[0], T(0.0), in.read[1]};
+    const T factor = 1.0 + StiffSeamFactor<T>(element.from_middle, in.parameter);
+    const SpringLaw<T> law = {in.read[0] * factor, T(0.0), in.read[1]};
+    AddSpringForce<T>(element.elastic, law, &without, in.shrinkage, in.x, in.v, &out->force);
   }
 };
 

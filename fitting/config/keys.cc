@@ -158,6 +158,10 @@ ConfigKey FramesKey() {
 std::vector<ConfigKey> MakeConfigKeys() {
   return {
       ResolutionKey(),
+      ChoiceKey("cloth", "buckling",
+                "wrinkles that are shorter than the mesh limit compression; false: springs resist "
+                "it as they resist tension",
+                &FitConfig::buckling, kYesOrNo),
       NumberKey("simulation", "max_step", "s; frames are divided into equal steps, none longer",
                 &FitConfig::max_step, Range::kAboveZero),
       ChoiceKey("simulation", "integrator", "how a step is made", &FitConfig::integrator,

@@ -156,8 +156,8 @@ class InputBytes {
 
   // The scene.
   void Put(const ClothMesh& mesh) {
-    const auto& [uv, triangles, grid] = mesh;
-    PutAll(uv, triangles, grid);
+    const auto& [uv, triangles, grid, buckles] = mesh;
+    PutAll(uv, triangles, grid, buckles);
   }
   void Put(const OwnedFeatures& features) {
     const auto& [indices, count] = features;
@@ -226,7 +226,7 @@ class InputBytes {
     PutAll(value, free, lower, upper, prior, prior_sigma, scale);
   }
   void Put(const FitConfig& config) {
-    [[maybe_unused]] const auto& [recording, resolution, max_step, integrator, tolerance,
+    [[maybe_unused]] const auto& [recording, resolution, buckling, max_step, integrator, tolerance,
                                   check_intersections, self_contact, parameters, initial_order,
                                   initial_position_sigma, initial_velocity_sigma, spline_spacing,
                                   spline_acceleration, spline_speed, use_markers, use_tracks,
@@ -234,7 +234,7 @@ class InputBytes {
                                   loops, optimiser, max_simulations, polish_hard, window,
                                   coarse_resolution, polish, max_iterations, function_tolerance] =
         config;
-    PutAll(resolution, max_step, integrator, tolerance, check_intersections, self_contact,
+    PutAll(resolution, buckling, max_step, integrator, tolerance, check_intersections, self_contact,
            parameters, initial_order, initial_position_sigma, initial_velocity_sigma,
            spline_spacing, spline_acceleration, spline_speed, use_markers, use_tracks,
            use_silhouettes, alpha, beta, loss, loss_scale, frames, attract, loops, optimiser,

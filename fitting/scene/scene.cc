@@ -218,6 +218,7 @@ Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene
   scene.silhouette_sigma = recording.noise.silhouette.value_or(kDefaultSilhouetteSigma);
   PlacedCloth placed = PlaceCloth(recording, config.resolution);
   scene.mesh = std::move(placed.mesh);
+  scene.mesh.buckles = config.buckling;
   scene.initial = std::move(placed.x);
   AddHandles(recording, config, &scene);
   AddObservations(recording, config, &scene);

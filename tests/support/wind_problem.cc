@@ -58,7 +58,7 @@ struct Wind : TermDefaults {
 
 namespace {
 
-using WindTerms = TypeList<Gravity, StretchSpring, ShearSpring, Bending, Wind>;
+using WindTerms = TypeList<Gravity, StretchSpring, Shear, Bending, Wind>;
 
 constexpr double kSigma = 1e-3;  // m, of a position; the motion is free of noise
 

@@ -97,7 +97,7 @@ State Dropped(Simulation* simulation, const TestScene& scene) {
 TEST(SelfContact, LeavesNoTraceWhereItIsOff) {
   const TestScene scene = DroppedCloth(9, 0.3);
   Simulation without = Simulation::WithTerms(
-      TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag, GroundContact>{}, scene.mesh,
+      TypeList<Gravity, StretchSpring, Shear, Bending, AirDrag, GroundContact>{}, scene.mesh,
       scene.world, {});
   const State expected = Dropped(&without, scene);
   EXPECT_GT(without.CountIntersections(expected.x), 0);

@@ -169,6 +169,18 @@ TEST(RolloutDerivative, ClothLiftedFromTheGround) {
   ExpectDerivatives(rollout, options, 1);
 }
 
+TEST(RolloutDerivative, ClothThatBucklesBelowItsMesh) {
+  TestScene scene = LiftedCloth(5, 0.3);
+  scene.mesh.buckles = true;
+  Rollout rollout = MakeRollout(scene, Precise(Integrator::kBdf2));
+  rollout.AddParameters({"stretch.stiffness", "stretch.damping", "shear.stiffness", "shear.damping",
+                         "bending.stiffness", "cloth.areal_density"});
+  rollout.directions.push_back(MoveHandle(0, 2));
+  GradientCheckOptions options = Options();
+  options.tolerance = 5e-5;  // as of the lifted cloth above
+  ExpectDerivatives(rollout, options, 1);
+}
+
 // Falls to the ground and slides on it.
 TEST(RolloutDerivative, ClothDroppedOnTheGround) {
   TestScene scene = LiftedCloth(5, 0.3);

@@ -14,10 +14,12 @@ namespace clothfit {
 
 // Checks f = -dE/dx at zero velocity over all scenes. energy(element, numbers) in joules.
 template <class Term, class Energy>
-void ExpectForceOfEnergy(const Eigen::VectorXd& parameters, const Energy& energy) {
+void ExpectForceOfEnergy(const Eigen::VectorXd& parameters, const Energy& energy,
+                         const std::vector<TermScene>& scenes = MakeTermScenes(),
+                         double tolerance = 1e-7) {
   using Layout = TermLayout<Term>;
   int acting = 0;
-  for (TermScene scene : MakeTermScenes()) {
+  for (TermScene scene : scenes) {
     SCOPED_TRACE(scene.name);
     scene.v.setZero();
     for (const auto& element : SceneElements<Term>(scene)) {
@@ -37,7 +39,7 @@ void ExpectForceOfEnergy(const Eigen::VectorXd& parameters, const Energy& energy
             },
             1e-4, options);
         // The energies' roundoff, up to 1e-16 J over a step of 1e-6 m.
-        EXPECT_NEAR(force[i], -d.derivative[0], 1e-7 * largest + 1e-10);
+        EXPECT_NEAR(force[i], -d.derivative[0], tolerance * largest + 1e-10);
       }
       if (largest > 1e-6) ++acting;
     }
@@ -47,10 +49,15 @@ void ExpectForceOfEnergy(const Eigen::VectorXd& parameters, const Energy& energy
 
 // The same with the energy that the term itself gives.
 template <class Term>
-void ExpectForceOfEnergy(const Eigen::VectorXd& parameters) {
-  ExpectForceOfEnergy<Term>(parameters, [](const auto& element, const Eigen::VectorXd& numbers) {
-    return Term::Energy(element, MakeElementInput<Term, double>(numbers));
-  });
+void ExpectForceOfEnergy(const Eigen::VectorXd& parameters,
+                         const std::vector<TermScene>& scenes = MakeTermScenes(),
+                         double tolerance = 1e-7) {
+  ExpectForceOfEnergy<Term>(
+      parameters,
+      [](const auto& element, const Eigen::VectorXd& numbers) {
+        return Term::Energy(element, MakeElementInput<Term, double>(numbers));
+      },
+      scenes, tolerance);
 }
 
 template <int kNode>

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kStep = 1.0 / 120.0;  // s
 
-using TermsThatAct = TypeList<Gravity, StretchSpring, ShearSpring, Bending, AirDrag>;
+using TermsThatAct = TypeList<Gravity, StretchSpring, Shear, Bending, AirDrag>;
 
 // The simulation after some steps, with derivatives by these parameters.
 struct End {

@@ -18,14 +18,15 @@ namespace {
 
 TEST(SpringPhysics, ForceIsThatOfTheEnergy) {
   const Eigen::VectorXd parameters = Numbers({150.0, 0.0});
-  ExpectForceOfEnergy<StretchSpring>(parameters, [](const Spring& spring, const auto& numbers) {
+  const auto energy = [](const Spring& spring, const auto& numbers) {
     const double length = (Node<1>(numbers) - Node<0>(numbers)).norm();
     // Shrunk along warp and weft as an ellipse is: the length of the shrunk rest vector.
     const double warp = std::sqrt(spring.warp_share) * (1.0 - kSampleShrinkage[0]);
     const double weft = std::sqrt(1.0 - spring.warp_share) * (1.0 - kSampleShrinkage[1]);
     const double extension = length - spring.rest_length * std::hypot(warp, weft);
     return 0.5 * 150.0 * spring.weight * extension * extension;
-  });
+  };
+  ExpectForceOfEnergy<StretchSpring>(parameters, energy);
 }
 
 TEST(GravityPhysics, ForceIsThatOfTheEnergy) {

@@ -150,6 +150,15 @@ void RemoveGround(TermScene* scene) {
                  contacts.end());
 }
 
+std::vector<TermScene> MakeBucklingTermScenes() {
+  std::vector<TermScene> scenes = MakeTermScenes();
+  for (TermScene& scene : scenes) {
+    scene.mesh.buckles = true;
+    scene.topology = BuildTopology(scene.mesh);
+  }
+  return scenes;
+}
+
 TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
                 const Eigen::Vector3d& shift) {
   TermScene moved = scene;

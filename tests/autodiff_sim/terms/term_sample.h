@@ -37,6 +37,9 @@ struct TermScene {
 // with it and beneath it; slow (sticking) and fast (sliding); targets near and far.
 std::vector<TermScene> MakeTermScenes();
 
+// The same with cloth that buckles below its mesh.
+std::vector<TermScene> MakeBucklingTermScenes();
+
 // The scene turned about the origin and moved: the cloth, the inputs and gravity, not the ground.
 TermScene Moved(const TermScene& scene, const Eigen::Matrix3d& rotation,
                 const Eigen::Vector3d& shift);

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "autodiff_sim/term/buckling.h"
+
+#include <cmath>
+
+namespace clothfit {
+namespace {
+
+// X along one axis, the root of c x^2 + b x = w.
+double Along(double b, double c, double w) {
+  const double root = std::sqrt(b * b + 4.0 * c * w);
+  return b > 0.0 ? 2.0 * w / (b + root) : (root - b) / (2.0 * c);
+}
+
+// The ratio z^2 / d as if the material were isotropic: then X shares the stress's axes.
+double FirstGuess(const std::array<double, 3>& s, const std::array<double, 3>& c) {
+  const double mean = 0.5 * (s[0] + s[1]), half = 0.5 * (s[0] - s[1]);
+  const double radius = std::sqrt(half * half + s[2] * s[2]);
+  const double like = (0.5 * (c[0] + c[1]) * half * half + c[2] * s[2] * s[2]) / (radius * radius);
+  const double b = 1.0 + mean - like;
+  const double first = Along(b + radius, like, 1.0), second = Along(b - radius, like, 1.0);
+  const double z = 0.5 * (first - second) * s[2] / radius;
+  return std::abs(z) / std::sqrt(first * second);
+}
+
+void Invert(const std::array<double, 3>& c, Wrinkles* w) {
+  const double d = w->determinant;
+  const double p = w->y / d, q = w->x / d, r = w->z / d;  // X^-1 = [p -r; -r q]
+  const double h00 = c[0] + p * p, h11 = c[1] + q * q, h01 = r * r;
+  const double h02 = -2.0 * p * r, h12 = -2.0 * q * r, h22 = c[2] + p * q + r * r;
+  const double h20 = -p * r, h21 = -q * r;
+  const double m00 = h11 * h22 - h12 * h21, m01 = h02 * h21 - h01 * h22;
+  const double m02 = h01 * h12 - h02 * h11;
+  const double m10 = h12 * h20 - h01 * h22, m11 = h00 * h22 - h02 * h20;
+  const double m12 = h02 * h01 - h00 * h12;
+  const double m20 = h01 * h21 - h11 * h20, m21 = h01 * h20 - h00 * h21;
+  const double m22 = h00 * h11 - h01 * h01;
+  const double scale = 1.0 / (h00 * m00 + h01 * m10 + h02 * m20);
+  w->inverse = {{{m00 * scale, m01 * scale, m02 * scale},
+                 {m10 * scale, m11 * scale, m12 * scale},
+                 {m20 * scale, m21 * scale, m22 * scale}}};
+}
+
+}  // namespace
+
+Wrinkles FindWrinkles(const std::array<double, 3>& s, const std::array<double, 3>& c) {
+  Wrinkles found;
+  const double b0 = 1.0 + s[0] - c[0], b1 = 1.0 + s[1] - c[1], goal = std::abs(s[2]);
+  // One unknown is left, t = z / sqrt(d), which grows with the shear: with w = 1 + t^2 = x y / d
+  //   c_x x^2 + b_x x = w,  c_y y^2 + b_y y = w,  t (1 / sqrt(d) + c_z sqrt(d)) = |s_z|.
+  double t = goal > 0.0 ? FirstGuess(s, c) : 0.0, low = 0.0, high = HUGE_VAL;
+  constexpr int kMostIterations = 100;
+  constexpr double kTolerance = 1e-13;
+  for (int iteration = 0;; ++iteration) {
+    const double w = 1.0 + t * t;
+    found.x = Along(b0, c[0], w);
+    found.y = Along(b1, c[1], w);
+    const double d = found.x * found.y / w, root = std::sqrt(d);
+    found.determinant = d;
+    found.z = s[2] > 0.0 ? -t * root : t * root;
+    if (t == 0.0 || iteration == kMostIterations) break;
+    const double value = t * (1.0 / root + c[2] * root), error = std::log(goal / value);
+    if (std::abs(error) < kTolerance) break;
+    (error > 0.0 ? low : high) = t;
+    const double d_slope =
+        1.0 / (w + c[0] * found.x * found.x) + 1.0 / (w + c[1] * found.y * found.y) - 1.0 / w;
+    const double slope = 1.0 + t * t * d_slope * (c[2] * d - 1.0) / (c[2] * d + 1.0);
+    double next = t * std::exp(error / slope);
+    if (!(next > low && next < high)) {
+      next = high == HUGE_VAL ? 1e3 * t : low == 0.0 ? 1e-3 * t : std::sqrt(low * high);
+    }
+    t = next;
+  }
+  Invert(c, &found);
+  return found;
+}
+
+namespace {
+
+// J/m^2: of the material under a stress (N/m, of shear once) with these compliances (m/N), of the
+// wrinkles, and of what is kept of the unlimited stress.
+double EnergyOf(double material, double load, double softness, double trace, double determinant,
+                double plain) {
+  const double of_wrinkles = load * load * softness * (trace - std::log(determinant));
+  return (material + of_wrinkles) * (1.0 - kBuckledShare) + plain * kBuckledShare;
+}
+
+}  // namespace
+
+double BuckledEnergy(double stiffness, double load, double strain) {
+  constexpr double kShare = 1.0 / (1.0 - 0.5 * kBucklingRounding);
+  constexpr double kC = 0.5 * kBucklingRounding * kShare;
+  const double q = BuckledLength(1.0 - kC + stiffness * strain * kShare / load, kC);
+  const double stress = load * (1.0 / q - 1.0), compliance = 1.0 / (stiffness * kShare);
+  return EnergyOf(0.5 * stress * stress * compliance, load, 0.5 * kBucklingRounding / stiffness,
+                  q - 1.0, q, 0.5 * stiffness * strain * strain);
+}
+
+double BuckledEnergy(const PlaneStress<double>& stiffness, double load,
+                     const PlaneStress<double>& strain) {
+  const Softened<double> at = Soften<double>(stiffness, load, strain, {0.0, 0.0, 0.0});
+  const Wrinkles w = FindWrinkles(at.stress, at.stiffness);
+  const double d = w.determinant;
+  const std::array<double, 3> stress = {load * (w.y / d - 1.0), load * (w.x / d - 1.0),
+                                        -load * w.z / d};
+  double material = 0.0, plain = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    plain += 0.5 * stiffness[i] * strain[i] * strain[i];
+    const double tangent = i < 2 ? stiffness[i] : 2.0 * stiffness[2];
+    if (tangent > 0.0)
+      material += (i < 2 ? 0.5 : 1.0) * stress[i] * stress[i] * (1.0 / tangent - at.softness);
+  }
+  return EnergyOf(material, load, at.softness, w.x + w.y - 2.0, d, plain);
+}
+
+}  // namespace clothfit
