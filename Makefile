@@ -51,8 +51,9 @@ format: packages ## Lay out every tracked C++ file with clang-format
 format-check: packages ## Fail where clang-format would change a file
 	tools/format --check
 
-tidy: configure ## Run clang-tidy over our sources: some minutes
-	run-clang-tidy -quiet -j $(JOBS) -p $(BUILD) -extra-arg=-Wno-error \
+tidy: packages ## Run clang-tidy over our sources: some minutes
+	cmake --preset dev
+	run-clang-tidy -quiet -j $(JOBS) -p build/dev -extra-arg=-Wno-error \
 	  '$(CURDIR)/(autodiff_sim|tracking|fitting|apps|tests)/'
 
 # Only for work on the page itself: what it makes is kept in apps/report/dist.

@@ -10,6 +10,11 @@
 
 namespace clothfit {
 
+// The share of |e|^2 |f|^2 at rest below which edges count as parallel: Li et al. 2020, sec. 4.4.1.
+constexpr double kParallelShare = 1e-3;
+// A motion ends where a gap is this share of what it was, or of the thickness if that is smaller.
+constexpr double kGapSlack = 0.2, kGapTolerance = 0.1;
+
 struct ContactPair {
   PairKind kind;             // kVertexTriangle or kEdgeEdge
   std::array<int, 4> nodes;  // particles, in the order of PairVertices()

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "autodiff_sim/contact/contact_pair.h"
 #include "autodiff_sim/contact/continuous.h"
 #include "autodiff_sim/contact/intersections.h"
 #include "autodiff_sim/contact/obstacle_shapes.h"
@@ -16,9 +17,9 @@ namespace {
 // The areas that pairs stand for, in areas of the cloth's feature. On a plane of a mesh the
 // particles bear all; its edges and corners come on top. A ball is borne by the triangles. A bar is
 // borne by particles and edges, half each; its ends by triangles on top.
-constexpr double kEdgeShare = 0.2, kBarShare = 0.5, kEndShare = 0.5;
-// As in self_contacts.cc.
-constexpr double kParallel = 1e-3, kMargin = 1.0, kSlack = 0.2, kTolerance = 0.1;
+constexpr double kObstacleEdgeShare = 0.2, kBarShare = 0.5, kEndShare = 0.5;
+// How far the list of pairs reaches beyond the thickness, in thicknesses.
+constexpr double kMargin = 1.0;
 
 double LongestMotion(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1) {
   double longest = 0.0;
@@ -189,11 +190,11 @@ ObstacleContact ObstacleContacts::MakeContact(const Body& body, const FeaturePai
   if (pair.kind == PairKind::kVertexTriangle) {
     contact.area = (is_bar ? kBarShare : 1.0) * vertex_area_[pair.first];
   } else if (pair.kind == PairKind::kTriangleVertex) {
-    const double share = is_mesh ? kEdgeShare : is_bar ? kEndShare : 1.0;
+    const double share = is_mesh ? kObstacleEdgeShare : is_bar ? kEndShare : 1.0;
     contact.area = share * triangle_area_[pair.first];
   } else {
-    contact.area = (is_bar ? kBarShare : kEdgeShare) * edge_area_[pair.first];
-    contact.parallel = kParallel * (uv_[all[1]] - uv_[all[0]]).squaredNorm() *
+    contact.area = (is_bar ? kBarShare : kObstacleEdgeShare) * edge_area_[pair.first];
+    contact.parallel = kParallelShare * (uv_[all[1]] - uv_[all[0]]).squaredNorm() *
                        (contact.points[3] - contact.points[2]).squaredNorm();
   }
   return contact;
@@ -203,7 +204,7 @@ double ObstacleContacts::FreeShareOf(Body* body, const Eigen::VectorXd& x0,
                                      const Eigen::VectorXd& x1, double thickness,
                                      Obstacles obstacles) {
   const Eigen::VectorXd& begin = obstacles == Obstacles::kMoving ? body->start : body->end;
-  const Approach approach = {body->obstacle->radius, kTolerance * thickness, kSlack};
+  const Approach approach = {body->obstacle->radius, kGapTolerance * thickness, kGapSlack};
   if (body->surface) {
     return EarliestImpact({x0, x1}, {begin, body->end}, approach, &surface_, &*body->surface);
   }
@@ -225,7 +226,7 @@ double ObstacleContacts::FreeShareOfList(const Eigen::VectorXd& x0, const Eigen:
   double until = 1.0;
   for (const Listed& listed : list_) {
     const Body& body = bodies_[listed.body];
-    const Approach approach = {body.obstacle->radius, kTolerance * thickness, kSlack};
+    const Approach approach = {body.obstacle->radius, kGapTolerance * thickness, kGapSlack};
     if (listed.gap - std::max(Moved(listed, x0), Moved(listed, x1)) > approach.tolerance) continue;
     const PlacedMesh there{body.obstacle->features, body.end};
     const std::optional<double> time =
@@ -242,7 +243,7 @@ double ObstacleContacts::FreeShareOfGround(const Eigen::VectorXd& x0, const Eige
   for (Eigen::Index i = 2; ground_ && i < x0.size(); i += 3) {
     const double before = x0[i] - *ground_, after = x1[i] - *ground_;
     if (!(before > 0.0)) return 0.0;
-    const double met = std::min(kTolerance * thickness, kSlack * before);
+    const double met = std::min(kGapTolerance * thickness, kGapSlack * before);
     if (after <= met && after < before) until = std::min(until, (before - met) / (before - after));
   }
   return until;
@@ -254,7 +255,7 @@ double ObstacleContacts::FreeShare(const Eigen::VectorXd& x0, const Eigen::Vecto
   const bool still = obstacles == Obstacles::kArrived || !is_moving_;
   const bool listed =
       still && list_x_.size() > 0 &&
-      std::max(LongestMotion(list_x_, x0), LongestMotion(list_x_, x1)) + kTolerance * thickness <
+      std::max(LongestMotion(list_x_, x0), LongestMotion(list_x_, x1)) + kGapTolerance * thickness <
           reach_;
   if (listed) return std::min(until, FreeShareOfList(x0, x1, thickness));
   for (Body& body : bodies_)

@@ -19,8 +19,6 @@ namespace {
 // similar size about 7.4 / 3 / (area of an edge) crossings of edges. With these shares vertices and
 // edges bear half each.
 constexpr double kVertexShare = 0.25, kEdgeShare = 0.2;
-// Of |e|^2 |f|^2 at rest: Li et al. 2020, sec. 4.4.1.
-constexpr double kParallel = 1e-3;
 // How far the list has to reach, and how far it does where it is made for a motion and where for
 // none, and how far the pattern does, in thicknesses.
 constexpr double kLeast = 2.0, kReach = 3.0, kStillReach = 4.0, kNear = 5.0;
@@ -29,8 +27,6 @@ constexpr double kClearanceShare = 0.8;
 // How many motions as long as the one that a list is made for it reaches over: from the middle of
 // the first to the end of the second, by both sides of a pair.
 constexpr double kMotions = 3.0;
-// A motion ends where a gap is this share of what it was, or of the thickness if that is smaller.
-constexpr double kSlack = 0.2, kTolerance = 0.1;
 
 Eigen::VectorXd FlatPlaces(const std::vector<Eigen::Vector2d>& uv) {
   Eigen::VectorXd x(3 * static_cast<Eigen::Index>(uv.size()));
@@ -74,7 +70,7 @@ ContactPair SelfContacts::MakeContact(const FeaturePair& pair) const {
   const std::array<int, 4> nodes = PairVertices(pair, surface_.features(), surface_.features());
   if (pair.kind == PairKind::kEdgeEdge) {
     return {pair.kind, nodes, 0.5 * kEdgeShare * (edge_area_[pair.first] + edge_area_[pair.second]),
-            kParallel * RestCross(nodes)};
+            kParallelShare * RestCross(nodes)};
   }
   return {pair.kind, nodes, kVertexShare * vertex_area_[pair.first], 0.0};
 }
@@ -153,7 +149,7 @@ std::vector<std::array<int, 4>> SelfContacts::FindNear() const {
 
 double SelfContacts::FreeShare(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1,
                                double thickness) {
-  const Approach approach = {0.0, kTolerance * thickness, kSlack};
+  const Approach approach = {0.0, kGapTolerance * thickness, kGapSlack};
   Measure(x0);
   if (!(2.0 * Measure(x1, true) + approach.tolerance < reach_)) {
     return EarliestImpact({x0, x1}, approach, &surface_);

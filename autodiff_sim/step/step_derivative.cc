@@ -16,7 +16,7 @@ namespace {
 constexpr int kCostOfLanes = 3;
 // Fewer than a fresh factor needs: it serves the next step too.
 constexpr int kIterationsForNothing = 5;
-constexpr int kTooManyIterations = 25, kPatience = 100;
+constexpr int kTooManyDerivativeIterations = 25, kDerivativePatience = 100;
 
 // Nothing has moved along any direction of the block so far, and nothing does now.
 bool IsIdle(const Sensitivity& sensitivity, const StepInputs& inputs, std::size_t block) {
@@ -155,7 +155,8 @@ GmresReport StepSolver::SolveLanes(LanesStep* step) const {
   GmresOptions options;
   options.relative_tolerance = options_.sensitivity_tolerance;
   options.factor_is_exact = use_whole_;
-  options.max_iterations = SolvesWithFactorOfNow() ? kPatience : kTooManyIterations;
+  options.max_iterations =
+      SolvesWithFactorOfNow() ? kDerivativePatience : kTooManyDerivativeIterations;
   const GmresReport linear = gmres_.Solve<kLanes>(factor, step->rhs, options, &step->dv);
   step->iterations += linear.iterations;
   return linear;
@@ -163,7 +164,7 @@ GmresReport StepSolver::SolveLanes(LanesStep* step) const {
 
 bool StepSolver::SolveStubbornLanes(LanesStep* step, StepReport* report) {
   // The factor may have become another one since the try.
-  if (SolvesWithFactorOfNow() ? step->iterations < kPatience : RefreshFactor(report))
+  if (SolvesWithFactorOfNow() ? step->iterations < kDerivativePatience : RefreshFactor(report))
     step->is_solved = SolveLanes(step).converged;
   if (step->is_solved) return true;
   ++report->factorizations;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "clothfit-config/1";
+constexpr const char* kConfigFormat = "clothfit-config/1";
 
 // The numbers of a parameter's setting, by key.
 struct SettingKey {
@@ -82,7 +82,7 @@ YamlValue LoadConfig(const fs::path& file) {
   allowed.insert(allowed.end(), {"format", "recording", "parameters"});
   top.AllowKeys(allowed);
   if (const auto format = top.Find("format")) {
-    if (format->Text() != kFormat) format->Fail(std::string("expected ") + kFormat);
+    if (format->Text() != kConfigFormat) format->Fail(std::string("expected ") + kConfigFormat);
   }
   return top;
 }
@@ -129,7 +129,7 @@ std::string ReadConfigRecording(const fs::path& file) {
 
 std::string ConfigToYaml(const FitConfig& config) {
   std::string text =
-      fmt::format("# What decides a fit: clothfit fit --config FILE\nformat: {}\n", kFormat);
+      fmt::format("# What decides a fit: clothfit fit --config FILE\nformat: {}\n", kConfigFormat);
   if (!config.recording.empty()) {
     text += fmt::format("# a relative path starts at this file's folder\nrecording: {}\n",
                         YamlText(config.recording));

@@ -61,9 +61,7 @@ JobLedger::JobLedger(fs::path folder, double patience, int worker)
     : folder_(std::move(folder)),
       patience_(patience),
       token_(fmt::format("{} {} {}", HostName(), getpid(), worker)) {
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) throw InputError(folder_.string(), "cannot be made: " + error.message());
+  MakeFolder(folder_);
 }
 
 fs::path JobLedger::File(const std::string& name, const char* ending) const {

@@ -18,7 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kShortest(5), kLongest(500);  // between looks at the folder
+constexpr std::chrono::milliseconds kShortestPause(5),
+    kLongestPause(500);  // between looks at the folder
 
 double SecondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -83,7 +84,7 @@ void TakeAndDo(const Shared& shared, const Job& job, JobLedger* ledger, Worker* 
 
 void WorkThroughList(Shared* shared, Worker* worker, int number) {
   JobLedger ledger(shared->options.folder, shared->options.patience, number);
-  auto pause = kShortest;
+  auto pause = kShortestPause;
   while (!shared->IsStopped()) {
     bool is_open = false, has_worked = false;
     for (std::size_t i = 0; i < shared->jobs.size() && !shared->IsStopped(); ++i) {
@@ -97,7 +98,7 @@ void WorkThroughList(Shared* shared, Worker* worker, int number) {
       is_open = is_open || !shared->done[i];
     }
     if (!is_open) return;
-    pause = has_worked ? kShortest : std::min(kLongest, 2 * pause);
+    pause = has_worked ? kShortestPause : std::min(kLongestPause, 2 * pause);
     if (!has_worked) std::this_thread::sleep_for(pause);
   }
 }
@@ -189,11 +190,11 @@ JobRunResult RunJobs(const std::vector<Job>& jobs, const JobWork& work,
   const int num_threads =
       std::min(NumThreads(options.num_threads), std::max(1, static_cast<int>(jobs.size())));
   for (int i = 0; i < num_threads; ++i) crew.Hire();
-  auto pause = kShortest;
+  auto pause = kShortestPause;
   int shown = -1;
   while (!crew.HaveEnded()) {
     std::this_thread::sleep_for(pause);
-    pause = std::min(kLongest / 5, 2 * pause);
+    pause = std::min(kLongestPause / 5, 2 * pause);
     crew.ReplaceSilent();
     const int done = shared->CountDone();
     if (options.progress && done != shown) options.progress(done, static_cast<int>(jobs.size()));

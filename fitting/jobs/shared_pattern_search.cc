@@ -19,7 +19,8 @@
 namespace clothfit {
 namespace {
 
-constexpr std::chrono::milliseconds kShortest(1), kLongest(50);  // between looks at the folder
+constexpr std::chrono::milliseconds kShortestSharedPause(1),
+    kLongestSharedPause(50);  // between looks at the folder
 
 std::string NameOf(int id) { return fmt::format("point-{:06}", id); }
 
@@ -78,17 +79,17 @@ using Trials = std::deque<PatternSearch::Trial>;
 
 // The value of the first of these, while others of them are evaluated here; nothing if stopped.
 std::optional<double> Await(const Trials& trials, SharedPoints* points) {
-  auto pause = kShortest;
+  auto pause = kShortestSharedPause;
   while (!points->IsStopped()) {
     if (const auto value = points->Read(trials.front().id, trials.front().x)) return value;
     const bool has_worked = std::any_of(
         trials.begin(), trials.end(),
         [&](const PatternSearch::Trial& trial) { return points->Evaluate(trial.id, trial.x); });
     if (has_worked) {
-      pause = kShortest;
+      pause = kShortestSharedPause;
     } else {
       std::this_thread::sleep_for(pause);
-      pause = std::min(kLongest, 2 * pause);
+      pause = std::min(kLongestSharedPause, 2 * pause);
     }
   }
   return std::nullopt;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kWhole = "what 'clothfit compare' writes";
+constexpr const char* kWholeComparison = "what 'clothfit compare' writes";
 
 using Get = double (*)(const SearchPoint&);
 double Simulations(const SearchPoint& point) { return point.simulations; }
@@ -53,9 +53,10 @@ std::string LeadSentence(const ContenderStanding& standing, const std::string& o
                      compare(standing.seconds_lead, "sooner", "later"));
 }
 
-Verdict VerdictOf(const Comparison& comparison, const std::vector<ContenderStanding>& standings) {
-  Verdict verdict;
-  verdict.grade = Verdict::Grade::kGood;
+PageVerdict VerdictOf(const Comparison& comparison,
+                      const std::vector<ContenderStanding>& standings) {
+  PageVerdict verdict;
+  verdict.grade = PageVerdict::Grade::kGood;
   verdict.headline = Headline(standings);
   const std::string& opponent = comparison.contenders.back();
   for (const ContenderStanding& standing : standings) {
@@ -69,7 +70,7 @@ Verdict VerdictOf(const Comparison& comparison, const std::vector<ContenderStand
   const bool is_whole = std::all_of(standings.begin(), standings.end(),
                                     [&](const auto& s) { return s.runs == starts; });
   if (!is_whole) {
-    verdict.grade = Verdict::Grade::kPartial;
+    verdict.grade = PageVerdict::Grade::kPartial;
     verdict.sentences.emplace_back("Some contenders have fewer starts: it was interrupted.");
   }
   return verdict;
@@ -177,7 +178,7 @@ ReportJson FilesSection(const fs::path& folder) {
     blocks.push_back({{"kind", "code"},
                       {"title", name},
                       {"folded", true},
-                      {"text", ReadTextFile(RequireFile(folder / name, kWhole))}});
+                      {"text", ReadTextFile(RequireFile(folder / name, kWholeComparison))}});
   }
   return SectionOf("configuration", "Configuration", blocks);
 }
@@ -198,7 +199,7 @@ ReportJson ChartSection(const Comparison& comparison) {
 }  // namespace
 
 ReportPage MakeComparisonReport(const fs::path& folder, const ReportAssets& assets) {
-  const fs::path file = RequireFile(folder / "comparison.json", kWhole);
+  const fs::path file = RequireFile(folder / "comparison.json", kWholeComparison);
   const Comparison comparison = ReadComparison(file);
   if (comparison.runs.empty() || comparison.contenders.empty()) {
     throw InputError(file.string(), "holds no run that ended; 'clothfit compare --resume' goes on");

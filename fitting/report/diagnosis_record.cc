@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFormat = "clothfit-diagnosis/1";
-constexpr const char* kWhole = "a diagnosis that has ended, by this version of clothfit";
+constexpr const char* kWholeDiagnosis = "a diagnosis that has ended, by this version of clothfit";
 
 // With signs that a plain text has no letters for.
 std::string Typeset(std::string text) {
@@ -27,14 +27,14 @@ std::string Typeset(std::string text) {
 }
 
 void CheckFiles(const DiagnosisRecord& record) {
-  RequireFile(record.folder / "baseline.npy", kWhole);
-  if (!record.effects.empty()) RequireFile(record.folder / "model.npy", kWhole);
+  RequireFile(record.folder / "baseline.npy", kWholeDiagnosis);
+  if (!record.effects.empty()) RequireFile(record.folder / "model.npy", kWholeDiagnosis);
 }
 
 }  // namespace
 
 DiagnosisRecord ReadDiagnosisRecord(const fs::path& folder) {
-  const fs::path file = RequireFile(folder / "diagnosis.json", kWhole);
+  const fs::path file = RequireFile(folder / "diagnosis.json", kWholeDiagnosis);
   DiagnosisRecord record;
   record.folder = folder;
   record.json = ReadRecordFile(file, "so diagnose again");
@@ -59,8 +59,8 @@ DiagnosisRecord ReadDiagnosisRecord(const fs::path& folder) {
     throw InputError(file.string(),
                      std::string("is no diagnosis that can be shown: ") + error.what());
   }
-  record.config = ReadTextFile(RequireFile(folder / "config.yaml", kWhole));
-  record.log = ReadTextFile(RequireFile(folder / "log.txt", kWhole));
+  record.config = ReadTextFile(RequireFile(folder / "config.yaml", kWholeDiagnosis));
+  record.log = ReadTextFile(RequireFile(folder / "log.txt", kWholeDiagnosis));
   const fs::path force = folder / "missing-force.npy";
   if (fs::exists(force)) record.force = ReadPointsNpy(force);
   return record;

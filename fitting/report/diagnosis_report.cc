@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Grade = Verdict::Grade;
+using Grade = PageVerdict::Grade;
 
 Grade GradeOf(const std::string& verdict) {
   if (verdict == "nothing is missing" || verdict == "named") return Grade::kGood;

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/report/verdict.h"
+#include "fitting/report/page_verdict.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -68,7 +68,7 @@ std::string ErrorNumbers(const Json& json) {
       EscapeHtml(json.at("errors_title").get<std::string>()), ErrorTable(json.at("errors")));
 }
 
-std::string Hero(const Json& json, const Verdict& verdict) {
+std::string Hero(const Json& json, const PageVerdict& verdict) {
   std::string sentences;
   for (const std::string& sentence : verdict.sentences) {
     sentences += "<li>" + EscapeHtml(sentence) + "</li>\n";
@@ -125,7 +125,7 @@ std::string EscapeHtml(std::string_view text) {
   return html;
 }
 
-std::string ReportAsHtml(const Json& json, const Verdict& verdict, const ReportBlobs& blobs,
+std::string ReportAsHtml(const Json& json, const PageVerdict& verdict, const ReportBlobs& blobs,
                          const ReportAssets& assets) {
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "fitting/report/blobs.h"
+#include "fitting/report/page_verdict.h"
 #include "fitting/report/report.h"
-#include "fitting/report/verdict.h"
 
 namespace clothfit {
 
@@ -17,7 +17,7 @@ namespace clothfit {
 std::string EscapeHtml(std::string_view text);
 
 // The verdict stands in the page itself and so is there before the data are, and without scripts.
-std::string ReportAsHtml(const ReportBlobs::Json& json, const Verdict& verdict,
+std::string ReportAsHtml(const ReportBlobs::Json& json, const PageVerdict& verdict,
                          const ReportBlobs& blobs, const ReportAssets& assets);
 
 }  // namespace clothfit

@@ -27,7 +27,7 @@ struct ReportAssets {
 
 struct ReportPage {
   std::string html;
-  Verdict verdict;
+  PageVerdict verdict;
   std::vector<std::string> notes;  // what the page says about itself, one sentence each
 };
 

@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
-#include "fitting/report/verdict.h"
+#include "fitting/report/page_verdict.h"
 #include "fitting/runs/run_folder.h"
 
 namespace clothfit {

@@ -131,7 +131,7 @@ void AddPicturesThatFit(const ReportScene& report, const ReportAssets& assets,
 
 }  // namespace
 
-ReportPage AsReportPage(ReportJson json, const Verdict& verdict, const ReportBlobs& blobs,
+ReportPage AsReportPage(ReportJson json, const PageVerdict& verdict, const ReportBlobs& blobs,
                         const ReportAssets& assets) {
   json["format"] = "clothfit-report/1";
   json["version"] = Version();

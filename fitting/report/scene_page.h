@@ -14,7 +14,7 @@ namespace clothfit {
 
 struct ScenePage {
   const ReportScene& report;
-  Verdict verdict;
+  PageVerdict verdict;
   std::string title;         // of the recording
   std::string errors_title;  // what before and after mean in `errors`
   std::vector<ErrorChange> errors;
@@ -27,7 +27,7 @@ ReportPage MakeScenePage(const ScenePage& content, const ReportAssets& assets,
                          const ReportOptions& options);
 
 // A page of any data. `json`: title, sections and what else docs/report.md lists.
-ReportPage AsReportPage(ReportJson json, const Verdict& verdict, const ReportBlobs& blobs,
+ReportPage AsReportPage(ReportJson json, const PageVerdict& verdict, const ReportBlobs& blobs,
                         const ReportAssets& assets);
 
 }  // namespace clothfit

@@ -122,9 +122,9 @@ std::pair<std::string, std::string> FirstSentence(const std::string& paragraph) 
 
 // In a study's text tables come first and what they come to after them: that is the verdict, and
 // what stands before them tells what was measured.
-Verdict VerdictOf(const std::vector<MarkdownPage>& pages) {
-  Verdict verdict;
-  verdict.grade = Verdict::Grade::kGood;
+PageVerdict VerdictOf(const std::vector<MarkdownPage>& pages) {
+  PageVerdict verdict;
+  verdict.grade = PageVerdict::Grade::kGood;
   for (const MarkdownPage& page : pages) {
     std::vector<std::string> prose = page.paragraphs;
     const bool has_result = page.paragraphs_before_table < static_cast<int>(prose.size());
@@ -156,7 +156,7 @@ ReportPage MakeStudyReport(const fs::path& folder, const ReportAssets& assets) {
   AddPictureFiles(folder, &study);
   AddTables(FilesEndingIn(folder, ".csv"), &study);
   AddConditions(folder, &study);
-  Verdict verdict = VerdictOf(study.pages);
+  PageVerdict verdict = VerdictOf(study.pages);
   if (verdict.headline.empty()) verdict.headline = texts.front().stem().string();
   ReportJson json;
   json["title"] = "Study: " + texts.front().stem().string();

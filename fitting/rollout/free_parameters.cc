@@ -17,7 +17,7 @@
 namespace clothfit {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr char kAxes[] = "xyz";
 
 }  // namespace
@@ -74,8 +74,8 @@ void FreeParameters::AddHandles(const FitConfig&, const Scene& scene) {
         entry.index = static_cast<int>(h);
         entry.control = c;
         entry.axis = axis;
-        entry.lower = -kInfinity;
-        entry.upper = kInfinity;
+        entry.lower = -kUnbounded;
+        entry.upper = kUnbounded;
         entry.prior = handle.path.controls()[c][axis];  // where the cloth lies at frame 0
         entry.prior_sigma = 1.0;                        // m; its neighbours say more
         entries_.push_back(entry);
@@ -118,8 +118,8 @@ void FreeParameters::AddInitialState(const FitConfig& config, const Scene& scene
         entry.unit = is_velocity ? "m/s" : "m";
         entry.index = static_cast<int>(k);
         entry.axis = axis;
-        entry.lower = -kInfinity;
-        entry.upper = kInfinity;
+        entry.lower = -kUnbounded;
+        entry.upper = kUnbounded;
         entry.prior = 0.0;
         entry.prior_sigma =
             is_velocity ? config.initial_velocity_sigma : config.initial_position_sigma;

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "clothfit-checkpoint/1";
+constexpr const char* kCheckpointFormat = "clothfit-checkpoint/1";
 
 Json ToJson(const Eigen::VectorXd& vector) {
   return std::vector<double>(vector.begin(), vector.end());
@@ -49,7 +49,7 @@ Eigen::MatrixXd ToMatrix(const Json& json, Eigen::Index columns) {
 
 void RunFolder::WriteCheckpoint(const FitCheckpoint& checkpoint) const {
   Json json;
-  json["format"] = kFormat;
+  json["format"] = kCheckpointFormat;
   json["coarse"] = checkpoint.coarse;
   json["next_window"] = checkpoint.next_window;
   json["theta"] = ToJson(checkpoint.theta);
@@ -64,14 +64,14 @@ FitCheckpoint RunFolder::ReadCheckpoint() const {
   FitCheckpoint checkpoint;
   try {
     const Json json = Json::parse(text);
-    if (json.at("format") != kFormat) throw std::invalid_argument("another format");
+    if (json.at("format") != kCheckpointFormat) throw std::invalid_argument("another format");
     checkpoint.coarse = json.value("coarse", false);
     json.at("next_window").get_to(checkpoint.next_window);
     checkpoint.theta = ToVector(json.at("theta"));
     checkpoint.mean = ToVector(json.at("mean"));
     checkpoint.information = ToMatrix(json.at("information"), checkpoint.mean.size());
   } catch (const std::exception&) {
-    throw InputError(file.string(), std::string("damaged; expected a ") + kFormat);
+    throw InputError(file.string(), std::string("damaged; expected a ") + kCheckpointFormat);
   }
   return checkpoint;
 }

@@ -26,7 +26,7 @@ const char* Law(const StudyFit& fit) {
   return IsReciprocal(fit) ? "reciprocal" : fit.linear > 0.0 ? "linear" : "none";
 }
 
-std::vector<Job> Jobs(const StudyOptions& options) {
+std::vector<Job> AttractionJobs(const StudyOptions& options) {
   const std::vector<double> values = ValuesOr(options, {10.0, 100.0, 1000.0},
                                               {1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0});
   std::vector<Job> jobs;
@@ -60,7 +60,7 @@ const char* Tracking(const StudyFit& fit) {
   return fit.points == "markers" ? "3D" : fit.points == "tracks" ? "2D" : "-";
 }
 
-std::string Rows(const std::vector<DoneFit>& fits, bool markdown) {
+std::string AttractionRows(const std::vector<DoneFit>& fits, bool markdown) {
   std::string text;
   for (const auto& [fit, result] : fits) {
     const DoneFit* const none = Without(fits, fit);
@@ -88,19 +88,19 @@ Chart MakeChart(const std::vector<DoneFit>& fits, const std::string& law) {
   return chart;
 }
 
-std::string Report(const StudyOptions&, const std::vector<Job>& jobs,
-                   const std::vector<JobResult>& results, const StudyPlace& place) {
+std::string AttractionStudyReport(const StudyOptions&, const std::vector<Job>& jobs,
+                                  const std::vector<JobResult>& results, const StudyPlace& place) {
   const std::vector<DoneFit> fits = DoneFits(jobs, results);
   WriteWholeFile(place.folder / "attraction.csv",
                  "experiment,tracking,law,stiffness,error_px,normalised,truth_mm,"
                  "roughness_over_true,simulations,converged\n" +
-                     Rows(fits, false));
+                     AttractionRows(fits, false));
   WriteWholeFile(place.folder / "attraction.svg",
                  ChartsAsSvg({MakeChart(fits, "linear"), MakeChart(fits, "reciprocal")}));
   return "| experiment | tracking | law | stiffness, N/m | error, px | over none | mm from truth | "
          "roughness over true | simulations | converged |\n"
          "|---|---|---|---:|---:|---:|---:|---:|---:|---|\n" +
-         Rows(fits, true);
+         AttractionRows(fits, true);
 }
 
 }  // namespace
@@ -112,8 +112,8 @@ Study AttractionStudy() {
   study.values =
       "N/m, stiffnesses of all of a frame's attractors together; the reciprocal law pulls as the "
       "linear one at 1 cm";
-  study.jobs = Jobs;
-  study.report = Report;
+  study.jobs = AttractionJobs;
+  study.report = AttractionStudyReport;
   return study;
 }
 

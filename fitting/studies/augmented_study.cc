@@ -15,7 +15,7 @@
 namespace clothfit {
 namespace {
 
-std::vector<Job> Jobs(const StudyOptions& options) {
+std::vector<Job> AugmentedJobs(const StudyOptions& options) {
   const std::vector<double> alphas =
       ValuesOr(options, {0.001, 0.01, 0.1}, {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1, 3e-1, 1.0});
   std::vector<Job> jobs;
@@ -50,7 +50,7 @@ double Normalised(const std::vector<DoneFit>& fits, const DoneFit& done) {
   return done.result.error / sum;
 }
 
-std::string Rows(const std::vector<DoneFit>& fits, bool markdown) {
+std::string AugmentedRows(const std::vector<DoneFit>& fits, bool markdown) {
   std::string text;
   for (const DoneFit& done : fits) {
     const auto& [fit, result] = done;
@@ -63,8 +63,8 @@ std::string Rows(const std::vector<DoneFit>& fits, bool markdown) {
   return text;
 }
 
-std::string Report(const StudyOptions&, const std::vector<Job>& jobs,
-                   const std::vector<JobResult>& results, const StudyPlace& place) {
+std::string AugmentedStudyReport(const StudyOptions&, const std::vector<Job>& jobs,
+                                 const std::vector<JobResult>& results, const StudyPlace& place) {
   const std::vector<DoneFit> fits = DoneFits(jobs, results);
   Chart chart{
       "Augmented error", "alpha, mm/px, where beta is 1", "normalised error", true, false, {}};
@@ -77,11 +77,11 @@ std::string Report(const StudyOptions&, const std::vector<Job>& jobs,
   WriteWholeFile(place.folder / "augmented.csv",
                  "experiment,alpha,beta,error,normalised,silhouette_px,attractor_mm,truth_mm,"
                  "simulations\n" +
-                     Rows(fits, false));
+                     AugmentedRows(fits, false));
   WriteWholeFile(place.folder / "augmented.svg", ChartsAsSvg({chart}));
   return "| experiment | alpha | beta | E | normalised | px a picture | attractor, mm | mm from "
          "truth | simulations |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n" +
-         Rows(fits, true);
+         AugmentedRows(fits, true);
 }
 
 }  // namespace
@@ -91,8 +91,8 @@ Study AugmentedStudy() {
   study.name = "augmented";
   study.doc = "Figure 9: silhouettes and tracked points in one error, over each alone";
   study.values = "alpha, mm/px, weights of the silhouettes where that of the points is 1";
-  study.jobs = Jobs;
-  study.report = Report;
+  study.jobs = AugmentedJobs;
+  study.report = AugmentedStudyReport;
   return study;
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kAll = 7;
 
-std::vector<Job> Jobs(const StudyOptions& options) {
+std::vector<Job> CameraJobs(const StudyOptions& options) {
   const std::vector<double> counts = ValuesOr(options, {1, 2, 3, 5, 7}, {1, 2, 3, 4, 5, 6, 7});
   std::vector<Job> jobs;
   for (const std::string& experiment : options.experiments) {
@@ -41,7 +41,7 @@ double OverSeven(const std::vector<DoneFit>& fits, const DoneFit& done,
   return all == nullptr ? NAN : done.result.*member / all->result.*member;
 }
 
-std::string Rows(const std::vector<DoneFit>& fits, bool markdown) {
+std::string CameraRows(const std::vector<DoneFit>& fits, bool markdown) {
   std::string text;
   for (const DoneFit& done : fits) {
     text += fmt::format(markdown ? "| {} | {} | {:.0f} | {:.3f} | {:.1f} | {:.2f} | {:.1f} | "
@@ -66,13 +66,13 @@ Chart MakeChart(const std::vector<DoneFit>& fits, const std::string& label,
   return chart;
 }
 
-std::string Report(const StudyOptions&, const std::vector<Job>& jobs,
-                   const std::vector<JobResult>& results, const StudyPlace& place) {
+std::string CameraStudyReport(const StudyOptions&, const std::vector<Job>& jobs,
+                              const std::vector<JobResult>& results, const StudyPlace& place) {
   const std::vector<DoneFit> fits = DoneFits(jobs, results);
   WriteWholeFile(place.folder / "cameras.csv",
                  "experiment,cameras,error_px,error_over_seven,all_px,all_over_seven,truth_mm,"
                  "truth_over_seven,simulations\n" +
-                     Rows(fits, false));
+                     CameraRows(fits, false));
   WriteWholeFile(
       place.folder / "cameras.svg",
       ChartsAsSvg({MakeChart(fits, "Error of the cameras used", &StudyFitResult::error),
@@ -81,7 +81,7 @@ std::string Report(const StudyOptions&, const std::vector<Job>& jobs,
   return "| experiment | cameras | error, px | over seven | px a picture, all seven | over seven | "
          "mm from truth | over seven | simulations |\n"
          "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n" +
-         Rows(fits, true);
+         CameraRows(fits, true);
 }
 
 }  // namespace
@@ -91,8 +91,8 @@ Study CameraStudy() {
   study.name = "cameras";
   study.doc = "Figure 10: the error against the number of cameras";
   study.values = "numbers of cameras, 1 to 7";
-  study.jobs = Jobs;
-  study.report = Report;
+  study.jobs = CameraJobs;
+  study.report = CameraStudyReport;
   return study;
 }
 

@@ -27,7 +27,7 @@ struct Way {
 };
 constexpr std::array<Way, 4> kWays = {{{120, false}, {240, false}, {480, false}, {120, true}}};
 
-std::vector<Job> Jobs(const StudyOptions& options) {
+std::vector<Job> ContactJobs(const StudyOptions& options) {
   std::vector<Job> jobs;
   for (const HardScene& scene : HardScenes()) {
     for (const Way& way : kWays) {
@@ -149,7 +149,7 @@ std::string FrameTable(const std::vector<Done>& done, const std::string& scene) 
   return text;
 }
 
-std::string Rows(const std::vector<Done>& done, bool markdown) {
+std::string ContactRows(const std::vector<Done>& done, bool markdown) {
   std::string text;
   for (const Done& one : done) {
     const double seconds = one.Sum("seconds"), scale = one.output.at("scale");
@@ -210,8 +210,8 @@ void Draw(const std::vector<Done>& done, const std::string& file) {
   DrawCloths(MakeGrid({1.0, 1.0}, {particles, particles}), rows, 1.6, {}, file);
 }
 
-std::string Report(const StudyOptions&, const std::vector<Job>& jobs,
-                   const std::vector<JobResult>& results, const StudyPlace& place) {
+std::string ContactStudyReport(const StudyOptions&, const std::vector<Job>& jobs,
+                               const std::vector<JobResult>& results, const StudyPlace& place) {
   const std::vector<Done> done = AllDone(jobs, results);
   for (const HardScene& scene : HardScenes()) {
     const std::string table = FrameTable(done, scene.name);
@@ -222,7 +222,7 @@ std::string Report(const StudyOptions&, const std::vector<Job>& jobs,
       "scene,integrator,steps_per_second,frames,complete,intersections,largest_gain,largest_rise,"
       "most_pairs,most_obstacle_contacts,newton_iterations,factorizations,halvings,"
       "step_ms,detection_share,response_share\n" +
-          Rows(done, false));
+          ContactRows(done, false));
   WriteWholeFile(place.folder / "contact.svg", ChartsAsSvg({BalanceChart(done, kWays.front()),
                                                             BalanceChart(done, kWays.back())}));
   Draw(done, (place.folder / "contact.png").string());
@@ -231,7 +231,7 @@ std::string Report(const StudyOptions&, const std::vector<Job>& jobs,
          "rise | most pairs | with the obstacle or ground | Newton iterations a step | "
          "factorisations a step | halved steps | a step, ms | finding, share | response, share |\n"
          "|---|---|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n" +
-         Rows(done, true);
+         ContactRows(done, true);
 }
 
 }  // namespace
@@ -243,9 +243,9 @@ Study ContactStudy() {
   study.uses_recordings = false;
   for (const HardScene& scene : HardScenes())
     study.files.push_back("contact-" + std::string(scene.name) + ".csv");
-  study.jobs = Jobs;
+  study.jobs = ContactJobs;
   study.work = RunContactJob;
-  study.report = Report;
+  study.report = ContactStudyReport;
   return study;
 }
 

@@ -47,7 +47,7 @@ Job CaseJob(const std::string& varied, double value, const Case& one) {
            {"steps", one.steps}}};
 }
 
-std::vector<Job> Jobs(const StudyOptions& options) {
+std::vector<Job> GradientJobs(const StudyOptions& options) {
   std::vector<Job> jobs;
   const auto vary = [&](const std::string& varied, int Case::*member, std::vector<int> values) {
     for (const int value : values) {
@@ -159,8 +159,8 @@ nlohmann::json RunGradientJob(const StudyOptions& options, const Job& job,
 }
 
 // Both on the same lines: the input of a case and what came of it.
-std::string Rows(const std::vector<Job>& jobs, const std::vector<JobResult>& results,
-                 bool markdown) {
+std::string GradientRows(const std::vector<Job>& jobs, const std::vector<JobResult>& results,
+                         bool markdown) {
   std::string text;
   for (const JobResult& result : results) {
     const auto job = std::find_if(jobs.begin(), jobs.end(),
@@ -210,13 +210,13 @@ Chart CurveChart(const std::vector<JobResult>& results, int column, const std::s
   return chart;
 }
 
-std::string Report(const StudyOptions&, const std::vector<Job>& jobs,
-                   const std::vector<JobResult>& results, const StudyPlace& place) {
+std::string GradientStudyReport(const StudyOptions&, const std::vector<Job>& jobs,
+                                const std::vector<JobResult>& results, const StudyPlace& place) {
   WriteWholeFile(place.folder / "gradients.csv",
                  "varied,value,relative_error,error_of_extrapolation,undecided,as_fitted,"
                  "best_difference_tight,best_difference_as_fitted,simulation_ms,"
                  "derivatives_over_simulation,differences_over_simulation\n" +
-                     Rows(jobs, results, false));
+                     GradientRows(jobs, results, false));
   WriteWholeFile(place.folder / "gradients-differences.csv", CurveRows(results));
   WriteWholeFile(place.folder / "gradients.svg",
                  ChartsAsSvg({CurveChart(results, 1, "Steps solved to 1e-11"),
@@ -225,7 +225,7 @@ std::string Report(const StudyOptions&, const std::vector<Job>& jobs,
          "as in fits | best central difference | the same, solved as in fits | simulation, ms | "
          "with derivatives, simulations | central differences, simulations |\n"
          "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n" +
-         Rows(jobs, results, true);
+         GradientRows(jobs, results, true);
 }
 
 }  // namespace
@@ -236,9 +236,9 @@ Study GradientStudy() {
   study.doc = "derivatives: accuracy and cost against step, mesh, parameters and horizon";
   study.uses_recordings = false;
   study.files = {"gradients-differences.csv"};
-  study.jobs = Jobs;
+  study.jobs = GradientJobs;
   study.work = RunGradientJob;
-  study.report = Report;
+  study.report = GradientStudyReport;
   return study;
 }
 

@@ -28,7 +28,7 @@ constexpr Variant kVariants[] = {{"strong-linear", "strong linear forces", 1000.
                                  {"three-cameras", "three cameras", 0.0, 0.0, 3},
                                  {"seven-cameras", "seven cameras", 0.0, 0.0, 7}};
 
-std::vector<Job> Jobs(const StudyOptions& options) {
+std::vector<Job> ReconstructionJobs(const StudyOptions& options) {
   std::vector<Job> jobs;
   for (const Variant& variant : kVariants) {
     StudyFit fit;
@@ -79,8 +79,9 @@ void CopyViews(const Recording& recording, const fs::path& folder) {
   }
 }
 
-std::string Report(const StudyOptions& options, const std::vector<Job>& jobs,
-                   const std::vector<JobResult>& results, const StudyPlace& place) {
+std::string ReconstructionStudyReport(const StudyOptions& options, const std::vector<Job>& jobs,
+                                      const std::vector<JobResult>& results,
+                                      const StudyPlace& place) {
   const std::vector<DoneFit> fits = DoneFits(jobs, results);
   std::string csv = "variant,error_px,all_px,truth_mm,roughness,true_roughness,simulations\n";
   std::string text =
@@ -110,8 +111,8 @@ Study ReconstructionStudy() {
   study.name = "reconstructions";
   study.doc = "Figures 7 and 8: the last frame of the last experiment in several ways";
   study.files = {"view-side.png", "view-top.png"};
-  study.jobs = Jobs;
-  study.report = Report;
+  study.jobs = ReconstructionJobs;
+  study.report = ReconstructionStudyReport;
   return study;
 }
 

@@ -36,7 +36,7 @@ const char* const kHeader =
     "| experiment | start | search | unknowns | error, px | mm from truth | simulations | s | "
     "converged |\n|---|---:|---|---:|---:|---:|---:|---:|---|\n";
 
-std::string Rows(const std::vector<DoneFit>& fits, bool markdown) {
+std::string SearchRows(const std::vector<DoneFit>& fits, bool markdown) {
   std::string text;
   for (const auto& [fit, result] : fits) {
     text +=
@@ -52,7 +52,7 @@ void WriteCsv(const StudyPlace& place, const std::string& name, const std::vecto
   WriteWholeFile(place.folder / (name + ".csv"),
                  "experiment,start,search,unknowns,error_px,truth_mm,simulations,seconds,"
                  "converged\n" +
-                     Rows(fits, false));
+                     SearchRows(fits, false));
 }
 
 // The best error so far, one chart an experiment.
@@ -115,7 +115,7 @@ Study SearchStudy(
     const std::vector<DoneFit> fits = DoneFits(jobs, results);
     WriteCsv(place, name, fits);
     WriteWholeFile(place.folder / (name + ".svg"), HistoryAsSvg(fits));
-    return kHeader + Rows(fits, true) + last_word(options, fits);
+    return kHeader + SearchRows(fits, true) + last_word(options, fits);
   };
   return study;
 }

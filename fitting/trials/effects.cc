@@ -16,29 +16,6 @@ namespace {
 
 using Effects = std::vector<PlantableEffect>;
 
-std::map<std::string, double> Values(Fabric fabric) {
-  switch (fabric) {
-    case Fabric::kWoven:
-      return {{"cloth.areal_density", 0.15}, {"stretch.stiffness", 400.0},
-              {"stretch.damping", 0.6},      {"shear.stiffness", 8.0},
-              {"shear.damping", 0.2},        {"bending.stiffness", 4e-5},
-              {"bending.damping", 2e-5},     {"air_drag.normal", 0.5},
-              {"air_drag.saturation", 1.0},  {"air_drag.tangential", 0.04}};
-    case Fabric::kKnit:
-      return {{"cloth.areal_density", 0.2}, {"stretch.stiffness", 40.0},
-              {"stretch.damping", 0.6},     {"shear.stiffness", 12.0},
-              {"shear.damping", 0.3},       {"bending.stiffness", 3e-5},
-              {"bending.damping", 2e-5},    {"air_drag.normal", 0.4},
-              {"air_drag.saturation", 1.0}, {"air_drag.tangential", 0.04}};
-    case Fabric::kStiff:
-      break;
-  }
-  return {{"cloth.areal_density", 0.2}, {"stretch.stiffness", 600.0}, {"stretch.damping", 1.0},
-          {"shear.stiffness", 20.0},    {"shear.damping", 0.4},       {"bending.stiffness", 5e-4},
-          {"bending.damping", 5e-5},    {"air_drag.normal", 0.5},     {"air_drag.saturation", 1.0},
-          {"air_drag.tangential", 0.04}};
-}
-
 // The rows, and those that follow from what a term says of itself for each term without one.
 Effects WithDefaults(Effects rows, const std::vector<TermInfo>& terms) {
   for (const TermInfo& term : terms) {
@@ -78,7 +55,28 @@ std::string ToString(Fabric fabric) {
   return "stiff";
 }
 
-std::map<std::string, double> TypicalParameters(Fabric fabric) { return Values(fabric); }
+std::map<std::string, double> TypicalParameters(Fabric fabric) {
+  switch (fabric) {
+    case Fabric::kWoven:
+      return {{"cloth.areal_density", 0.15}, {"stretch.stiffness", 400.0},
+              {"stretch.damping", 0.6},      {"shear.stiffness", 8.0},
+              {"shear.damping", 0.2},        {"bending.stiffness", 4e-5},
+              {"bending.damping", 2e-5},     {"air_drag.normal", 0.5},
+              {"air_drag.saturation", 1.0},  {"air_drag.tangential", 0.04}};
+    case Fabric::kKnit:
+      return {{"cloth.areal_density", 0.2}, {"stretch.stiffness", 40.0},
+              {"stretch.damping", 0.6},     {"shear.stiffness", 12.0},
+              {"shear.damping", 0.3},       {"bending.stiffness", 3e-5},
+              {"bending.damping", 2e-5},    {"air_drag.normal", 0.4},
+              {"air_drag.saturation", 1.0}, {"air_drag.tangential", 0.04}};
+    case Fabric::kStiff:
+      break;
+  }
+  return {{"cloth.areal_density", 0.2}, {"stretch.stiffness", 600.0}, {"stretch.damping", 1.0},
+          {"shear.stiffness", 20.0},    {"shear.damping", 0.4},       {"bending.stiffness", 5e-4},
+          {"bending.damping", 5e-5},    {"air_drag.normal", 0.5},     {"air_drag.saturation", 1.0},
+          {"air_drag.tangential", 0.04}};
+}
 
 const Effects& ListedEffects() {
   static const Effects effects = WithDefaults(ChosenEffects(), AbsentTerms());

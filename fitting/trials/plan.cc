@@ -304,18 +304,18 @@ void AddPairTrials(Planner* planner) {
 
 // One of each kind and a few more, for tests and to see that everything runs.
 void AddQuickTrials(Planner* planner) {
-  constexpr SyntheticScenario kSwing = SyntheticScenario::kTwoCornerSwing;
-  planner->AddClean(kSwing, TrialObservation::kMarkers, Fabric::kWoven);
+  const SyntheticScenario swing = SyntheticScenario::kTwoCornerSwing;
+  planner->AddClean(swing, TrialObservation::kMarkers, Fabric::kWoven);
   planner->AddClean(SyntheticScenario::kFourCornerSag, TrialObservation::kTracks, Fabric::kKnit);
-  planner->AddFault(FaultKind::kCameraPose, kSwing, TrialObservation::kTracks);
-  planner->AddFault(FaultKind::kMarkerSwap, kSwing, TrialObservation::kMarkers);
+  planner->AddFault(FaultKind::kCameraPose, swing, TrialObservation::kTracks);
+  planner->AddFault(FaultKind::kMarkerSwap, swing, TrialObservation::kMarkers);
   for (const char* term : {"wind", "heavy_patch", "obstacle_sphere", "shear_friction"}) {
-    planner->AddEffect(TrialKind::kListed, {Find(term, kSwing)}, TrialObservation::kMarkers,
+    planner->AddEffect(TrialKind::kListed, {Find(term, swing)}, TrialObservation::kMarkers,
                        EffectSize::kLarge);
   }
   planner->AddEffect(TrialKind::kUnlisted, {UnlistedEffects().front()}, TrialObservation::kMarkers,
                      EffectSize::kLarge);
-  planner->AddEffect(TrialKind::kPair, {Find("wind", kSwing), Find("heavy_patch", kSwing)},
+  planner->AddEffect(TrialKind::kPair, {Find("wind", swing), Find("heavy_patch", swing)},
                      TrialObservation::kMarkers, EffectSize::kLarge);
 }
 

@@ -18,8 +18,6 @@ constexpr int kFewestNeighbours = 5;
 constexpr double kSmallestScale = 0.25, kLargestScale = 4.0;
 constexpr double kLeastContrast = 2.0;  // grey levels
 
-double Length(const cv::Point2f& p) { return std::hypot(p.x, p.y); }
-
 struct MeanAndSpread {
   double mean, spread;
 };

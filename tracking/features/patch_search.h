@@ -4,6 +4,7 @@
 // How the surroundings of a point have moved, and where they are found again.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Core>
@@ -11,6 +12,8 @@
 #include <opencv2/core/types.hpp>
 
 namespace clothfit {
+
+inline double Length(const cv::Point2f& p) { return std::hypot(p.x, p.y); }
 
 // pixel = linear (reference - reference of the point) + place, about a point.
 struct LocalMotion {

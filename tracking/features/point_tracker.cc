@@ -21,16 +21,14 @@ cv::Mat Grey(const cv::Mat& image) {
   return grey;
 }
 
-double Length(const cv::Point2f& p) { return std::hypot(p.x, p.y); }
-
-bool IsInside(const cv::Size& size, const cv::Point2f& p, float border) {
+bool IsInPicture(const cv::Size& size, const cv::Point2f& p, float border) {
   return p.x >= border && p.y >= border && p.x <= static_cast<float>(size.width - 1) - border &&
          p.y <= static_cast<float>(size.height - 1) - border;
 }
 
 bool IsSet(const cv::Mat& mask, const cv::Point2f& p) {
   return mask.empty() ||
-         (IsInside(mask.size(), p, 0.0F) && mask.at<uchar>(cvRound(p.y), cvRound(p.x)) != 0);
+         (IsInPicture(mask.size(), p, 0.0F) && mask.at<uchar>(cvRound(p.y), cvRound(p.x)) != 0);
 }
 
 }  // namespace
@@ -46,7 +44,7 @@ std::vector<TrackedPoint> PointTracker::Start(const cv::Mat& image, const cv::Ma
   cv::goodFeaturesToTrack(first_, corners, options_.max_points, options_.min_contrast,
                           options_.min_distance, inside);
   for (const cv::Point2f& corner : corners) {
-    if (!IsInside(first_.size(), corner, static_cast<float>(options_.window))) continue;
+    if (!IsInPicture(first_.size(), corner, static_cast<float>(options_.window))) continue;
     const std::optional<Eigen::Vector2d> uv = cloth.At(camera, {corner.x, corner.y});
     if (uv) points_.push_back({*uv, corner, corner, {}, true});
   }
@@ -134,7 +132,7 @@ void PointTracker::Flow(const cv::Mat& image) {
                            options_.levels, criteria);
   for (std::size_t k = 0; k < indices.size(); ++k) {
     Point& point = points_[indices[k]];
-    if (found[k] == 0 || !IsInside(image.size(), to[k], 1.0F)) {
+    if (found[k] == 0 || !IsInPicture(image.size(), to[k], 1.0F)) {
       Lose(&point, "picture");
     } else if (options_.check_backward &&
                (found_back[k] == 0 || Length(back[k] - from[k]) > options_.max_backward)) {
@@ -196,7 +194,7 @@ void PointTracker::Redetect(const cv::Mat& image, const cv::Mat& mask) {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (points_[i].is_live) continue;
     const LocalMotion motion = MotionAround(points_[i]);
-    if (motion.is_known && IsInside(image.size(), motion.place, border) &&
+    if (motion.is_known && IsInPicture(image.size(), motion.place, border) &&
         IsSet(mask, motion.place)) {
       patches.push_back({static_cast<int>(i), points_[i].reference, motion, motion.place, -1.0});
     }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "clothfit-folder/1";
+constexpr const char* kManifestFormat = "clothfit-folder/1";
 
 // `names`: where many processes write and none can list what all of them do, the files are known by
 // names that nobody else gives.
@@ -45,8 +45,8 @@ const KindRow& RowOf(FolderKind kind) {
 }
 
 [[noreturn]] void FailDamaged(const fs::path& file) {
-  throw InputError(file.string(),
-                   std::string("is damaged, or of a newer clothfit; expected a ") + kFormat);
+  throw InputError(file.string(), std::string("is damaged, or of a newer clothfit; expected a ") +
+                                      kManifestFormat);
 }
 
 FolderKind KindNamed(const std::string& name, const fs::path& file) {
@@ -61,7 +61,7 @@ Manifest ParseManifest(const fs::path& file) {
   Manifest manifest;
   try {
     const nlohmann::json json = nlohmann::json::parse(ReadTextFile(file));
-    if (json.at("format") != kFormat) FailDamaged(file);
+    if (json.at("format") != kManifestFormat) FailDamaged(file);
     manifest.kind = KindNamed(json.at("kind").get<std::string>(), file);
     manifest.files = json.at("files").get<std::map<std::string, std::set<std::string>>>();
   } catch (const nlohmann::json::exception&) {
@@ -143,7 +143,7 @@ void WriteManifest(const Manifest& manifest, const fs::path& folder) {
   for (const auto& [command, of_command] : manifest.files)
     if (lists) files[command] = of_command;
   const nlohmann::json json = {
-      {"format", kFormat}, {"kind", ToString(manifest.kind)}, {"files", files}};
+      {"format", kManifestFormat}, {"kind", ToString(manifest.kind)}, {"files", files}};
   WriteWholeFile(folder / kManifestFile,
                  json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }

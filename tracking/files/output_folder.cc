@@ -31,13 +31,6 @@ bool IsFree(const fs::path& folder) {
 }
 
 // True where the folder was not there.
-bool MakeFolder(const fs::path& folder) {
-  std::error_code error;
-  const bool is_made = fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
-  return is_made;
-}
-
 // A recording made by hand, or what is to become one.
 bool HoldsPartsOfARecording(const fs::path& folder) {
   constexpr const char* kParts[] = {"recording.yaml", "cameras.yaml", "markers.csv", "tracks.csv",

@@ -77,6 +77,13 @@ void Fill(const PartFile& part, const fs::path& place, std::string_view contents
 
 }  // namespace
 
+bool MakeFolder(const fs::path& folder) {
+  std::error_code error;
+  const bool is_made = fs::create_directories(folder, error);
+  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
+  return is_made;
+}
+
 fs::path PartName(const fs::path& place) {
   constexpr std::size_t kLongest = 200;  // bytes of the name, so that what is added finds room
   const std::string name = place.filename().string().substr(0, kLongest);

@@ -30,6 +30,10 @@ class PartFile {
   std::filesystem::path place_, path_;
 };
 
+// Makes the folder, and those that hold it; false where it was there. Throws InputError with the
+// system's reason.
+bool MakeFolder(const std::filesystem::path& folder);
+
 // A name beside the place that nobody else has.
 std::filesystem::path PartName(const std::filesystem::path& place);
 // The name that a part file is under way to: "a.csv" for ".a.csv.k2x90b.part"; "" for others.

@@ -14,8 +14,6 @@
 namespace clothfit {
 namespace {
 
-constexpr double kMillimetres = 1e3;
-
 // "left=Unlabeled 1022", or the marker's name alone.
 struct HandleChoice {
   std::string name;
@@ -82,7 +80,7 @@ double SigmaOf(const MarkerTake& take, const TakeOptions& options,
                std::vector<std::string>* notes) {
   constexpr double kRounding = 1e6;  // steps a metre; one is the least, as no sigma is zero
   const std::optional<double> jitter = MarkerJitter(take.markers);
-  if (jitter) notes->push_back(fmt::format("markers jitter by {:.3f} mm", kMillimetres * *jitter));
+  if (jitter) notes->push_back(fmt::format("markers jitter by {:.3f} mm", 1e3 * *jitter));
   if (options.marker_sigma) return *options.marker_sigma;
   if (!jitter) return kDefaultMarkerSigma;
   return std::max(std::round(*jitter * kRounding), 1.0) / kRounding;

@@ -11,10 +11,10 @@
 namespace clothfit {
 namespace {
 
-using Points = std::vector<Eigen::Vector3d>;
+using Positions = std::vector<Eigen::Vector3d>;
 
-Points PlaceAt(const FlatPlacement& flat, const std::vector<Eigen::Vector2d>& uv) {
-  Points positions;
+Positions PlaceAt(const FlatPlacement& flat, const std::vector<Eigen::Vector2d>& uv) {
+  Positions positions;
   positions.reserve(uv.size());
   for (const Eigen::Vector2d& point : uv) {
     positions.emplace_back(flat.origin + point.x() * flat.u_axis + point.y() * flat.v_axis);
@@ -22,7 +22,7 @@ Points PlaceAt(const FlatPlacement& flat, const std::vector<Eigen::Vector2d>& uv
   return positions;
 }
 
-Points PlaceAt(const PointPlacement& placement, const std::vector<Eigen::Vector2d>& uv) {
+Positions PlaceAt(const PointPlacement& placement, const std::vector<Eigen::Vector2d>& uv) {
   Eigen::Matrix2Xd sites(2, placement.points.size());
   Eigen::Matrix3Xd values(3, placement.points.size());
   for (size_t i = 0; i < placement.points.size(); ++i) {
@@ -30,19 +30,19 @@ Points PlaceAt(const PointPlacement& placement, const std::vector<Eigen::Vector2
     values.col(static_cast<Eigen::Index>(i)) = placement.points[i].position;
   }
   const ThinPlateSpline surface(sites, values);
-  Points positions;
+  Positions positions;
   positions.reserve(uv.size());
   for (const Eigen::Vector2d& point : uv) positions.push_back(surface(point));
   return positions;
 }
 
-Points PlaceAt(const MeshPlacement&, const std::vector<Eigen::Vector2d>&) {
+Positions PlaceAt(const MeshPlacement&, const std::vector<Eigen::Vector2d>&) {
   throw std::logic_error("the initial positions of a mesh are its own vertices");
 }
 
 }  // namespace
 
-Points InitialPositions(const Recording& recording, const std::vector<Eigen::Vector2d>& uv) {
+Positions InitialPositions(const Recording& recording, const std::vector<Eigen::Vector2d>& uv) {
   return std::visit([&](const auto& placement) { return PlaceAt(placement, uv); },
                     recording.cloth.initial);
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr double kStretch = 1.1;  // more than cloth is likely to stretch
 
 // A point of the cloth seen at one frame.
-struct SeenPoint {
+struct WatchedPoint {
   std::string label;
   Eigen::Vector2d uv;        // m
   Eigen::Vector3d position;  // m, world
@@ -25,8 +25,8 @@ struct SeenPoint {
 };
 
 // Markers and handles of known position, by frame.
-std::map<int, std::vector<SeenPoint>> SeenPoints(const Recording& recording) {
-  std::map<int, std::vector<SeenPoint>> points;
+std::map<int, std::vector<WatchedPoint>> WatchedPoints(const Recording& recording) {
+  std::map<int, std::vector<WatchedPoint>> points;
   const double marker_sigma = recording.noise.marker.value_or(kDefaultMarkerSigma);
   for (const Marker& marker : recording.markers) {
     points[marker.frame].push_back(
@@ -51,7 +51,7 @@ void WarnOfStretch(const Recording& recording, std::vector<std::string>* warning
   int frame_count = 0;
   double worst = 0.0;
   std::string worst_pair;
-  for (const auto& [frame, points] : SeenPoints(recording)) {
+  for (const auto& [frame, points] : WatchedPoints(recording)) {
     bool exceeded = false;
     const size_t count = std::min(points.size(), kMaxPoints);
     for (size_t i = 0; i < count; ++i) {
@@ -111,12 +111,12 @@ void WarnOfJumps(const Recording& recording, std::vector<std::string>* warnings)
 
 void WarnOfInitialPlacement(const Recording& recording, std::vector<std::string>* warnings) {
   if (std::holds_alternative<MeshPlacement>(recording.cloth.initial)) return;
-  const std::map<int, std::vector<SeenPoint>> seen = SeenPoints(recording);
+  const std::map<int, std::vector<WatchedPoint>> seen = WatchedPoints(recording);
   const double limit = 0.05 * recording.cloth.size.maxCoeff();
   if (seen.count(0) != 0) {
-    const std::vector<SeenPoint>& points = seen.at(0);
+    const std::vector<WatchedPoint>& points = seen.at(0);
     std::vector<Eigen::Vector2d> uv;
-    for (const SeenPoint& point : points) uv.push_back(point.uv);
+    for (const WatchedPoint& point : points) uv.push_back(point.uv);
     const std::vector<Eigen::Vector3d> placed = InitialPositions(recording, uv);
     int count = 0;
     std::string first;

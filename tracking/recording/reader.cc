@@ -125,10 +125,10 @@ void ReadSplits(const YamlValue& value, Splits* splits) {
 }
 
 void ReadDescription(const YamlValue& top, Recording* recording) {
-  constexpr const char* kFormat = "cloth-recording/1";
+  constexpr const char* kRecordingFormat = "cloth-recording/1";
   const YamlValue format = top.Require("format");
-  if (format.Text() != kFormat) {  // first: another version may well have other keys
-    format.Fail(fmt::format("expected '{}', found '{}'", kFormat, format.Text()));
+  if (format.Text() != kRecordingFormat) {  // first: another version may well have other keys
+    format.Fail(fmt::format("expected '{}', found '{}'", kRecordingFormat, format.Text()));
   }
   top.AllowKeys({"format", "name", "frame_rate", "frame_count", "gravity", "ground", "cloth",
                  "handles", "obstacles", "noise", "splits"});

@@ -11,9 +11,9 @@
 namespace clothfit {
 namespace {
 
-constexpr int kMargin = 48;      // px, what the field covers around the mask
-constexpr int kStep = 2;         // px between samples
-constexpr double kSmooth = 0.8;  // px, sigma
+constexpr int kFieldMargin = 48;  // px, what the field covers around the mask
+constexpr int kStep = 2;          // px between samples
+constexpr double kSmooth = 0.8;   // px, sigma
 
 }  // namespace
 
@@ -37,10 +37,12 @@ cv::Mat SignedDistances(const cv::Mat& mask) {
 
 SignedDistanceField::SignedDistanceField(const cv::Mat& mask) {
   cv::Mat padded;
-  cv::copyMakeBorder(mask, padded, kMargin, kMargin, kMargin, kMargin, cv::BORDER_REPLICATE);
+  cv::copyMakeBorder(mask, padded, kFieldMargin, kFieldMargin, kFieldMargin, kFieldMargin,
+                     cv::BORDER_REPLICATE);
   // What reaches the picture's margin goes on beyond it, here as far as the field reaches.
   const cv::Rect cloth = cv::boundingRect(mask);
-  const cv::Rect around(cloth.x, cloth.y, cloth.width + 2 * kMargin, cloth.height + 2 * kMargin);
+  const cv::Rect around(cloth.x, cloth.y, cloth.width + 2 * kFieldMargin,
+                        cloth.height + 2 * kFieldMargin);
   cv::Mat distance = SignedDistances(padded(around));
   cv::GaussianBlur(distance, distance, cv::Size(), kSmooth, kSmooth, cv::BORDER_REPLICATE);
   field_.create((distance.rows + kStep - 1) / kStep, (distance.cols + kStep - 1) / kStep, CV_32F);
@@ -49,7 +51,7 @@ SignedDistanceField::SignedDistanceField(const cv::Mat& mask) {
       field_.at<float>(y, x) = distance.at<float>(kStep * y, kStep * x);
     }
   }
-  origin_ = {around.x - kMargin, around.y - kMargin};
+  origin_ = {around.x - kFieldMargin, around.y - kFieldMargin};
 }
 
 SignedDistance SignedDistanceField::At(const Eigen::Vector2d& pixel) const {

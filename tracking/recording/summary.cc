@@ -13,7 +13,7 @@
 namespace clothfit {
 namespace {
 
-std::string Row(const std::string& label, const std::string& text) {
+std::string SummaryRow(const std::string& label, const std::string& text) {
   return fmt::format("{:<12}{}\n", label, text);
 }
 
@@ -136,30 +136,32 @@ std::string DescribeSplits(const Splits& splits) {
 
 std::string DescribeRecording(const Recording& recording) {
   const Eigen::Vector3d& gravity = recording.gravity;
-  std::string text = Row("recording", recording.name);
-  text += Row("frames",
-              fmt::format("{} at {} Hz, {:.2f} s", recording.frame_count, recording.frame_rate,
-                          recording.frame_count / recording.frame_rate));
-  text += Row("gravity", fmt::format("({}, {}, {}) m/s^2", gravity.x(), gravity.y(), gravity.z()));
-  text += Row("ground", recording.ground_height ? fmt::format("z = {} m", *recording.ground_height)
-                                                : std::string("none"));
-  text += Row("cloth", DescribeCloth(recording.cloth));
+  std::string text = SummaryRow("recording", recording.name);
+  text += SummaryRow(
+      "frames", fmt::format("{} at {} Hz, {:.2f} s", recording.frame_count, recording.frame_rate,
+                            recording.frame_count / recording.frame_rate));
+  text += SummaryRow("gravity",
+                     fmt::format("({}, {}, {}) m/s^2", gravity.x(), gravity.y(), gravity.z()));
+  text += SummaryRow("ground", recording.ground_height
+                                   ? fmt::format("z = {} m", *recording.ground_height)
+                                   : std::string("none"));
+  text += SummaryRow("cloth", DescribeCloth(recording.cloth));
   for (const HandleDescription& handle : recording.handles) {
-    text += Row("handle", DescribeHandle(handle, recording));
+    text += SummaryRow("handle", DescribeHandle(handle, recording));
   }
   for (const ObstacleDescription& obstacle : recording.obstacles) {
     constexpr std::array<const char*, 4> kShapes = {"sphere", "capsule", "box", "mesh"};
-    text += Row("obstacle",
-                fmt::format("{}, a {} {}", obstacle.name, kShapes.at(obstacle.shape.index()),
-                            obstacle.path.size() == 1 ? "at rest" : "on a path"));
+    text += SummaryRow("obstacle",
+                       fmt::format("{}, a {} {}", obstacle.name, kShapes.at(obstacle.shape.index()),
+                                   obstacle.path.size() == 1 ? "at rest" : "on a path"));
   }
-  text += Row("markers", DescribeMarkers(recording));
-  text += Row("tracks", DescribeTracks(recording));
+  text += SummaryRow("markers", DescribeMarkers(recording));
+  text += SummaryRow("tracks", DescribeTracks(recording));
   for (size_t i = 0; i < recording.cameras.size(); ++i) {
-    text += Row("camera", DescribeCamera(recording, i));
+    text += SummaryRow("camera", DescribeCamera(recording, i));
   }
-  text += Row("noise", DescribeNoise(recording.noise));
-  text += Row("held out", DescribeSplits(recording.splits));
+  text += SummaryRow("noise", DescribeNoise(recording.noise));
+  text += SummaryRow("held out", DescribeSplits(recording.splits));
   return text;
 }
 

@@ -19,7 +19,7 @@ std::vector<std::string> CameraNames(const Recording& recording) {
 
 // ",x,y" or ",x,y,z", to be put behind other fields.
 template <int kSize>
-std::string Fields(const Eigen::Matrix<double, kSize, 1>& vector) {
+std::string CsvFields(const Eigen::Matrix<double, kSize, 1>& vector) {
   std::string text;
   for (int i = 0; i < kSize; ++i) text += fmt::format(",{}", vector[i]);
   return text;
@@ -112,8 +112,8 @@ std::vector<PlacedPoint> ReadPlacedPoints(const std::filesystem::path& file) {
 std::string MarkersAsCsv(const std::vector<Marker>& markers) {
   std::string text = "frame,id,u,v,x,y,z\n";
   for (const Marker& marker : markers) {
-    text += fmt::format("{},{}{}{}\n", marker.frame, marker.id, Fields<2>(marker.uv),
-                        Fields<3>(marker.position));
+    text += fmt::format("{},{}{}{}\n", marker.frame, marker.id, CsvFields<2>(marker.uv),
+                        CsvFields<3>(marker.position));
   }
   return text;
 }
@@ -123,7 +123,7 @@ std::string TracksAsCsv(const Recording& recording) {
   for (const Track& track : recording.tracks) {
     text += fmt::format("{},{},{}{}{}\n", track.frame,
                         recording.cameras.at(static_cast<size_t>(track.camera)).name, track.id,
-                        Fields<2>(track.uv), Fields<2>(track.pixel));
+                        CsvFields<2>(track.uv), CsvFields<2>(track.pixel));
   }
   return text;
 }
@@ -131,7 +131,7 @@ std::string TracksAsCsv(const Recording& recording) {
 std::string HandlePathAsCsv(const HandleDescription::Path& path) {
   std::string text = "frame,x,y,z\n";
   for (size_t frame = 0; frame < path.size(); ++frame) {
-    if (path[frame]) text += fmt::format("{}{}\n", frame, Fields<3>(*path[frame]));
+    if (path[frame]) text += fmt::format("{}{}\n", frame, CsvFields<3>(*path[frame]));
   }
   return text;
 }
@@ -139,8 +139,8 @@ std::string HandlePathAsCsv(const HandleDescription::Path& path) {
 std::string ObstaclePathAsCsv(const std::vector<ObstacleDescription::Pose>& path) {
   std::string text = "frame,x,y,z,rx,ry,rz\n";
   for (size_t frame = 0; frame < path.size(); ++frame) {
-    text += fmt::format("{}{}{}\n", frame, Fields<3>(path[frame].position),
-                        Fields<3>(path[frame].rotation));
+    text += fmt::format("{}{}{}\n", frame, CsvFields<3>(path[frame].position),
+                        CsvFields<3>(path[frame].rotation));
   }
   return text;
 }
@@ -148,7 +148,7 @@ std::string ObstaclePathAsCsv(const std::vector<ObstacleDescription::Pose>& path
 std::string PlacedPointsAsCsv(const std::vector<PlacedPoint>& points) {
   std::string text = "u,v,x,y,z\n";
   for (const PlacedPoint& point : points) {
-    text += fmt::format("{},{}{}\n", point.uv.x(), point.uv.y(), Fields<3>(point.position));
+    text += fmt::format("{},{}{}\n", point.uv.x(), point.uv.y(), CsvFields<3>(point.position));
   }
   return text;
 }

@@ -13,7 +13,7 @@
 namespace clothfit {
 namespace {
 
-constexpr double kNear = 1e-6;  // m
+constexpr double kLeastDepth = 1e-6;  // m
 
 // Twice the signed area of a triangle in the picture; its sign says which side of it is seen.
 double Facing(const Eigen::Matrix3Xd& in_camera, const std::array<int, 3>& nodes) {
@@ -31,7 +31,7 @@ void AddPieces(const Camera& camera, const MeshEdge& edge, const Eigen::Matrix3X
                const BitMask& covered, double longest, std::vector<OutlinePiece>* outline) {
   const Eigen::Vector3d a = in_camera.col(edge.nodes[0]), b = in_camera.col(edge.nodes[1]);
   const Eigen::Vector3d inside = in_camera.col(edge.opposite[0]);
-  if (!(a.z() > kNear && b.z() > kNear && inside.z() > kNear)) return;
+  if (!(a.z() > kLeastDepth && b.z() > kLeastDepth && inside.z() > kLeastDepth)) return;
   const auto project = [&](const Eigen::Vector3d& p) {
     return ProjectCameraPoint<double>(camera, p);
   };

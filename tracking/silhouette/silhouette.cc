@@ -111,7 +111,7 @@ double Quality(const cv::Mat& mask, const cv::Mat& log_ratio) {
 
 // How far each pixel is covered (0 to 1): at the outline by where its colour lies between those of
 // the cloth and of the background beside it, elsewhere by the mask.
-cv::Mat Coverage(const cv::Mat& image, const cv::Mat& mask) {
+cv::Mat PixelCoverage(const cv::Mat& image, const cv::Mat& mask) {
   cv::Mat inner, outer, colour;
   cv::erode(mask, inner, cv::Mat());
   cv::dilate(mask, outer, cv::Mat());
@@ -197,7 +197,7 @@ Silhouette SilhouetteExtractor::Extract(const cv::Mat& image) {
     colours_ = LearnColours(image, result.mask);
   }
   result.quality = Quality(result.mask, ratio);
-  result.contours = Contours(Coverage(image, result.mask));
+  result.contours = Contours(PixelCoverage(image, result.mask));
   return result;
 }
 

@@ -14,8 +14,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kTwoPi = 6.283185307179586;
-
 // From `centre` to `target` (m, world), with `up` upwards in the picture.
 void LookAt(const Vector3d& centre, const Vector3d& target, const Vector3d& up, Camera* camera) {
   const Vector3d z = (target - centre).normalized();
@@ -60,7 +58,7 @@ std::vector<Camera> MakeCameraRing(int count, const Vector3d& target, double rad
   constexpr double kElevation = 0.3;  // of the radius
   std::vector<Camera> cameras;
   for (int i = 0; i < count; ++i) {
-    const double angle = kTwoPi * (static_cast<double>(i) / count - 0.25);
+    const double angle = 2.0 * M_PI * (static_cast<double>(i) / count - 0.25);
     Camera camera;
     camera.name = "cam" + std::to_string(i);
     camera.width = 640;
@@ -94,7 +92,7 @@ std::vector<Camera> MakeRoomCameras(const RoomCameras& options, const std::vecto
     camera.distortion = options.distortion;
     if (i < around) {
       // Not quite alike: no camera then sees just what another does from the other side.
-      const double angle = kTwoPi * ((i + 0.3) / around - 0.25);
+      const double angle = 2.0 * M_PI * ((i + 0.3) / around - 0.25);
       const double height = options.height * (1.0 + 0.06 * (i % 3 - 1));
       camera.name = "cam" + std::to_string(i);
       const Vector3d centre(target.x() + options.distance * std::cos(angle),

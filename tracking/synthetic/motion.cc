@@ -17,10 +17,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr double kLying = 0.002;  // m above the ground
 
-const std::vector<std::pair<std::string, SyntheticScenario>>& Names() {
+const std::vector<std::pair<std::string, SyntheticScenario>>& NamedScenarios() {
   static const std::vector<std::pair<std::string, SyntheticScenario>> names = {
       {"two-corner-swing", SyntheticScenario::kTwoCornerSwing},
       {"corner-lift", SyntheticScenario::kCornerLift},
@@ -57,7 +56,7 @@ SyntheticMotion TwoCornerSwing(const Vector2d& size, double duration) {
   const double length = size.y(), width = size.x();
   for (const double side : {-1.0, 1.0}) {
     const auto path = [=](double time) {
-      const double amount = Envelope(time, duration), t = kTwoPi * time;
+      const double amount = Envelope(time, duration), t = 2.0 * M_PI * time;
       const double closer = 0.02 * width * std::pow(std::sin(0.4 * t), 2);
       const double turn = 0.05 * width * std::sin(1.3 * t);
       const Vector3d moved(0.04 * length * std::sin(0.9 * t) - side * closer,
@@ -78,7 +77,8 @@ SyntheticMotion CornerLift(const Vector2d& size, double duration) {
   motion.ground_height = 0.0;
   motion.initial = {Vector3d(0.0, 0.0, kLying), Vector3d::UnitX(), Vector3d::UnitY()};
   const auto path = [=](double time) {
-    const double s = time / duration, length = size.norm(), t = kTwoPi * (time - 0.4 * duration);
+    const double s = time / duration, length = size.norm(),
+                 t = 2.0 * M_PI * (time - 0.4 * duration);
     const double swing = SmoothStep((s - 0.4) / 0.2);
     const Vector2d along = size / length, aside(-along.y(), along.x());
     const Vector2d across =
@@ -104,7 +104,7 @@ SyntheticMotion TwoCornerLift(const Vector2d& size, double duration) {
       const double s = time / duration + ahead * SmoothStep(time / (0.2 * duration));
       const double lift = SmoothStep(s / 0.5);
       const double swing = 0.1 * size.y() * SmoothStep((s - 0.4) / 0.2) *
-                           std::sin(kTwoPi * 0.9 * (time - 0.4 * duration));
+                           std::sin(2.0 * M_PI * 0.9 * (time - 0.4 * duration));
       const double closer = (u > 0.0 ? -0.03 : 0.03) * size.x() * lift;
       return Vector3d(u + closer, 0.35 * size.y() * lift + swing, kLying + 0.75 * size.y() * lift);
     };
@@ -121,7 +121,7 @@ SyntheticMotion TwoCornerShake(const Vector2d& size, double duration) {
   const double length = size.y(), width = size.x();
   for (const double side : {-1.0, 1.0}) {
     const auto path = [=](double time) {
-      const double amount = Envelope(time, duration), t = kTwoPi * time;
+      const double amount = Envelope(time, duration), t = 2.0 * M_PI * time;
       const Vector3d moved(-0.02 * width * side, 0.08 * length * std::sin(1.6 * t),
                            0.03 * length * std::sin(2.3 * t));
       return Vector3d(Vector3d(0.5 * side * width, 0.0, 0.0) + amount * moved);
@@ -140,8 +140,8 @@ SyntheticMotion TwoCornerTurn(const Vector2d& size, double duration) {
   const double length = size.y(), half = 0.5 * size.x();
   for (const double side : {-1.0, 1.0}) {
     const auto path = [=](double time) {
-      const double angle = 0.25 * kTwoPi * SmoothStep((time / duration - 0.15) / 0.6);
-      const double sway = 0.04 * length * std::sin(0.7 * kTwoPi * time);
+      const double angle = 0.25 * 2.0 * M_PI * SmoothStep((time / duration - 0.15) / 0.6);
+      const double sway = 0.04 * length * std::sin(0.7 * 2.0 * M_PI * time);
       return Vector3d(side * half * std::cos(angle),
                       side * half * std::sin(angle) + Envelope(time, duration) * sway, 0.0);
     };
@@ -164,7 +164,7 @@ SyntheticMotion FourCornerSag(const Vector2d& size, double duration) {
     const Vector2d uv = corner.cwiseProduct(size), from_middle = uv - 0.5 * size;
     const auto path = [=](double time) {
       const double closer = 0.06 * SmoothStep(time / (0.4 * duration));
-      const double phase = kTwoPi * (0.8 * time - (corner.x() > 0.5 ? 0.0 : 0.15));
+      const double phase = 2.0 * M_PI * (0.8 * time - (corner.x() > 0.5 ? 0.0 : 0.15));
       const double height = 0.06 * length * Envelope(time, duration) * std::sin(phase);
       return Vector3d((1.0 - closer) * from_middle.x(), (1.0 - closer) * from_middle.y(), height);
     };
@@ -179,19 +179,19 @@ SyntheticMotion FourCornerSag(const Vector2d& size, double duration) {
 
 std::vector<std::string> SyntheticScenarioNames() {
   std::vector<std::string> names;
-  for (const auto& [name, scenario] : Names()) names.push_back(name);
+  for (const auto& [name, scenario] : NamedScenarios()) names.push_back(name);
   return names;
 }
 
 std::string ToString(SyntheticScenario scenario) {
-  for (const auto& [name, value] : Names()) {
+  for (const auto& [name, value] : NamedScenarios()) {
     if (value == scenario) return name;
   }
   return "unknown";
 }
 
 SyntheticScenario ParseSyntheticScenario(const std::string& place, const std::string& name) {
-  for (const auto& [known, scenario] : Names()) {
+  for (const auto& [known, scenario] : NamedScenarios()) {
     if (known == name) return scenario;
   }
   throw InputError(place, "'" + name + "': " + Suggestion(name, SyntheticScenarioNames()));

@@ -8,17 +8,12 @@
 #include <opencv2/videoio.hpp>
 
 #include "autodiff_sim/base/error.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {
 
 namespace fs = std::filesystem;
-
-void MakeFolder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "cannot be made (" + error.message() + ")");
-}
 
 int FourCc(const std::string& container) {
   if (container == "mp4") return cv::VideoWriter::fourcc('m', 'p', '4', 'v');

@@ -39,7 +39,7 @@ Room RoomAround(const Recording& recording, const SyntheticSurface& surface) {
 
 // What all cameras have in common.
 struct Studio {
-  const PictureOptions& options;
+  const SyntheticPictureOptions& options;
   std::uint64_t seed;
   const Recording& recording;
   const SyntheticSurface& surface;
@@ -49,7 +49,7 @@ struct Studio {
   Sensor sensor;
 };
 
-Sensor SensorOf(const PictureOptions& options) {
+Sensor SensorOf(const SyntheticPictureOptions& options) {
   Sensor sensor;
   sensor.noise = options.noise;
   sensor.shot_noise = options.shot_noise;
@@ -67,7 +67,7 @@ std::uint64_t Stream(const Studio& studio, int camera, int frame) {
 
 // What reaches the camera at a frame: the mean over the exposure, whose middle is the frame's time.
 cv::Mat Brightness(const Studio& studio, const Renderer& renderer, int frame, ClothSurface* cloth) {
-  const PictureOptions& options = studio.options;
+  const SyntheticPictureOptions& options = studio.options;
   const double time = frame / studio.recording.frame_rate;
   if (options.exposure <= 0.0) {
     cloth->MoveTo(studio.surface.At(time));
@@ -90,7 +90,7 @@ cv::Mat Brightness(const Studio& studio, const Renderer& renderer, int frame, Cl
 
 void WriteCamera(const Studio& studio, int camera, const fs::path& folder,
                  const std::function<void()>& count_picture) {
-  const PictureOptions& options = studio.options;
+  const SyntheticPictureOptions& options = studio.options;
   const Camera& one = studio.recording.cameras[static_cast<std::size_t>(camera)];
   const int num_threads = NumThreads(options.threads);
   const Renderer renderer(one, studio.room, studio.cloth, studio.floor, options.samples,
@@ -124,7 +124,7 @@ void WriteCamera(const Studio& studio, int camera, const fs::path& folder,
 
 }  // namespace
 
-void PictureOptions::Check(const std::string& place) const {
+void SyntheticPictureOptions::Check(const std::string& place) const {
   const auto expect = [&place](bool right, const std::string& option, const std::string& expected) {
     if (!right) throw InputError(place + ": " + option, "expected " + expected);
   };
@@ -156,7 +156,7 @@ Eigen::VectorXd SyntheticSurface::At(double time) const {
   return (1.0 - rest) * positions[before] + rest * positions[before + 1];
 }
 
-std::vector<std::string> SyntheticPictureFiles(const PictureOptions& options,
+std::vector<std::string> SyntheticPictureFiles(const SyntheticPictureOptions& options,
                                                const Recording& recording) {
   std::vector<std::string> files;
   for (const Camera& camera : recording.cameras) {
@@ -170,7 +170,7 @@ std::vector<std::string> SyntheticPictureFiles(const PictureOptions& options,
   return files;
 }
 
-void WriteSyntheticPictures(const PictureOptions& options, std::uint64_t seed,
+void WriteSyntheticPictures(const SyntheticPictureOptions& options, std::uint64_t seed,
                             const Recording& recording, const SyntheticSurface& surface,
                             const fs::path& folder, const SyntheticProgress& progress) {
   const Studio studio{

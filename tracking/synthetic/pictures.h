@@ -30,7 +30,7 @@ struct SyntheticSurface {
   Eigen::VectorXd At(double time) const;
 };
 
-struct PictureOptions {
+struct SyntheticPictureOptions {
   Eigen::Vector2i size = {640, 480};   // px
   std::array<double, 5> distortion{};  // k1, k2, p1, p2, k3 of every camera
   ClothPattern pattern = ClothPattern::kRich;
@@ -53,13 +53,13 @@ struct PictureOptions {
 using SyntheticProgress = std::function<void(double share, const std::string& stage)>;
 
 // The names of the files that WriteSyntheticPictures writes.
-std::vector<std::string> SyntheticPictureFiles(const PictureOptions& options,
+std::vector<std::string> SyntheticPictureFiles(const SyntheticPictureOptions& options,
                                                const Recording& recording);
 
 // Writes images/ or videos/, background/ and truth/masks/ into the recording's folder, for the
 // cameras of the recording. Of each picture the noise depends on the seed, the camera and the frame
 // alone. Throws InputError where a file cannot be written.
-void WriteSyntheticPictures(const PictureOptions& options, std::uint64_t seed,
+void WriteSyntheticPictures(const SyntheticPictureOptions& options, std::uint64_t seed,
                             const Recording& recording, const SyntheticSurface& surface,
                             const std::filesystem::path& folder,
                             const SyntheticProgress& progress = {});

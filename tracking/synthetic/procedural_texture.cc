@@ -19,7 +19,7 @@ using Eigen::Vector3f;
 
 constexpr double kTexel = 0.002;  // m, some fraction of what a pixel sees
 
-const std::vector<std::pair<std::string, ClothPattern>>& Names() {
+const std::vector<std::pair<std::string, ClothPattern>>& NamedPatterns() {
   static const std::vector<std::pair<std::string, ClothPattern>> names = {
       {"rich", ClothPattern::kRich},
       {"repetitive", ClothPattern::kRepetitive},
@@ -180,19 +180,19 @@ Vector3f FloorColour(const Vector2d& place) {
 
 std::vector<std::string> ClothPatternNames() {
   std::vector<std::string> names;
-  for (const auto& [name, pattern] : Names()) names.push_back(name);
+  for (const auto& [name, pattern] : NamedPatterns()) names.push_back(name);
   return names;
 }
 
 std::string ToString(ClothPattern pattern) {
-  for (const auto& [name, value] : Names()) {
+  for (const auto& [name, value] : NamedPatterns()) {
     if (value == pattern) return name;
   }
   return "unknown";
 }
 
 ClothPattern ParseClothPattern(const std::string& place, const std::string& name) {
-  for (const auto& [known, pattern] : Names()) {
+  for (const auto& [known, pattern] : NamedPatterns()) {
     if (known == name) return pattern;
   }
   throw InputError(place, "'" + name + "': " + Suggestion(name, ClothPatternNames()));

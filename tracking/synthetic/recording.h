@@ -48,7 +48,7 @@ struct SyntheticOptions {
   bool tracks = true;             // does each camera track the markers' points?
   double track_sigma = 0.5;       // px
   bool images = false;            // does each camera take pictures?
-  PictureOptions pictures;        // then
+  SyntheticPictureOptions pictures;         // then
   std::vector<std::string> hidden_handles;  // handles whose path is not told
   std::uint64_t seed = 1;                   // of the noise
 

@@ -70,8 +70,8 @@ Sensor Averaged(const Sensor& sensor, int count) {
 
 double LightGain(double time, double amount) {
   // Two periods (s) without a common one, so that no two moments are quite alike.
-  constexpr double kTwoPi = 6.283185307179586;
-  return 1.0 + amount * (0.7 * std::sin(kTwoPi * time / 7.3) + 0.3 * std::sin(kTwoPi * time / 2.9));
+  return 1.0 + amount * (0.7 * std::sin(2.0 * M_PI * time / 7.3) +
+                         0.3 * std::sin(2.0 * M_PI * time / 2.9));
 }
 
 }  // namespace clothfit

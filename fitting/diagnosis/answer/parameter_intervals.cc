@@ -17,9 +17,9 @@ namespace {
 
 constexpr double k95 = 1.96;  // sigmas
 constexpr double kOneSided90 = 1.2816;
-constexpr int kDraws = 3;
+constexpr int kIntervalDraws = 3;
 // 95 % of Student's t by degrees of freedom, from 1 on.
-constexpr std::array<double, kDraws> kStudent = {6.314, 2.920, 2.353};
+constexpr std::array<double, kIntervalDraws> kStudent = {6.314, 2.920, 2.353};
 
 double StudentOf(Eigen::Index draws) {
   const auto most = static_cast<Eigen::Index>(kStudent.size());
@@ -62,7 +62,8 @@ DiscretisationShifts MeasureDiscretisationShifts(const FittedScene& fitted, std:
   if (!root) return shifts;
   shifts.entries = linear->rows.entries;
   const auto num_entries = static_cast<Eigen::Index>(shifts.entries.size());
-  const std::vector<DiscretisationShift> draws = MeasureShifts(fitted, *linear, kDraws, seed);
+  const std::vector<DiscretisationShift> draws =
+      MeasureShifts(fitted, *linear, kIntervalDraws, seed);
   shifts.by.resize(num_entries, static_cast<Eigen::Index>(draws.size()));
   shifts.left_squared = linear->frames.num_rows();
   for (std::size_t k = 0; k < draws.size(); ++k) {

@@ -15,9 +15,11 @@
 namespace clothfit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json OrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+OrderedJson OrNull(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
+}
 
 // "9.1 mm" or "1.3 px".
 std::string Length(double value, bool is_px) {
@@ -89,20 +91,20 @@ std::string SayConfidenceSet(const Diagnosis& diagnosis) {
   return words;
 }
 
-Json AsJson(const EffectParameter& p) {
+OrderedJson AsJson(const EffectParameter& p) {
   return {{"name", p.name},
           {"unit", p.unit},
           {"value", OrNull(p.value)},
           {"interval90", {OrNull(p.lower90), OrNull(p.upper90)}}};
 }
 
-Json AsJson(const std::vector<EffectParameter>& parameters) {
-  Json json = Json::array();
+OrderedJson AsJson(const std::vector<EffectParameter>& parameters) {
+  OrderedJson json = OrderedJson::array();
   for (const EffectParameter& p : parameters) json.push_back(AsJson(p));
   return json;
 }
 
-Json AsJson(const Candidate& c) {
+OrderedJson AsJson(const Candidate& c) {
   return {{"name", c.name},
           {"kind", c.kind == CandidateKind::kPhysics ? "physics" : "observation"},
           {"parameters", AsJson(c.parameters)},
@@ -111,15 +113,15 @@ Json AsJson(const Candidate& c) {
           {"share", OrNull(c.share)},
           {"p_value", OrNull(c.p_value)},
           {"false_discovery_rate", OrNull(c.q_value)},
-          {"guided_p_value", c.nudged_p_value ? OrNull(*c.nudged_p_value) : Json()},
+          {"guided_p_value", c.nudged_p_value ? OrNull(*c.nudged_p_value) : OrderedJson()},
           {"detection_limit", OrNull(c.detection_limit)},
           {"short_listed", c.is_short_listed},
           {"why_not", c.why_not}};
 }
 
-Json AsJson(const Model& m) {
-  Json earlier;
-  Json gain_of_null;
+OrderedJson AsJson(const Model& m) {
+  OrderedJson earlier;
+  OrderedJson gain_of_null;
   if (m.validation.gain_of_null) gain_of_null = OrNull(*m.validation.gain_of_null);
   if (m.validation.earlier) earlier = {m.validation.earlier->first, m.validation.earlier->last};
   return {{"effects", m.effects},
@@ -140,7 +142,7 @@ Json AsJson(const Model& m) {
           {"kept", m.is_kept}};
 }
 
-Json AsJson(const Discrepancy& m) {
+OrderedJson AsJson(const Discrepancy& m) {
   return {{"significant", m.is_significant},
           {"p_value", OrNull(m.p_value)},
           {"frames", {m.first_frame, m.last_frame}},
@@ -154,7 +156,7 @@ Json AsJson(const Discrepancy& m) {
           {"words", m.words}};
 }
 
-Json AsJson(const ActingForce& a, const ActingClass& c) {
+OrderedJson AsJson(const ActingForce& a, const ActingClass& c) {
   return {{"frames", {a.first_frame, a.last_frame}},
           {"low_uv_m", {a.low_uv.x(), a.low_uv.y()}},
           {"high_uv_m", {a.high_uv.x(), a.high_uv.y()}},
@@ -170,7 +172,7 @@ Json AsJson(const ActingForce& a, const ActingClass& c) {
           {"words", c.words}};
 }
 
-Json AsJson(const DiscrepancyClass& c) {
+OrderedJson AsJson(const DiscrepancyClass& c) {
   return {{"from_outside", c.is_from_outside},
           {"dissipative", c.is_dissipative},
           {"driving", c.is_driving},
@@ -285,7 +287,7 @@ std::string DiagnosisAsMarkdown(const Diagnosis& diagnosis) {
 }
 
 std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
-  Json json;
+  OrderedJson json;
   json["format"] = "clothfit-diagnosis/1";
   json["clothfit"] = Version();
   json["verdict"] = ToString(diagnosis.verdict);
@@ -296,15 +298,17 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
                   {"left_rms_sigmas", OrNull(diagnosis.left_rms)},
                   {"null_left_rms_sigmas", diagnosis.null_left_rms},
                   {"promised_decrease", OrNull(diagnosis.promised)}};
-  json["finer_mesh"] = diagnosis.finer_side > 0 ? Json(diagnosis.finer_side) : Json(nullptr);
+  json["finer_mesh"] =
+      diagnosis.finer_side > 0 ? OrderedJson(diagnosis.finer_side) : OrderedJson(nullptr);
   const std::optional<Splits::FrameRange>& held_out = diagnosis.motions.held_out;
-  json["held_out_frames"] = held_out ? Json({held_out->first, held_out->last}) : Json(nullptr);
+  json["held_out_frames"] =
+      held_out ? OrderedJson({held_out->first, held_out->last}) : OrderedJson(nullptr);
   json["resolution"] = diagnosis.motions.resolution;
-  json["mismatch"] = diagnosis.discrepancy ? AsJson(*diagnosis.discrepancy) : Json(nullptr);
-  json["acting"] =
-      diagnosis.acting_class ? AsJson(*diagnosis.acting, *diagnosis.acting_class) : Json(nullptr);
+  json["mismatch"] = diagnosis.discrepancy ? AsJson(*diagnosis.discrepancy) : OrderedJson(nullptr);
+  json["acting"] = diagnosis.acting_class ? AsJson(*diagnosis.acting, *diagnosis.acting_class)
+                                          : OrderedJson(nullptr);
   json["class"] =
-      diagnosis.discrepancy_class ? AsJson(*diagnosis.discrepancy_class) : Json(nullptr);
+      diagnosis.discrepancy_class ? AsJson(*diagnosis.discrepancy_class) : OrderedJson(nullptr);
   json["effects"] = diagnosis.effects;
   json["ambiguity"] = diagnosis.confidence_set;
   json["separating_motion"] = nullptr;
@@ -313,20 +317,20 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
                                  {"apart_m", diagnosis.separating->apart},
                                  {"apart_here_m", diagnosis.separating->apart_here}};
   }
-  json["answer"] = diagnosis.answer ? AsJson(*diagnosis.answer) : Json(nullptr);
+  json["answer"] = diagnosis.answer ? AsJson(*diagnosis.answer) : OrderedJson(nullptr);
   json["law"] = nullptr;
   if (diagnosis.law)
     json["law"] = {{"formula", diagnosis.law->formula}, {"model", AsJson(diagnosis.law->model)}};
-  json["ranking"] = Json::array();
+  json["ranking"] = OrderedJson::array();
   for (const Candidate& c : diagnosis.ranking) json["ranking"].push_back(AsJson(c));
-  json["models"] = Json::array();
+  json["models"] = OrderedJson::array();
   for (const Model& m : diagnosis.models) json["models"].push_back(AsJson(m));
-  json["seconds"] = Json::object();
+  json["seconds"] = OrderedJson::object();
   for (const auto& [stage, seconds] : diagnosis.seconds) {
     const double before = json["seconds"].value(stage, 0.0);
     json["seconds"][stage] = before + seconds;
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace clothfit

@@ -19,7 +19,7 @@ constexpr int kMostKnots = 24;        // in time
 constexpr double kKnotSpacing = 0.1;  // s, at least
 constexpr int kLinearisations = 3;    // at most
 constexpr int kNulls = 99;            // so that a p-value of 0.01 can be seen
-constexpr int kDraws = 2;             // of parameters, at which the numerical error is measured
+constexpr int kErrorDraws = 2;        // of parameters, at which the numerical error is measured
 
 FittedScene Coarse(const FittedScene& fitted) {
   const std::array<int, 2>& grid = fitted.scene.mesh.grid;
@@ -72,8 +72,8 @@ class MissingForceLocator {
     if (known_ != nullptr && known_->half_step.size() == frames_.num_rows()) {
       errors_ = *known_;
     } else {
-      errors_ = MeasureDiscretisationErrors(fitted_, frames_, *baseline,
-                                            options_.simulate_null ? kDraws : 0, options_.seed);
+      errors_ = MeasureDiscretisationErrors(
+          fitted_, frames_, *baseline, options_.simulate_null ? kErrorDraws : 0, options_.seed);
     }
     typical_.resize(static_cast<Eigen::Index>(faults_.size()));
     for (std::size_t i = 0; i < faults_.size(); ++i)

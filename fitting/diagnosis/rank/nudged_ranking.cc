@@ -10,15 +10,15 @@ namespace clothfit {
 namespace {
 
 constexpr int kMostNudged = 4;
-constexpr int kDraws = 2;    // of the errors of mesh and step
-constexpr int kProbes = 24;  // linear as it is, the motion tells places well
+constexpr int kNudgedDraws = 2;    // of the errors of mesh and step
+constexpr int kNudgedProbes = 24;  // linear as it is, the motion tells places well
 
 }  // namespace
 
 void RankNudged(const FittedScene& held, const DiagnosisOptions& options, Ranking* ranking) {
   RankingStart start;
-  start.draws = kDraws;
-  start.probes = kProbes;
+  start.draws = kNudgedDraws;
+  start.probes = kNudgedProbes;
   const Ranking nudged = RankCandidates(held, options, start);
   if (options.log)
     options.log(fmt::format("nudged: residuals of {:.3g} sigmas, mesh and step leave {:.3g}",

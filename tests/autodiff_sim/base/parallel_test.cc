@@ -34,6 +34,19 @@ TEST(ParallelFor, DoesEachPieceOnce) {
   }
 }
 
+TEST(ParallelFor, NestsWithoutMoreThreads) {
+  std::vector<std::atomic<int>> done(40);
+  ParallelFor(8, 3, [&](int outer, int) {
+    EXPECT_EQ(NumThreads(0), 1);
+    ParallelFor(5, NumThreads(0), [&](int inner, int worker) {
+      EXPECT_EQ(worker, 0);
+      ++done[static_cast<std::size_t>(5 * outer + inner)];
+    });
+  });
+  for (const std::atomic<int>& count : done) EXPECT_EQ(count, 1);
+  EXPECT_GE(NumThreads(0), 1);
+}
+
 TEST(ParallelFor, ThrowsWhatAPieceThrew) {
   const auto fail = [](int piece, int) {
     if (piece == 7) throw std::runtime_error("seven");

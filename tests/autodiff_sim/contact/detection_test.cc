@@ -12,6 +12,7 @@
 #include "autodiff_sim/contact/edge_triangle_intersection.h"
 #include "autodiff_sim/contact/intersections.h"
 #include "autodiff_sim/contact/proximity.h"
+#include "tests/autodiff_sim/contact/all_planes.h"
 #include "tests/support/all_pairs.h"
 #include "tests/support/crumpled_cloth.h"
 
@@ -60,8 +61,6 @@ class DetectionTest : public testing::Test {
  public:
   static constexpr int kPlanes = T::value;
 };
-using AllPlanes = testing::Types<std::integral_constant<int, 6>, std::integral_constant<int, 14>,
-                                 std::integral_constant<int, 18>, std::integral_constant<int, 26>>;
 TYPED_TEST_SUITE(DetectionTest, AllPlanes);
 
 int NumVertices(const PlacedMesh& mesh) { return static_cast<int>(mesh.x.size()) / 3; }

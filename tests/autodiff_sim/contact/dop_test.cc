@@ -13,6 +13,7 @@
 
 #include "autodiff_sim/contact/closest_points.h"
 #include "autodiff_sim/contact/dop_tree.h"
+#include "tests/autodiff_sim/contact/all_planes.h"
 #include "tests/autodiff_sim/contact/random_points.h"
 #include "tests/support/crumpled_cloth.h"
 
@@ -26,8 +27,6 @@ class DopTest : public testing::Test {
  public:
   static constexpr int kPlanes = T::value;
 };
-using AllPlanes = testing::Types<std::integral_constant<int, 6>, std::integral_constant<int, 14>,
-                                 std::integral_constant<int, 18>, std::integral_constant<int, 26>>;
 TYPED_TEST_SUITE(DopTest, AllPlanes);
 
 // What Project() takes sums along, read off its linearity.

@@ -20,9 +20,7 @@
 namespace clothfit {
 namespace {
 
-constexpr double kStep = 1.0 / 120.0;  // s
-
-Simulation MakeSimulation(const TestScene& scene, bool self_contact) {
+Simulation MakeWatchedSimulation(const TestScene& scene, bool self_contact) {
   SimulationOptions options;
   options.self_contact = self_contact;
   options.check_intersections = true;
@@ -32,8 +30,8 @@ Simulation MakeSimulation(const TestScene& scene, bool self_contact) {
 }
 
 // Every step converges and leaves the cloth outside all there is.
-StepReport ExpectClear(const TestScene& scene, int steps, bool self_contact) {
-  Simulation simulation = MakeSimulation(scene, self_contact);
+StepReport ExpectClearOfObstacles(const TestScene& scene, int steps, bool self_contact) {
+  Simulation simulation = MakeWatchedSimulation(scene, self_contact);
   State state = simulation.MakeState(scene.x);
   simulation.CheckStart(state);
   const bool alone = scene.handles.empty();
@@ -55,15 +53,15 @@ StepReport ExpectClear(const TestScene& scene, int steps, bool self_contact) {
 }
 
 TEST(ObstacleContact, ClothOverABallStaysClear) {
-  EXPECT_GT(ExpectClear(ClothOverBall(13, 0.4), 80, true).most_obstacle_contacts, 30);
+  EXPECT_GT(ExpectClearOfObstacles(ClothOverBall(13, 0.4), 80, true).most_obstacle_contacts, 30);
 }
 
 TEST(ObstacleContact, ClothDrawnOverABarStaysClear) {
-  EXPECT_GT(ExpectClear(ClothOverBar(13, 0.4), 130, true).most_obstacle_contacts, 30);
+  EXPECT_GT(ExpectClearOfObstacles(ClothOverBar(13, 0.4), 130, true).most_obstacle_contacts, 30);
 }
 
 TEST(ObstacleContact, BoxThatRunsIntoTheClothStaysOutside) {
-  const StepReport report = ExpectClear(BoxIntoCloth(11, 0.4), 90, true);
+  const StepReport report = ExpectClearOfObstacles(BoxIntoCloth(11, 0.4), 90, true);
   EXPECT_GT(report.most_obstacle_contacts, 10);
   EXPECT_GT(report.limited_iterates, 0);
 }
@@ -71,7 +69,7 @@ TEST(ObstacleContact, BoxThatRunsIntoTheClothStaysOutside) {
 // Without self-contact obstacles act all the same.
 TEST(ObstacleContact, ActsByItself) {
   const TestScene scene = BoxIntoCloth(9, 0.4);
-  Simulation simulation = MakeSimulation(scene, false);
+  Simulation simulation = MakeWatchedSimulation(scene, false);
   State state = simulation.MakeState(scene.x);
   for (int i = 0; i < 60; ++i) {
     ASSERT_EQ(simulation.Advance(kStep, scene.MakeDrive(), &state).status, StepStatus::kConverged);
@@ -82,7 +80,7 @@ TEST(ObstacleContact, ActsByItself) {
 // The scenes are hard: where obstacles are off, the cloth goes through them.
 TEST(ObstacleContact, TheScenesNeedIt) {
   for (const TestScene& scene : {ClothOverBall(13, 0.4), BoxIntoCloth(11, 0.4)}) {
-    Simulation simulation = MakeSimulation(scene, false);
+    Simulation simulation = MakeWatchedSimulation(scene, false);
     Set("obstacle.stiffness", 0.0, &simulation);
     State state = simulation.MakeState(scene.x);
     const Drive drive = scene.handles.empty() ? FreeDrive() : scene.MakeDrive();
@@ -101,7 +99,7 @@ TEST(ObstacleContact, GroundGivesWayByNoMoreThanItsDistance) {
   scene.x =
       LayFlat(scene.mesh, {0.0, 0.0, 0.11}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
   for (const bool self_contact : {true, false}) {
-    Simulation simulation = MakeSimulation(scene, self_contact);
+    Simulation simulation = MakeWatchedSimulation(scene, self_contact);
     Set("ground.stiffness", 3e3, &simulation);
     State state = simulation.MakeState(scene.x);
     for (Eigen::Index i = 2; i < state.v.size(); i += 3) state.v[i] = -6.0;
@@ -127,7 +125,7 @@ double SlideOnBox(double lean, double friction, double box_speed) {
   box->path = {before, after};
   box->frame_rate = 1.0;
   scene.world.obstacles = {box};
-  Simulation simulation = MakeSimulation(scene, false);
+  Simulation simulation = MakeWatchedSimulation(scene, false);
   KeepOnly({"gravity", "stretch", "shear", "bending", "obstacle"}, &simulation);
   Set("obstacle.friction", friction, &simulation);
   Set("obstacle.slip_speed", 1e-4, &simulation);
@@ -203,7 +201,7 @@ TEST(ObstacleContact, ListIsThatOfAllPairs) {
 
 TEST(ObstacleContact, RefusesToStartInside) {
   const auto message = [](const TestScene& scene) {
-    const Simulation simulation = MakeSimulation(scene, true);
+    const Simulation simulation = MakeWatchedSimulation(scene, true);
     try {
       simulation.CheckStart(simulation.MakeState(scene.x));
     } catch (const InputError& error) {

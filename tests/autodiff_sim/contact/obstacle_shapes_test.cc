@@ -72,7 +72,7 @@ TEST(ObstacleShapes, PlainDistances) {
 // With a Jet the distance's derivatives are the gradient, and the gradient's are its differences.
 TEST(ObstacleShapes, DerivativesAreThoseOfDifferences) {
   std::mt19937 random(2);
-  constexpr double kStep = 1e-6;
+  constexpr double kDifference = 1e-6;
   int checked = 0;
   for (const ObstacleShape& shape : kShapes) {
     for (int i = 0; i < 200; ++i) {
@@ -84,10 +84,10 @@ TEST(ObstacleShapes, DerivativesAreThoseOfDifferences) {
       if (std::abs(found.distance.a) < 0.02) continue;  // second derivatives go with 1 / distance
       for (int k = 0; k < 3; ++k) {
         EXPECT_NEAR(found.distance.v[k], found.gradient[k].a, 1e-13);
-        const Vector3d step = kStep * Vector3d::Unit(k);
+        const Vector3d step = kDifference * Vector3d::Unit(k);
         const auto ahead = DistanceInWorld<double>(shape, pose, p + step);
         const auto behind = DistanceInWorld<double>(shape, pose, p - step);
-        const Vector3d slope = (ahead.gradient - behind.gradient) / (2.0 * kStep);
+        const Vector3d slope = (ahead.gradient - behind.gradient) / (2.0 * kDifference);
         if (slope.norm() > 100.0) continue;  // across an edge of the inside, where it jumps
         for (int j = 0; j < 3; ++j) EXPECT_NEAR(found.gradient[j].v[k], slope[j], 1e-5);
         ++checked;

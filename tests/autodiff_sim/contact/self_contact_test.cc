@@ -18,8 +18,6 @@
 namespace clothfit {
 namespace {
 
-constexpr double kStep = 1.0 / 120.0;  // s
-
 Simulation MakeSimulation(const TestScene& scene, bool self_contact) {
   SimulationOptions options;
   options.self_contact = self_contact;

@@ -18,7 +18,7 @@ namespace {
 
 using Values = std::map<std::string, double>;
 
-constexpr double kStep = 1.0 / 240.0;                        // s
+constexpr double kGripStep = 1.0 / 240.0;                    // s
 constexpr double kDensity = 0.15, kSide = 0.3;               // kg/m^2, m
 constexpr double kWeight = kDensity * kSide * kSide * 9.81;  // N
 
@@ -86,7 +86,7 @@ TEST(Grip, TakesTheClothAlongAsItSlips) {
     for (const auto& [name, value] : slips) Set("grip_slip." + name, value, &simulation);
     State state = simulation.MakeState(scene.x);
     for (int i = 0; i < 72; ++i) {
-      ASSERT_EQ(simulation.Advance(kStep, scene.MakeDrive(), &state).status,
+      ASSERT_EQ(simulation.Advance(kGripStep, scene.MakeDrive(), &state).status,
                 StepStatus::kConverged);
       const std::vector<Eigen::Vector3d> places = scene.path(state.time);
       const double phase = std::clamp((state.time - 0.1) / 0.1, 0.0, 1.0);

@@ -14,6 +14,8 @@
 
 namespace clothfit {
 
+constexpr double kStep = 1.0 / 120.0;  // s, of tests that choose no other
+
 // Parameters by their full name.
 inline void Set(const std::string& name, double value, Simulation* simulation) {
   const int index = FindParameter(simulation->model().parameters(), name);

@@ -60,7 +60,7 @@ struct MaxwellSpring : TermDefaults {
 
 using WithMaxwell = TypeList<Gravity, StretchSpring, MaxwellSpring, Bending, AirDrag>;
 
-GradientCheckOptions Options() {
+GradientCheckOptions VariantOptions() {
   GradientCheckOptions options;
   options.tolerance = 1e-5;
   options.first_step = 5e-3;
@@ -106,7 +106,7 @@ TEST(RolloutDerivative, TermThatRemembers) {
     rollout.AddParameters(
         {"maxwell.stiffness", "maxwell.relaxation", "cloth.areal_density", "stretch.stiffness"});
     rollout.directions.push_back(Initial("initial v", &Direction::dv, 1e-2, rollout.x.size()));
-    ExpectDerivatives(rollout, Options());
+    ExpectDerivatives(rollout, VariantOptions());
   }
 }
 
@@ -184,7 +184,7 @@ TEST(RolloutDerivative, ClothFromAFileHeldInsideTriangles) {
   };
   rollout.directions.push_back(handle);
   rollout.directions.push_back(Initial("initial x", &Direction::dx, 1e-3, rollout.x.size()));
-  ExpectDerivatives(rollout, Options());
+  ExpectDerivatives(rollout, VariantOptions());
 }
 
 }  // namespace

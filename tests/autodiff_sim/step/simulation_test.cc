@@ -4,20 +4,16 @@
 // What a simulation promises its callers, whatever the physics.
 #include "autodiff_sim/step/simulation.h"
 
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "autodiff_sim/base/parallel.h"
+#include "tests/autodiff_sim/step/motion.h"
 #include "tests/support/scenes.h"
 
 namespace clothfit {
 namespace {
-
-constexpr double kStep = 1.0 / 120.0;  // s
 
 Simulation MakeSimulation(const TestScene& scene, const SimulationOptions& options = {}) {
   Simulation simulation(scene.mesh, scene.world, scene.handles, options);
@@ -301,22 +297,6 @@ TEST(Simulation, DerivativesAreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ((alone - together).lpNorm<Eigen::Infinity>(), 0.0);
   EXPECT_GT(alone.col(kSteps - 2).norm(), 0.0);
   EXPECT_EQ(alone.rightCols(kDirections - kSteps - 1).norm(), 0.0);
-}
-
-TEST(ParallelFor, DoesEveryPieceOnceAndNestsWithoutMoreThreads) {
-  std::vector<std::atomic<int>> done(40);
-  ParallelFor(8, 3, [&](int outer, int) {
-    EXPECT_EQ(NumThreads(0), 1);
-    EXPECT_EQ(NumThreads(7), 1);
-    ParallelFor(5, NumThreads(0), [&](int inner, int worker) {
-      EXPECT_EQ(worker, 0);
-      ++done[static_cast<std::size_t>(5 * outer + inner)];
-    });
-  });
-  for (const std::atomic<int>& count : done) EXPECT_EQ(count, 1);
-  EXPECT_GE(NumThreads(0), 1);
-  EXPECT_THROW(ParallelFor(4, 2, [](int, int) { throw std::runtime_error("piece"); }),
-               std::runtime_error);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@
 namespace clothfit {
 namespace {
 
-constexpr int kFrames = 15;
+constexpr int kPictureFrames = 15;
 
 class SilhouetteFitTest : public testing::Test {
  protected:
@@ -56,12 +56,14 @@ TEST_F(SilhouetteFitTest, HasTheGradientOfItsCost) {
   const Eigen::VectorXd theta = free.start();
   const auto cost = [&](const Eigen::VectorXd& at) {
     Eigen::VectorXd residuals;
-    EXPECT_TRUE(EvaluateResiduals(scene_, config_, free, at, kFrames - 1, &residuals, nullptr));
+    EXPECT_TRUE(
+        EvaluateResiduals(scene_, config_, free, at, kPictureFrames - 1, &residuals, nullptr));
     return 0.5 * residuals.squaredNorm();
   };
   Eigen::VectorXd residuals;
   Eigen::MatrixXd jacobian;
-  ASSERT_TRUE(EvaluateResiduals(scene_, config_, free, theta, kFrames - 1, &residuals, &jacobian));
+  ASSERT_TRUE(
+      EvaluateResiduals(scene_, config_, free, theta, kPictureFrames - 1, &residuals, &jacobian));
   const Eigen::VectorXd gradient = jacobian.transpose() * residuals;
   for (int i = 0; i < free.size(); ++i) {
     constexpr double kStep = 1e-3;
@@ -93,10 +95,10 @@ TEST_F(SilhouetteFitTest, SoftAndHardErrorAgreeOnTheirMinima) {
       const Eigen::VectorXd theta =
           free.start() + 0.15 * step * Eigen::VectorXd::Unit(free.size(), entry);
       Eigen::VectorXd residuals;
-      ASSERT_TRUE(
-          EvaluateResiduals(scene_, at_truth, free, theta, kFrames - 1, &residuals, nullptr));
+      ASSERT_TRUE(EvaluateResiduals(scene_, at_truth, free, theta, kPictureFrames - 1, &residuals,
+                                    nullptr));
       double pixels = 0.0;
-      SimulateFrames(scene_, at_truth, free, theta, kFrames - 1,
+      SimulateFrames(scene_, at_truth, free, theta, kPictureFrames - 1,
                      [&](int frame, const State& state) {
                        pixels += static_cast<double>(hard.FittedDifference(frame, state.x));
                      });
@@ -109,7 +111,7 @@ TEST_F(SilhouetteFitTest, SoftAndHardErrorAgreeOnTheirMinima) {
     }
     EXPECT_EQ(least_hard, 0.0);
     EXPECT_LE(std::abs(best_soft), 0.31) << name;
-    EXPECT_LT(at_best_soft, 10.0 * 3 * kFrames) << name;  // px a picture
+    EXPECT_LT(at_best_soft, 10.0 * 3 * kPictureFrames) << name;  // px a picture
     ++checked;
   }
   EXPECT_EQ(checked, 2);

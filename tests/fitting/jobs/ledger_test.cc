@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPatience = 60.0;  // s, longer than any of these tests
+constexpr double kLeasePatience = 60.0;  // s, longer than any of these tests
 
 std::string ThisHost() {
   char name[256] = {};
@@ -30,7 +30,7 @@ constexpr int kNoProcess = 1 << 29;
 
 TEST(JobLedger, GivesAJobToOneWorkerAtATime) {
   const TestFolder folder;
-  JobLedger one(folder.path(), kPatience, 0), other(folder.path(), kPatience, 1);
+  JobLedger one(folder.path(), kLeasePatience, 0), other(folder.path(), kLeasePatience, 1);
   EXPECT_TRUE(one.Take("a"));
   EXPECT_FALSE(other.Take("a"));
   EXPECT_TRUE(other.Take("b"));
@@ -42,7 +42,7 @@ TEST(JobLedger, GivesAJobToOneWorkerAtATime) {
 
 TEST(JobLedger, KeepsTheFirstResult) {
   const TestFolder folder;
-  JobLedger ledger(folder.path(), kPatience, 0);
+  JobLedger ledger(folder.path(), kLeasePatience, 0);
   EXPECT_FALSE(ledger.Read("a"));
   ledger.Record({"a", 0.1, "", 2.5});
   ledger.Record({"a", 7.0, "", 3.5});
@@ -58,7 +58,7 @@ TEST(JobLedger, KeepsTheFirstResult) {
 
 TEST(JobLedger, TakesWhatADeadWorkerHad) {
   const TestFolder folder;
-  JobLedger ledger(folder.path(), kPatience, 0);
+  JobLedger ledger(folder.path(), kLeasePatience, 0);
   folder.Write("a.lease", fmt::format("{} {} 0", ThisHost(), kNoProcess));
   EXPECT_TRUE(ledger.Take("a"));
   folder.Write("b.lease", "some-other-machine 17 0");  // cannot be asked, but was alive just now
@@ -67,7 +67,7 @@ TEST(JobLedger, TakesWhatADeadWorkerHad) {
 
 TEST(JobLedger, TakesWhatASilentWorkerHad) {
   const TestFolder folder;
-  JobLedger patient(folder.path(), kPatience, 0), impatient(folder.path(), 0.05, 1);
+  JobLedger patient(folder.path(), kLeasePatience, 0), impatient(folder.path(), 0.05, 1);
   folder.Write("a.lease", "some-other-machine 17 0");
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_FALSE(patient.Take("a"));
@@ -76,7 +76,7 @@ TEST(JobLedger, TakesWhatASilentWorkerHad) {
 
 TEST(JobLedger, GivesUpAJobThatKillsItsWorkers) {
   const TestFolder folder;
-  JobLedger ledger(folder.path(), kPatience, 0);
+  JobLedger ledger(folder.path(), kLeasePatience, 0);
   for (int i = 0; i < JobLedger::kMostLosses; ++i) {
     EXPECT_FALSE(ledger.HasResult("a"));
     folder.Write("a.lease", fmt::format("{} {} 0", ThisHost(), kNoProcess));

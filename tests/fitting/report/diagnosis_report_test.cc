@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fitting/report/report.h"
+#include "tests/fitting/report/test_assets.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_diagnosis.h"
 #include "tests/support/test_folder.h"
@@ -20,14 +21,12 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr ReportAssets kAssets{"/* script */", "/* style */"};
-
 class DiagnosisReport : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     made_ = new TestFolder;
     MakeSmallDiagnosis(made_->path());
-    html_ = new std::string(MakeReport(made_->path() / "diagnosis", kAssets).html);
+    html_ = new std::string(MakeReport(made_->path() / "diagnosis", kTestAssets).html);
   }
   static void TearDownTestSuite() {
     delete html_;
@@ -36,7 +35,7 @@ class DiagnosisReport : public testing::Test {
   // A copy that may be spoilt; its recording stays where it is.
   DiagnosisReport() { fs::copy(made_->path() / "diagnosis", folder_, fs::copy_options::recursive); }
   std::string ErrorOf() const {
-    return InputErrorOf([this] { MakeReport(folder_, kAssets); });
+    return InputErrorOf([this] { MakeReport(folder_, kTestAssets); });
   }
   static json SectionNamed(const std::string& id) {
     const json data = DataOfPage(*html_);
@@ -147,7 +146,7 @@ TEST_F(DiagnosisReport, ShowsObstaclesThatMove) {
   ReadConfig(folder_ / "config.yaml", &config);
   config.recording = other.string();
   WriteWholeFile(folder_ / "config.yaml", ConfigToYaml(config));
-  const std::string html = MakeReport(folder_, kAssets).html;
+  const std::string html = MakeReport(folder_, kTestAssets).html;
   const json data = DataOfPage(html);
   ASSERT_EQ(data.at("obstacles").size(), 1u);
   const json& positions = data.at("obstacles")[0].at("positions");
@@ -163,7 +162,7 @@ TEST_F(DiagnosisReport, OfChiSquaredTablesHasNoDraws) {
   json record = json::parse(ReadTextFile(file));
   record.at("gate")["null_left_rms_sigmas"] = json::array();
   WriteWholeFile(file, record.dump());
-  const json data = DataOfPage(MakeReport(folder_, kAssets).html);
+  const json data = DataOfPage(MakeReport(folder_, kTestAssets).html);
   for (const json& section : data.at("sections")) {
     if (section.at("id") != "nulls") continue;
     for (const json& block : section.at("blocks")) EXPECT_NE(block.at("kind"), "lines");
@@ -177,7 +176,7 @@ TEST_F(DiagnosisReport, SaysWhichFramesAValidationIsOn) {
   for (json* model : {&record.at("answer"), &record.at("models").at(0)})
     model->at("held_out")["earlier_frames"] = {13, 26};
   WriteWholeFile(file, record.dump());
-  const std::string page = MakeReport(folder_, kAssets).html;
+  const std::string page = MakeReport(folder_, kTestAssets).html;
   EXPECT_THAT(page, Not(HasSubstr("Error on held-out frames")));
   EXPECT_THAT(page, HasSubstr("Error on frames 13 to 26, after fits to those before them alone"));
   EXPECT_THAT(page, HasSubstr("validated on frames 13 to 26"));
@@ -217,7 +216,7 @@ TEST_F(DiagnosisReport, OfOneThatFoundNothingShowsTheBaselineAlone) {
   for (const char* key : {"answer", "mismatch", "class"}) record[key] = nullptr;
   WriteWholeFile(file, record.dump());
   for (const char* name : {"model.npy", "missing-force.npy"}) fs::remove(folder_ / name);
-  const std::string html = MakeReport(folder_, kAssets).html;
+  const std::string html = MakeReport(folder_, kTestAssets).html;
   const json data = DataOfPage(html);
   EXPECT_THAT(html, HasSubstr("<h1>Nothing is missing from the simulation.</h1>"));
   EXPECT_EQ(data.at("motions").size(), 1u);

@@ -8,6 +8,7 @@
 
 #include "fitting/files/npy_file.h"
 #include "fitting/report/html.h"
+#include "tests/fitting/report/test_assets.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_run.h"
 #include "tests/support/test_folder.h"
@@ -23,14 +24,12 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr ReportAssets kAssets{"/* script */", "/* style */"};
-
 class Report : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     made_ = new TestFolder;
     MakeSmallRun(made_->path());
-    page_ = new ReportPage(MakeReport(RunFolder::Open(made_->path() / "run"), kAssets));
+    page_ = new ReportPage(MakeReport(RunFolder::Open(made_->path() / "run"), kTestAssets));
   }
   static void TearDownTestSuite() {
     delete page_;
@@ -39,7 +38,7 @@ class Report : public testing::Test {
   // A copy of the run that may be spoilt; its recording stays where it is.
   Report() { fs::copy(made_->path() / "run", run_, fs::copy_options::recursive); }
   std::string ErrorOf() const {
-    return InputErrorOf([this] { MakeReport(RunFolder::Open(run_), kAssets); });
+    return InputErrorOf([this] { MakeReport(RunFolder::Open(run_), kTestAssets); });
   }
 
   static TestFolder* made_;
@@ -131,7 +130,7 @@ TEST_F(Report, HasTheSectionsInOrder) {
 TEST_F(Report, LeavesPicturesOutUntilItIsSmallEnough) {
   ReportOptions options;
   options.max_megabytes = 0.045;
-  const ReportPage page = MakeReport(RunFolder::Open(run_), kAssets, options);
+  const ReportPage page = MakeReport(RunFolder::Open(run_), kTestAssets, options);
   EXPECT_LT(page.html.size(), page_->html.size());
   EXPECT_THAT(page.notes, testing::Contains(HasSubstr("To keep this page small")));
   EXPECT_LT(DataOfPage(page.html)["cameras"][0]["pictures"]["frames"].size(), 12u);
@@ -161,7 +160,7 @@ TEST_F(Report, TakesSectionsAndFieldsFromTheRun) {
   WriteScalars(run_ / "report" / "force.npy", 4, "(12, 25)");
   EXPECT_THAT(ErrorOf(), HasSubstr("has 2 vertices; a triangle names vertex 2"));
   WriteWholeFile(run_ / "report" / "table.npy", PointsAsNpy({Eigen::VectorXd::Zero(9)}));
-  const std::string html = MakeReport(RunFolder::Open(run_), kAssets).html;
+  const std::string html = MakeReport(RunFolder::Open(run_), kTestAssets).html;
   const json data = DataOfPage(html);
   EXPECT_EQ(data.at("fields").back().at("name"), "force");
   EXPECT_EQ(data.at("obstacles")[0].at("positions").at("shape"), (json{1, 3, 3}));

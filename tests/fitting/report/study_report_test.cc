@@ -5,6 +5,7 @@
 #include "fitting/report/kinds.h"
 #include "fitting/report/markdown_blocks.h"
 #include "fitting/studies/comparison.h"
+#include "tests/fitting/report/test_assets.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/test_folder.h"
 #include "tracking/files/whole_file.h"
@@ -17,8 +18,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr ReportAssets kAssets{"/* script */", "/* style */"};
 
 ComparedRun MakeRun(const std::string& contender, double simulations, double error) {
   ComparedRun run;
@@ -46,9 +45,9 @@ class FolderReport : public testing::Test {
     Write("conditions.yaml", "spread: 0.5\n");
     WriteComparison(folder() / "comparison.json", comparison);
   }
-  std::string Html() const { return MakeReport(folder(), kAssets).html; }
+  std::string Html() const { return MakeReport(folder(), kTestAssets).html; }
   std::string ErrorOf() const {
-    return InputErrorOf([this] { MakeReport(folder(), kAssets); });
+    return InputErrorOf([this] { MakeReport(folder(), kTestAssets); });
   }
   fs::path folder() const { return test_.path() / "results"; }
 
@@ -111,7 +110,7 @@ TEST_F(FolderReport, OfAnythingElseSaysWhatItIs) {
   EXPECT_THAT(ErrorOf(), HasSubstr("is the folder of a recording; expected one that"));
   fs::rename(folder() / "recording.yaml", folder() / "notes.pdf");
   EXPECT_THAT(ErrorOf(), HasSubstr("is not the folder of a run or a study"));
-  EXPECT_THAT(InputErrorOf([this] { MakeReport(folder() / "notes.pdf", kAssets); }),
+  EXPECT_THAT(InputErrorOf([this] { MakeReport(folder() / "notes.pdf", kTestAssets); }),
               HasSubstr("is no folder"));
 }
 

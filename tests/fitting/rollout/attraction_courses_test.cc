@@ -12,12 +12,12 @@
 namespace clothfit {
 namespace {
 
-constexpr int kFrames = 10;
+constexpr int kCourseFrames = 10;
 
 SyntheticOptions Swinging() {
   SyntheticOptions options;
   options.resolution = {5, 5};
-  options.frame_count = kFrames;
+  options.frame_count = kCourseFrames;
   options.frame_rate = 24.0;
   options.steps_per_frame = 5;
   options.held_out_share = 0.0;
@@ -41,7 +41,7 @@ Recording SeenByMarkersAndTracks() {
 TEST(AttractionCourses, PassThroughWhatWasSeen) {
   const Scene scene = SceneOf(SeenByMarkersAndTracks());
   const AttractionCourses courses(scene);
-  for (int frame = 1; frame < kFrames; ++frame) {
+  for (int frame = 1; frame < kCourseFrames; ++frame) {
     StepInputs at_frame, on_course;
     AddAttractionTargets(scene, frame, &at_frame);
     courses.AddTargets(scene.FrameTime(frame), &on_course);
@@ -67,7 +67,7 @@ TEST(AttractionCourses, MoveAtTheirRates) {
   const AttractionCourses courses(scene);
   constexpr double kStep = 1e-5;  // s
   for (const double share : {0.2, 0.7}) {
-    for (int frame = 1; frame < kFrames; ++frame) {
+    for (int frame = 1; frame < kCourseFrames; ++frame) {
       const double time = scene.FrameTime(frame - 1) + share / scene.recording.frame_rate;
       StepInputs before, now, after;
       courses.AddTargets(time - kStep, &before);

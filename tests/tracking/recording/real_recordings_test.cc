@@ -65,13 +65,13 @@ TEST_P(RealRecording, HasPicturesThatLoad) {
   EXPECT_GT(cv::countNonZero(mask), 100);
 }
 
-std::string NameOf(const testing::TestParamInfo<const char*>& recording) {
+std::string RecordingName(const testing::TestParamInfo<const char*>& recording) {
   return fs::path(recording.param).filename().string();
 }
 
 INSTANTIATE_TEST_SUITE_P(Real, RealRecording,
                          testing::Values("mocap/zig_zag", "mocap/take_072505", "phisft_r1"),
-                         NameOf);
+                         RecordingName);
 
 }  // namespace
 }  // namespace clothfit

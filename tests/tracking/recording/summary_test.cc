@@ -98,7 +98,7 @@ TEST_P(OddRecording, IsWarnedOf) {
   EXPECT_THAT(Warnings(recording), Contains(HasSubstr(GetParam().expected)));
 }
 
-std::string NameOf(const testing::TestParamInfo<Oddity>& oddity) { return oddity.param.name; }
+std::string OddityName(const testing::TestParamInfo<Oddity>& oddity) { return oddity.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(
     Warnings, OddRecording,
@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(
                  r->tracks.push_back({0, 0, 1, {0, 0}, {50, 5}});
                },
                "a single camera: depth is only weakly known"}),
-    NameOf);
+    OddityName);
 
 TEST(Warnings, IgnoreAPathAfterTheRelease) {
   Recording recording = FlawlessRecording();

@@ -45,7 +45,7 @@ TEST_P(BadRecording, IsRefusedWithOneClearLine) {
   EXPECT_THAT(InputErrorOf([&] { ReadRecording(folder.path()); }), HasSubstr(input.expected));
 }
 
-std::string NameOf(const testing::TestParamInfo<BadInput>& info) { return info.param.name; }
+std::string BadInputName(const testing::TestParamInfo<BadInput>& info) { return info.param.name; }
 
 constexpr const char* kYaml = "recording.yaml";
 constexpr const char* kCameras = "cameras.yaml";
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"OtherKey", kYaml, "handles:",
                  "obstacles:\n  - {name: a, ball: {radius: 1}, position: [0, 0, 0]}\nhandles:",
                  "obstacles[0].ball: unknown key"}),
-    NameOf);
+    BadInputName);
 
 INSTANTIATE_TEST_SUITE_P(
     Scene, BadRecording,
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"HeldOutCameraUnknown", kYaml, "[cam1]", "[can1]",
                  "recording.yaml: splits.held_out_cameras: 'can1' is no camera of cameras.yaml; "
                  "did you mean 'cam1'?"}),
-    NameOf);
+    BadInputName);
 
 INSTANTIATE_TEST_SUITE_P(
     Cloth, BadRecording,
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "recording.yaml: cloth.initial.points: expected 'points' alone"},
         BadInput{"MeshBesideInitial", kYaml, "  initial:", "  mesh: markers.csv\n  initial:",
                  "recording.yaml: cloth.mesh: expected either 'mesh' or 'initial', found both"}),
-    NameOf);
+    BadInputName);
 
 INSTANTIATE_TEST_SUITE_P(
     Handles, BadRecording,
@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "corner_a.csv: line 5: y: is empty while its neighbours are not"},
         BadInput{"NoPosition", kPath, "", "frame,x,y,z\n",
                  "recording.yaml: handles[0].path: expected at least one position"}),
-    NameOf);
+    BadInputName);
 
 INSTANTIATE_TEST_SUITE_P(
     Cameras, BadRecording,
@@ -221,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "background/cam9.png: 'cam9' is no camera of cameras.yaml"},
         BadInput{"SecondBackground", "background/cam0.webp", "", "",
                  "background/cam0.webp: is the second for its camera"}),
-    NameOf);
+    BadInputName);
 
 INSTANTIATE_TEST_SUITE_P(
     Observations, BadRecording,
@@ -262,7 +262,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "tracks.csv: line 4: v = 1.5 is outside the cloth, 0..1.2"},
         BadInput{"TrackNoNumber", kTracks, "20.25", "left",
                  "tracks.csv: line 2: x: expected a finite number, found 'left'"}),
-    NameOf);
+    BadInputName);
 
 std::string ErrorOf(const TestFiles& files) {
   const TestFolder folder;

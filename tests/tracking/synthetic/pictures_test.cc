@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // Two cameras, four frames, of a cloth whose corner is lifted.
-SyntheticOptions SmallOptions() {
+SyntheticOptions SmallPictures() {
   SyntheticOptions options;
   options.scenario = SyntheticScenario::kCornerLift;
   options.size = {0.4, 0.4};
@@ -49,7 +49,7 @@ double Difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv
 
 TEST(SyntheticPictures, AreTheSameForAnyNumberOfThreads) {
   const TestFolder one, two;
-  SyntheticOptions options = SmallOptions();
+  SyntheticOptions options = SmallPictures();
   Synthesize(options, one.path(), Overwrite::kRefuse);
   options.pictures.threads = 2;
   Synthesize(options, two.path(), Overwrite::kRefuse);
@@ -65,7 +65,7 @@ TEST(SyntheticPictures, AreTheSameForAnyNumberOfThreads) {
 
 TEST(SyntheticPictures, MasksAreWhereTheTruthIsSeen) {
   const TestFolder folder;
-  Synthesize(SmallOptions(), folder.path(), Overwrite::kRefuse);
+  Synthesize(SmallPictures(), folder.path(), Overwrite::kRefuse);
   const Recording recording = ReadRecording(folder.path());
   ASSERT_EQ(recording.cameras.size(), 2u);
   EXPECT_EQ(recording.cameras[1].name, "ceiling");
@@ -92,7 +92,7 @@ TEST(SyntheticPictures, MasksAreWhereTheTruthIsSeen) {
 
 TEST(SyntheticPictures, StayInView) {
   const TestFolder folder;
-  SyntheticOptions options = SmallOptions();
+  SyntheticOptions options = SmallPictures();
   options.pictures.distortion = {-0.2, 0.05, 0.001, -0.001, 0.0};
   options.num_cameras = 4;
   const SyntheticRecording synthetic = MakeSyntheticRecording(options);
@@ -110,7 +110,7 @@ TEST(SyntheticPictures, StayInView) {
 
 TEST(SyntheticPictures, BackgroundIsTheRoomWithoutTheCloth) {
   const TestFolder folder;
-  SyntheticOptions options = SmallOptions();
+  SyntheticOptions options = SmallPictures();
   options.pictures.light_drift = 0.0;
   options.pictures.noise = 1.0;
   Synthesize(options, folder.path(), Overwrite::kRefuse);
@@ -132,7 +132,7 @@ TEST(SyntheticPictures, BackgroundIsTheRoomWithoutTheCloth) {
 
 TEST(SyntheticPictures, ALongExposureIsTheMeanOfItsMoments) {
   const TestFolder sharp, blurred;
-  SyntheticOptions options = SmallOptions();
+  SyntheticOptions options = SmallPictures();
   options.pictures.noise = 0.0;
   Synthesize(options, sharp.path(), Overwrite::kRefuse);
   options.pictures.exposure = 0.05;
@@ -146,7 +146,7 @@ TEST(SyntheticPictures, ALongExposureIsTheMeanOfItsMoments) {
 
 TEST(SyntheticPictures, AVideoReadsBackAsThePictures) {
   const TestFolder folder, filmed;
-  SyntheticOptions options = SmallOptions();
+  SyntheticOptions options = SmallPictures();
   Synthesize(options, folder.path(), Overwrite::kRefuse);
   options.pictures.video = "mkv";
   Synthesize(options, filmed.path(), Overwrite::kRefuse);
@@ -160,7 +160,7 @@ TEST(SyntheticPictures, AVideoReadsBackAsThePictures) {
 
 TEST(SyntheticPictures, ReplaceThoseThatWereThere) {
   const TestFolder folder;
-  SyntheticOptions options = SmallOptions();
+  SyntheticOptions options = SmallPictures();
   Synthesize(options, folder.path(), Overwrite::kRefuse);
   EXPECT_THAT(InputErrorOf([&] { Synthesize(options, folder.path(), Overwrite::kRefuse); }),
               HasSubstr("already holds a recording"));

@@ -15,7 +15,7 @@
 namespace clothfit {
 namespace {
 
-SyntheticOptions Small() {
+SyntheticOptions SmallSwing() {
   SyntheticOptions options;
   options.resolution = {6, 6};
   options.frame_count = 24;
@@ -27,7 +27,7 @@ SyntheticOptions Small() {
 }
 
 Recording WithCameras() {
-  SyntheticOptions options = Small();
+  SyntheticOptions options = SmallSwing();
   options.num_cameras = 2;
   options.marker_sigma = 1e-6;  // so that observed and simulated courses are one
   options.track_sigma = 0.01;
@@ -117,7 +117,7 @@ TEST(Faults, OnlyTheOwnObservationsMove) {
 }
 
 TEST(Faults, SwappedMarkersAreFoundFromTheirFrameOn) {
-  Recording recording = MakeSyntheticRecording(Small()).recording;
+  Recording recording = MakeSyntheticRecording(SmallSwing()).recording;
   const Recording truth = recording;
   SwappedMarkers swap{recording.markers[3].id, recording.markers[9].id, 9, 0.0};
   recording = SwapBack(recording, swap);  // swapping is its own inverse
@@ -140,7 +140,7 @@ TEST(Faults, SwappedMarkersAreFoundFromTheirFrameOn) {
 }
 
 TEST(Faults, NoMarkersAreSwappedWhereNoneAre) {
-  const Recording recording = MakeSyntheticRecording(Small()).recording;
+  const Recording recording = MakeSyntheticRecording(SmallSwing()).recording;
   const FitConfig config = PlainConfig(recording);
   const Scene scene = MakeScene(recording, config);
   std::vector<Eigen::VectorXd> positions;

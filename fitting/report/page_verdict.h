@@ -27,17 +27,17 @@ struct VerdictFacts {
   int recorded_frames = 0, simulated_frames = 0;
 };
 
-struct Verdict {
+struct PageVerdict {
   enum class Grade { kGood, kPartial, kPoor };
   Grade grade = Grade::kPoor;
   std::string headline;
   std::vector<std::string> sentences;
 };
-std::string ToString(Verdict::Grade grade);
+std::string ToString(PageVerdict::Grade grade);
 
 // Good: converged, residuals within 1.5 times the stated noise, and held-out errors within 1.5
 // times the fitted ones. Partial: within 5 and 2.5 times, and better than the start. Else poor.
-Verdict JudgeFit(const VerdictFacts& facts);
+PageVerdict JudgeFit(const VerdictFacts& facts);
 
 // "2.8 mm", "0.33 px".
 std::string QuantityInWords(double value, const std::string& unit);

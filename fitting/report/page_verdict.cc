@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/report/verdict.h"
+#include "fitting/report/page_verdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace clothfit {
 namespace {
 
-using Grade = Verdict::Grade;
+using Grade = PageVerdict::Grade;
 
 constexpr double kGoodNoise = 1.5, kPartialNoise = 5.0;      // times the stated sigmas
 constexpr double kGoodHeldOut = 1.5, kPartialHeldOut = 2.5;  // times the fitted error
@@ -159,8 +159,8 @@ std::string QuantityInWords(double value, const std::string& unit) {
   return fmt::format("{:.{}f} {}", shown, digits, is_length ? "mm" : unit);
 }
 
-Verdict JudgeFit(const VerdictFacts& facts) {
-  Verdict verdict;
+PageVerdict JudgeFit(const VerdictFacts& facts) {
+  PageVerdict verdict;
   verdict.grade = GradeOf(facts);
   verdict.headline = Headline(facts, verdict.grade);
   const std::string kind = MainKind(facts);

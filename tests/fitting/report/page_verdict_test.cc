@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Words that follow the numbers.
-#include "fitting/report/verdict.h"
+#include "fitting/report/page_verdict.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
-using Grade = Verdict::Grade;
+using Grade = PageVerdict::Grade;
 
 VerdictFacts GoodFacts() {
   VerdictFacts facts;
@@ -25,8 +25,8 @@ VerdictFacts GoodFacts() {
   return facts;
 }
 
-TEST(Verdict, OfAGoodFitSaysSoWithItsNumbers) {
-  const Verdict verdict = JudgeFit(GoodFacts());
+TEST(PageVerdict, OfAGoodFitSaysSoWithItsNumbers) {
+  const PageVerdict verdict = JudgeFit(GoodFacts());
   EXPECT_EQ(verdict.grade, Grade::kGood);
   EXPECT_EQ(ToString(verdict.grade), "good");
   EXPECT_THAT(verdict.sentences, Contains("The markers are off by 2.8 mm (root mean square), 75 % "
@@ -35,7 +35,7 @@ TEST(Verdict, OfAGoodFitSaysSoWithItsNumbers) {
   EXPECT_THAT(verdict.sentences, Contains("All 3 free parameters are determined by the data."));
 }
 
-TEST(Verdict, IsNoBetterThanItsWorstPart) {
+TEST(PageVerdict, IsNoBetterThanItsWorstPart) {
   VerdictFacts noisy = GoodFacts();
   noisy.noise_factor = 1.8;
   EXPECT_EQ(JudgeFit(noisy).grade, Grade::kPartial);
@@ -61,7 +61,7 @@ TEST(Verdict, IsNoBetterThanItsWorstPart) {
   EXPECT_THAT(JudgeFit(broken).sentences, Contains("Only 12 of 50 frames could be simulated."));
 }
 
-TEST(Verdict, NamesWhatTheDataLeaveOpen) {
+TEST(PageVerdict, NamesWhatTheDataLeaveOpen) {
   VerdictFacts facts = GoodFacts();
   facts.undetermined = {"air_drag.normal"};
   facts.at_bound = {"stretch.damping"};
@@ -70,10 +70,10 @@ TEST(Verdict, NamesWhatTheDataLeaveOpen) {
   EXPECT_THAT(sentences, Contains(HasSubstr("At a bound")));
 }
 
-TEST(Verdict, SpeaksOfWhatThereIs) {
+TEST(PageVerdict, SpeaksOfWhatThereIs) {
   VerdictFacts facts = GoodFacts();
   facts.errors = {{"silhouettes", false, "px", 2887.0, 1215.0}};
-  const Verdict verdict = JudgeFit(facts);
+  const PageVerdict verdict = JudgeFit(facts);
   EXPECT_THAT(verdict.sentences, Contains(HasSubstr("differ by 1215 px in a picture, 58 % less")));
   EXPECT_THAT(verdict.sentences, Not(Contains(HasSubstr("held out"))));
   facts.errors.clear();
