@@ -38,12 +38,13 @@ build: configure ## Build everything (PRESET=release, JOBS=all cores)
 bench: configure ## Build and run the benchmarks (BENCH_ARGS=--benchmark_filter=...)
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target clothfit_benchmarks \
 	  clothfit_silhouette_benchmarks clothfit_contact_benchmarks clothfit_job_benchmarks \
-	  clothfit_wind_recovery
+	  clothfit_wind_recovery clothfit_mesh_convergence
 	$(BUILD)/tests/benchmarks/clothfit_benchmarks $(BENCH_ARGS)
 	$(BUILD)/tests/benchmarks/clothfit_silhouette_benchmarks $(BENCH_ARGS)
 	$(BUILD)/tests/benchmarks/clothfit_contact_benchmarks $(BENCH_ARGS)
 	$(BUILD)/tests/benchmarks/clothfit_job_benchmarks $(BENCH_ARGS)
 	$(BUILD)/tests/benchmarks/clothfit_wind_recovery
+	$(BUILD)/tests/benchmarks/clothfit_mesh_convergence
 
 format: packages ## Lay out every tracked C++ file with clang-format
 	tools/format
