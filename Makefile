@@ -4,7 +4,7 @@
 # The short way to everything. What is configured, and how, stands in CMakePresets.json.
 
 PRESET ?= release
-# Compilers at once. Sources with automatic derivatives take about 1 GB each to compile.
+# Compilers at once. One takes up to 2 GB of memory.
 JOBS ?= $(shell nproc)
 BUILD := build/$(PRESET)
 
