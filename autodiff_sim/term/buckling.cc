@@ -24,22 +24,23 @@ double FirstGuess(const std::array<double, 3>& s, const std::array<double, 3>& c
   return std::abs(z) / std::sqrt(first * second);
 }
 
+// The inverse of C + K, K V = X^-1 V X^-1, in terms of X: all that is added is of one sign, so that
+// nothing cancels where X is nearly singular.
 void Invert(const std::array<double, 3>& c, Wrinkles* w) {
-  const double d = w->determinant;
-  const double p = w->y / d, q = w->x / d, r = w->z / d;  // X^-1 = [p -r; -r q]
-  const double h00 = c[0] + p * p, h11 = c[1] + q * q, h01 = r * r;
-  const double h02 = -2.0 * p * r, h12 = -2.0 * q * r, h22 = c[2] + p * q + r * r;
-  const double h20 = -p * r, h21 = -q * r;
-  const double m00 = h11 * h22 - h12 * h21, m01 = h02 * h21 - h01 * h22;
-  const double m02 = h01 * h12 - h02 * h11;
-  const double m10 = h12 * h20 - h01 * h22, m11 = h00 * h22 - h02 * h20;
-  const double m12 = h02 * h01 - h00 * h12;
-  const double m20 = h01 * h21 - h11 * h20, m21 = h01 * h20 - h00 * h21;
-  const double m22 = h00 * h11 - h01 * h01;
-  const double scale = 1.0 / (h00 * m00 + h01 * m10 + h02 * m20);
-  w->inverse = {{{m00 * scale, m01 * scale, m02 * scale},
-                 {m10 * scale, m11 * scale, m12 * scale},
-                 {m20 * scale, m21 * scale, m22 * scale}}};
+  const double x = w->x, y = w->y, z = w->z, d = w->determinant, both = x * y + z * z;
+  const double determinant = 1.0 + c[0] * x * x + c[1] * y * y + c[2] * both +
+                             d * (c[0] * c[1] * both + c[2] * (c[0] * x * x + c[1] * y * y)) +
+                             c[0] * c[1] * c[2] * d * d * d;
+  const double scale = 1.0 / determinant, d3 = d * d * d;
+  const double by_warp = scale * z * (x + c[1] * d * y), by_weft = scale * z * (y + c[0] * d * x);
+  const double across = scale * z * z * (1.0 - c[2] * d);
+  w->inverse = {{
+      {scale * (x * x * (1.0 + c[2] * d) + c[1] * d * both + d3 * c[1] * c[2]), across,
+       2.0 * by_warp},
+      {across, scale * (y * y * (1.0 + c[2] * d) + c[0] * d * both + d3 * c[0] * c[2]),
+       2.0 * by_weft},
+      {by_warp, by_weft, scale * (both + d * (c[0] * x * x + c[1] * y * y) + d3 * c[0] * c[1])},
+  }};
 }
 
 }  // namespace
