@@ -24,8 +24,8 @@ double FirstGuess(const std::array<double, 3>& s, const std::array<double, 3>& c
   return std::abs(z) / std::sqrt(first * second);
 }
 
-// The inverse of C + K, K V = X^-1 V X^-1, in terms of X: all that is added is of one sign, so that
-// nothing cancels where X is nearly singular.
+// The inverse of C + K, K V = X^-1 V X^-1, in terms of X and its determinant, so that nothing
+// cancels where X is nearly singular.
 void Invert(const std::array<double, 3>& c, Wrinkles* w) {
   const double x = w->x, y = w->y, z = w->z, d = w->determinant, both = x * y + z * z;
   const double determinant = 1.0 + c[0] * x * x + c[1] * y * y + c[2] * both +
@@ -79,8 +79,9 @@ Wrinkles FindWrinkles(const std::array<double, 3>& s, const std::array<double, 3
 
 namespace {
 
-// J/m^2: of the material under a stress (N/m, of shear once) with these compliances (m/N), of the
-// wrinkles, and of what is kept of the unlimited stress.
+// J/m^2: that of the material and of the wrinkles, whose trace and determinant over those of Q_0
+// are given, the trace less what it is at no stress; and the share that is kept of the energy
+// without a limit.
 double EnergyOf(double material, double load, double softness, double trace, double determinant,
                 double plain) {
   const double of_wrinkles = load * load * softness * (trace - std::log(determinant));
@@ -90,12 +91,10 @@ double EnergyOf(double material, double load, double softness, double trace, dou
 }  // namespace
 
 double BuckledEnergy(double stiffness, double load, double strain) {
-  constexpr double kShare = 1.0 / (1.0 - 0.5 * kBucklingRounding);
-  constexpr double kC = 0.5 * kBucklingRounding * kShare;
-  const double q = BuckledLength(1.0 - kC + stiffness * strain * kShare / load, kC);
-  const double stress = load * (1.0 / q - 1.0), compliance = 1.0 / (stiffness * kShare);
-  return EnergyOf(0.5 * stress * stress * compliance, load, 0.5 * kBucklingRounding / stiffness,
-                  q - 1.0, q, 0.5 * stiffness * strain * strain);
+  const double stiff = stiffness * kStiffening, q = BuckledLength(stiff * strain / load);
+  const double stress = load * (1.0 / q - 1.0);
+  return EnergyOf(0.5 * stress * stress / stiff, load, 0.5 * kBucklingRounding / stiffness, q - 1.0,
+                  q, 0.5 * stiffness * strain * strain);
 }
 
 double BuckledEnergy(const PlaneStress<double>& stiffness, double load,

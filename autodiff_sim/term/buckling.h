@@ -34,24 +34,28 @@ T BucklingLoad(const T& bending, const T& stiffness, double spacing) {
   return bending * (kPi2Over4 / (spacing * spacing)) + stiffness * kLeastStrain;
 }
 
-// Q / Q_0 along one direction that is not sheared, the root of c q + b = 1 / q.
+// Along one direction that is not sheared: the stiffness without wrinkles over that with them at no
+// stress, and times Q_0 over N.
+constexpr double kStiffening = 1.0 / (1.0 - 0.5 * kBucklingRounding);
+constexpr double kSoftness = 0.5 * kBucklingRounding * kStiffening;
+
+// Q / Q_0 there, the root q of kSoftness (q - 1) + 1 + stress = 1 / q; the stress of the material
+// without wrinkles over N.
 template <class T>
-T BuckledLength(const T& b, const T& c) {
+T BuckledLength(const T& stress) {
   using std::sqrt;
-  const T root = sqrt(b * b + 4.0 * c);
-  return Value(b) > 0.0 ? T(2.0 / (b + root)) : T((root - b) / (2.0 * c));
+  const T b = 1.0 - kSoftness + stress;
+  const T root = sqrt(b * b + 4.0 * kSoftness);
+  return Value(b) > 0.0 ? T(2.0 / (b + root)) : T((root - b) / (2.0 * kSoftness));
 }
 
 // Tension per width (N/m) along one direction that is not sheared: of a membrane of that stiffness
 // (N/m, above zero) at a strain, with a viscous stress (N/m).
 template <class T>
 T BuckledTension(const T& stiffness, const T& load, const T& strain, const T& viscous) {
-  // The stiffness without wrinkles times Q_0 over N, and what it is more than with them.
-  constexpr double kShare = 1.0 / (1.0 - 0.5 * kBucklingRounding);
-  constexpr double kC = 0.5 * kBucklingRounding * kShare;
-  const T plain = stiffness * strain + viscous;
-  const T q = BuckledLength<T>(1.0 - kC + plain * kShare / load, T(kC));
-  return (plain * kShare + load * kC * (q - 1.0)) * (1.0 - kBuckledShare) + plain * kBuckledShare;
+  const T plain = stiffness * strain + viscous, stiff = plain * kStiffening;
+  const T q = BuckledLength<T>(stiff / load);
+  return (stiff + load * kSoftness * (q - 1.0)) * (1.0 - kBuckledShare) + plain * kBuckledShare;
 }
 
 // J/m^2, the energy of its elastic part.

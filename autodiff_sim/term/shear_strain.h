@@ -19,11 +19,14 @@ struct ShearTriangle {
 
 std::vector<ShearTriangle> ShearTriangles(const ClothMesh& mesh);
 
-template <class T>
-Vector3<T> AlongCloth(const std::array<double, 3>& weights, const std::array<Vector3<T>, 3>& x) {
+template <class T, std::size_t kNodes>
+Vector3<T> AlongCloth(const std::array<double, kNodes>& weights,
+                      const std::array<Vector3<T>, kNodes>& x) {
   Vector3<T> sum;
-  for (int k = 0; k < 3; ++k)
-    sum[k] = weights[0] * x[0][k] + weights[1] * x[1][k] + weights[2] * x[2][k];
+  for (int k = 0; k < 3; ++k) {
+    sum[k] = weights[0] * x[0][k];
+    for (std::size_t i = 1; i < kNodes; ++i) sum[k] += weights[i] * x[i][k];
+  }
   return sum;
 }
 

@@ -23,11 +23,11 @@ struct Directed {
   double exponent;  // of the ratio, -1/2 to 1/2
 };
 
-// What the ratio adds to a stiffness.
+// What the ratio adds to a stiffness, as a share of it.
 template <class T>
-T ExtraStiffness(const T& stiffness, const T& ratio, double exponent) {
+T ExtraShare(const T& ratio, double exponent) {
   using std::pow;
-  return stiffness * (pow(ratio, exponent) - 1.0);
+  return pow(ratio, exponent) - 1.0;
 }
 
 constexpr Parameter kWarpOverWeft = {
@@ -49,11 +49,9 @@ struct StretchOrthotropy : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<StretchOrthotropy, T>& in,
                        ElementOutput<StretchOrthotropy, T>* out) {
-    using std::pow;
-    const SpringLaw<T> even = {in.read[0], T(0.0), in.read[1]};
-    const SpringLaw<T> law = {in.read[0] * pow(in.parameter[0], element.exponent), T(0.0),
-                              in.read[1]};
-    AddSpringForce<T>(element.elastic, law, &even, in.shrinkage, in.x, in.v, &out->force);
+    AddExtraSpringForce<T>(element.elastic, in.read[0],
+                           ExtraShare<T>(in.parameter[0], element.exponent), in.read[1],
+                           in.shrinkage, in.x, &out->force);
   }
 };
 
@@ -74,9 +72,9 @@ struct ShearOrthotropy : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<ShearOrthotropy, T>& in,
                        ElementOutput<ShearOrthotropy, T>* out) {
-    const T stiffness = ExtraStiffness<T>(in.read[0], in.parameter[0], element.exponent);
-    AddSpringForce<T>(element.elastic, {stiffness, T(0.0), T(0.0)}, nullptr, in.shrinkage, in.x,
-                      in.v, &out->force);
+    AddExtraSpringForce<T>(element.elastic, in.read[0],
+                           ExtraShare<T>(in.parameter[0], element.exponent), T(0.0), in.shrinkage,
+                           in.x, &out->force);
   }
 };
 
@@ -95,7 +93,7 @@ struct BendingOrthotropy : TermDefaults {
   static void AddForce(const Element& element, const ElementInput<BendingOrthotropy, T>& in,
                        ElementOutput<BendingOrthotropy, T>* out) {
     using std::sin;
-    const T stiffness = ExtraStiffness<T>(in.read[0], in.parameter[0], element.exponent);
+    const T stiffness = in.read[0] * ExtraShare<T>(in.parameter[0], element.exponent);
     const Fold<T> fold = MakeFold<T>(in.x);
     const T moment = stiffness * element.elastic.shape * sin(fold.angle * 0.5);
     AddFlatteningMoment<T>(moment, FlatteningMode<T>(in.x, fold), &out->force);

@@ -10,6 +10,7 @@
 // Hasler et al. 2007.
 #pragma once
 
+#include "autodiff_sim/term/shear_strain.h"
 #include "autodiff_sim/terms/spring.h"
 
 namespace clothfit {
@@ -33,9 +34,11 @@ struct Shear : TermDefaults {
   struct Element {
     std::array<int, 4> nodes;      // the last ones again where there are fewer
     double area;                   // m^2
-    double length;                 // m, of the wrinkles; 0: the spring along the bias
+    double length;                 // m, of the wrinkles; 0: springs along the bias
     std::array<double, 4> du, dv;  // 1/m, x_u = sum of du[i] x_i
-    Spring bias;
+    // The springs, of nodes 0 and 1 and of nodes 2 and 3; the second one may be missing.
+    int springs;
+    std::array<Spring, 2> bias;
   };
   static std::vector<Element> Elements(const TermContext& context);
 
@@ -43,12 +46,13 @@ struct Shear : TermDefaults {
   static void AddForce(const Element& element, const ElementInput<Shear, T>& in,
                        ElementOutput<Shear, T>* out) {
     if (element.length == 0.0) {
-      std::array<Vector3<T>, 2> force = {out->force[0], out->force[1]};
       const SpringLaw<T> law = {in.parameter[0], in.parameter[1], T(0.0)};
-      AddSpringForce<T>(element.bias, law, nullptr, in.shrinkage, {in.x[0], in.x[1]},
-                        {in.v[0], in.v[1]}, &force);
-      out->force[0] = force[0];
-      out->force[1] = force[1];
+      for (int i = 0; i < element.springs; ++i) {
+        const int a = 2 * i, b = a + 1;
+        const Vector3<T> dx = in.x[b] - in.x[a];
+        AddPull<T>(SpringPull<T>(element.bias[i], law, in.shrinkage, dx, in.v[b] - in.v[a]), dx,
+                   &out->force[a], &out->force[b]);
+      }
       return;
     }
     using std::sqrt;
@@ -57,8 +61,8 @@ struct Shear : TermDefaults {
     for (int d = 0; d < 2; ++d) {
       const std::array<double, 4>& weights = d == 0 ? element.du : element.dv;
       const T scale = 1.0 / (1.0 - in.shrinkage[d]);
-      x[d] = Along<T>(weights, scale, in.x);
-      rate[d] = Along<T>(weights, scale, in.v);
+      x[d] = AlongCloth<T>(weights, in.x) * scale;
+      rate[d] = AlongCloth<T>(weights, in.v) * scale;
       length[d] = sqrt(x[d].dot(x[d]));
     }
     const PlaneStress<T> strain = {length[0] - 1.0, length[1] - 1.0, x[0].dot(x[1])};
@@ -81,18 +85,6 @@ struct Shear : TermDefaults {
   static double Energy(const Element& element, const ElementInput<Shear, double>& in);
 
  private:
-  template <class T>
-  static Vector3<T> Along(const std::array<double, 4>& weights, const T& scale,
-                          const std::array<Vector3<T>, 4>& x) {
-    Vector3<T> sum = Vector3<T>(T(0.0), T(0.0), T(0.0));
-    for (int i = 0; i < 4; ++i) {
-      if (weights[i] == 0.0) continue;
-      for (int k = 0; k < 3; ++k) sum[k] += x[i][k] * weights[i];
-    }
-    for (int k = 0; k < 3; ++k) sum[k] *= scale;
-    return sum;
-  }
-
   // N/m, along warp and weft, see terms/orthotropy.h.
   template <class T>
   static std::array<T, 2> Stretch(const ElementInput<Shear, T>& in) {

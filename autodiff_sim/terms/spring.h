@@ -31,34 +31,53 @@ T RestLength(const Spring& spring, const std::array<T, 2>& shrinkage) {
          sqrt(spring.warp_share * warp * warp + (1.0 - spring.warp_share) * weft * weft);
 }
 
-// Tension per width, N/m, at a strain and its rate (1/s).
 template <class T>
-T SpringTension(const Spring& spring, const SpringLaw<T>& law, const T& strain, const T& rate) {
-  const T viscous = law.damping * rate;
-  if (spring.buckling_length == 0.0 || Value(law.stiffness) <= 0.0)
-    return law.stiffness * strain + viscous;
-  const T load = BucklingLoad<T>(law.bending, law.stiffness, spring.buckling_length);
-  return BuckledTension<T>(law.stiffness, load, strain, viscous);
+bool Buckles(const Spring& spring, const SpringLaw<T>& law) {
+  return spring.buckling_length > 0.0 && Value(law.stiffness) > 0.0;
 }
 
-// The force of a spring of this law less that of one of another, if there is another.
+// N/m: the spring's tension over its length. dx (m) and dv (m/s) lead from one end to the other.
 template <class T>
-void AddSpringForce(const Spring& spring, const SpringLaw<T>& law, const SpringLaw<T>* less,
-                    const std::array<T, 2>& shrinkage, const std::array<Vector3<T>, 2>& x,
-                    const std::array<Vector3<T>, 2>& v, std::array<Vector3<T>, 2>* force) {
+T SpringPull(const Spring& spring, const SpringLaw<T>& law, const std::array<T, 2>& shrinkage,
+             const Vector3<T>& dx, const Vector3<T>& dv) {
   using std::sqrt;
-  const Vector3<T> dx = x[1] - x[0];
-  const T length = sqrt(dx.dot(dx)), rest_length = RestLength<T>(spring, shrinkage);
-  const T strain = length / rest_length - 1.0;
-  const T rate = dx.dot(v[1] - v[0]) / (length * rest_length);
-  T tension = SpringTension<T>(spring, law, strain, rate);
-  if (less != nullptr) tension -= SpringTension<T>(spring, *less, strain, rate);
-  const T pull = tension * (rest_length * spring.weight) / length;
+  const T length2 = dx.dot(dx);
+  const T length = sqrt(length2);
+  const T rest_length = RestLength<T>(spring, shrinkage);
+  if (!Buckles(spring, law)) {
+    const T elastic = law.stiffness * ((length - rest_length) / length);
+    const T viscous = law.damping * (dx.dot(dv) / length2);
+    return (elastic + viscous) * spring.weight;
+  }
+  const T load = BucklingLoad<T>(law.bending, law.stiffness, spring.buckling_length);
+  const T rate = dx.dot(dv) / (length * rest_length);
+  const T tension =
+      BuckledTension<T>(law.stiffness, load, length / rest_length - 1.0, law.damping * rate);
+  return tension * (rest_length * spring.weight) / length;
+}
+
+template <class T>
+void AddPull(const T& pull, const Vector3<T>& dx, Vector3<T>* force_a, Vector3<T>* force_b) {
   for (int k = 0; k < 3; ++k) {
     const T f = pull * dx[k];
-    (*force)[0][k] += f;
-    (*force)[1][k] -= f;
+    (*force_a)[k] += f;
+    (*force_b)[k] -= f;
   }
+}
+
+// Adds what a spring gains where its stiffness is multiplied by 1 + extra, without damping.
+template <class T>
+void AddExtraSpringForce(const Spring& spring, const T& stiffness, const T& extra, const T& bending,
+                         const std::array<T, 2>& shrinkage, const std::array<Vector3<T>, 2>& x,
+                         std::array<Vector3<T>, 2>* force) {
+  const Vector3<T> dx = x[1] - x[0], still = Vector3<T>(T(0.0), T(0.0), T(0.0));
+  const auto pull = [&](const T& k) {
+    return SpringPull<T>(spring, {k, T(0.0), bending}, shrinkage, dx, still);
+  };
+  const bool buckles = Buckles<T>(spring, {stiffness, T(0.0), bending});
+  AddPull<T>(
+      buckles ? T(pull(stiffness * (1.0 + extra)) - pull(stiffness)) : pull(stiffness * extra), dx,
+      &(*force)[0], &(*force)[1]);
 }
 
 // J.
@@ -67,8 +86,7 @@ inline double SpringEnergy(const Spring& spring, const SpringLaw<double>& law,
   const double rest_length = RestLength<double>(spring, shrinkage);
   const double strain = dx.norm() / rest_length - 1.0;
   const double area = spring.weight * rest_length * rest_length;
-  if (spring.buckling_length == 0.0 || law.stiffness <= 0.0)
-    return 0.5 * law.stiffness * strain * strain * area;
+  if (!Buckles(spring, law)) return 0.5 * law.stiffness * strain * strain * area;
   const double load = BucklingLoad(law.bending, law.stiffness, spring.buckling_length);
   return BuckledEnergy(law.stiffness, load, strain) * area;
 }
@@ -98,7 +116,9 @@ struct StretchSpring : TermDefaults {
   static void AddForce(const Element& element, const ElementInput<StretchSpring, T>& in,
                        ElementOutput<StretchSpring, T>* out) {
     const SpringLaw<T> law = {in.parameter[0], in.parameter[1], in.read[0]};
-    AddSpringForce<T>(element, law, nullptr, in.shrinkage, in.x, in.v, &out->force);
+    const Vector3<T> dx = in.x[1] - in.x[0];
+    AddPull<T>(SpringPull<T>(element, law, in.shrinkage, dx, in.v[1] - in.v[0]), dx, &out->force[0],
+               &out->force[1]);
   }
 
   static double Energy(const Element& element, const ElementInput<StretchSpring, double>& in) {

@@ -31,10 +31,9 @@ struct StiffPatchStretch : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<StiffPatchStretch, T>& in,
                        ElementOutput<StiffPatchStretch, T>* out) {
-    const SpringLaw<T> without = {in.read[0], T(0.0), in.read[1]};
-    const T factor = 1.0 + StiffPatchFactor<T>(element.uv, in.parameter);
-    const SpringLaw<T> law = {in.read[0] * factor, T(0.0), in.read[1]};
-    AddSpringForce<T>(element.elastic, law, &without, in.shrinkage, in.x, in.v, &out->force);
+    AddExtraSpringForce<T>(element.elastic, in.read[0],
+                           StiffPatchFactor<T>(element.uv, in.parameter), in.read[1], in.shrinkage,
+                           in.x, &out->force);
   }
 };
 

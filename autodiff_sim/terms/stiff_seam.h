@@ -30,10 +30,9 @@ struct StiffSeamStretch : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<StiffSeamStretch, T>& in,
                        ElementOutput<StiffSeamStretch, T>* out) {
-    const SpringLaw<T> without = {in.read[0], T(0.0), in.read[1]};
-    const T factor = 1.0 + StiffSeamFactor<T>(element.from_middle, in.parameter);
-    const SpringLaw<T> law = {in.read[0] * factor, T(0.0), in.read[1]};
-    AddSpringForce<T>(element.elastic, law, &without, in.shrinkage, in.x, in.v, &out->force);
+    AddExtraSpringForce<T>(element.elastic, in.read[0],
+                           StiffSeamFactor<T>(element.from_middle, in.parameter), in.read[1],
+                           in.shrinkage, in.x, &out->force);
   }
 };
 
