@@ -165,7 +165,7 @@ TEST(TwoEffects, AreNotAllThatIsMissing) {
 
 // Wind that has no name, and a camera's fault that explains less than it.
 TEST(TwoEffects, MayBeACamerasFaultAndALaw) {
-  const Recording recording = SeenAskew({{"wind.x", 3.0}}, {0.01, -0.005, 0.0});
+  const Recording recording = SeenAskew({{"wind.x", 3.0}}, {0.008, -0.004, 0.0});
   DiagnosisOptions options = OnlyAmong({"law_air"});
   options.max_effects = 1;
   const Diagnosis diagnosis = Diagnose(recording, Told(recording), options);
