@@ -9,6 +9,7 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "fitting/runs/fit_run.h"
+#include "tracking/outliers/outliers.h"
 #include "tracking/recording/summary.h"
 
 namespace clothfit {
@@ -23,6 +24,10 @@ int RunCheckCommand(const std::string& folder) {
   fmt::print("{}", DescribeRecording(recording));
   std::fflush(stdout);
   PrintWarnings(recording);
+  Recording without = recording;
+  const std::string outliers = DescribeOutliers(LeaveOutOutliers(&without), without);
+  if (!outliers.empty())
+    fmt::print(stderr, "clothfit: warning: gross errors, which fits leave out: {}\n", outliers);
   return kExitSuccess;
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "autodiff_sim/base/error.h"
+#include "tracking/outliers/outliers.h"
 #include "tracking/recording/summary.h"
 
 namespace clothfit {
@@ -57,6 +58,8 @@ void AddConfigOptions(CLI::App* command, ConfigOptions* options) {
   command->add_option("--resolution", options->resolution, "particles along u and v")
       ->type_name("NU NV")
       ->expected(2);
+  command->add_flag("--keep-outliers", options->keep_outliers,
+                    "keep markers and tracks that are off by far more than their noise");
 }
 
 void AddFreeOptions(CLI::App* command, ConfigOptions* options) {
@@ -72,7 +75,12 @@ Recording ReadRecordingOf(const ConfigOptions& options) {
   if (folder.empty()) {
     throw InputError("RECORDING", "is missing; expected a recording's folder, here or in --config");
   }
-  return ReadRecording(std::filesystem::absolute(folder).lexically_normal());
+  Recording recording = ReadRecording(std::filesystem::absolute(folder).lexically_normal());
+  if (options.keep_outliers) return recording;
+  const std::string outliers = DescribeOutliers(LeaveOutOutliers(&recording), recording);
+  if (!outliers.empty())
+    std::fprintf(stderr, "clothfit: left out as gross errors: %s\n", outliers.c_str());
+  return recording;
 }
 
 FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording) {

@@ -23,14 +23,16 @@ struct ConfigOptions {
   std::vector<std::string> fix, free;          // terms or full names
   std::optional<std::vector<int>> resolution;  // particles along u and v
   bool self_contact = false;
+  bool keep_outliers = false;  // gross errors of markers and tracks
 };
 
-// RECORDING, --config, --set, --without, --self-contact and --resolution.
+// RECORDING, --config, --set, --without, --self-contact, --resolution and --keep-outliers.
 void AddConfigOptions(CLI::App* command, ConfigOptions* options);
 // --free and --fix.
 void AddFreeOptions(CLI::App* command, ConfigOptions* options);
 
 // Reads the recording that the options, or their config file, name.
+// Without its gross errors, which are told on stderr, unless they are to be kept.
 Recording ReadRecordingOf(const ConfigOptions& options);
 
 // The defaults, then the config file, then --without, --set, --fix and --free in this order, of the

@@ -11,6 +11,7 @@
 #include "tracking/features/tracking_folder.h"
 #include "tracking/files/part_folder.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/outliers/outliers.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -75,6 +76,8 @@ FitResult FitInto(const fs::path& folder, const fs::path& place, const BatchFit&
   const bool track =
       recording.markers.empty() && recording.tracks.empty() && HasPictures(recording);
   if (track) recording = TrackInto(run, recording, context);
+  const std::string outliers = DescribeOutliers(LeaveOutOutliers(&recording), recording);
+  if (!outliers.empty()) run.AppendLog("left out as gross errors: " + outliers);
   FitConfig config = BatchConfig(fit, recording);
   if (track) config.recording = fs::absolute(place / "observations").lexically_normal().string();
   const Scene scene = MakeScene(recording, config);

@@ -31,6 +31,7 @@ const std::map<std::string, Floors> kRooms = {
       {"files"},
       {"camera"},
       {"recording", "silhouette"},
+      {"outliers"},
       {"features", "import", "synthetic"}}},
     {"fitting",
      {{"files"},
