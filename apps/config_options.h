@@ -31,8 +31,8 @@ void AddConfigOptions(CLI::App* command, ConfigOptions* options);
 // --free and --fix.
 void AddFreeOptions(CLI::App* command, ConfigOptions* options);
 
-// Reads the recording that the options, or their config file, name.
-// Without its gross errors, which are told on stderr, unless they are to be kept.
+// Reads the recording that the options, or their config file, name; without its gross errors, which
+// are told on stderr, unless they are to be kept.
 Recording ReadRecordingOf(const ConfigOptions& options);
 
 // The defaults, then the config file, then --without, --set, --fix and --free in this order, of the

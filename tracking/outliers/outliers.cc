@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 
 #include "tracking/outliers/unexplained.h"
+#include "tracking/recording/point_warnings.h"
 
 namespace clothfit {
 namespace {
 
-constexpr double kStretch = 1.1;         // more than cloth is likely to stretch
 constexpr double kDistanceSigmas = 6.0;  // of the distance of two points
 // Calibrated on three recordings of another program with planted errors of 80 mm and more and noise
 // of 2 mm: what was neither an error nor beside one stayed below 6.
@@ -28,12 +28,12 @@ constexpr int kEnough = 3;           // neighbours that can contradict a point
 using Errors = std::vector<double>;
 
 // How far a point lies beyond where a neighbour lets it be; 0 or less: not at all.
-double Beyond(const SeenPoint& a, const SeenPoint& b, double sigma) {
-  return (a.position - b.position).norm() - kStretch * (a.uv - b.uv).norm() -
+double Beyond(const ObservedPoint& a, const ObservedPoint& b, double sigma) {
+  return (a.position - b.position).norm() - kUnlikelyStretch * (a.uv - b.uv).norm() -
          kDistanceSigmas * sigma;
 }
 
-Errors ImpossibleDistances(const std::vector<SeenPoint>& points, double sigma) {
+Errors ImpossibleDistances(const std::vector<ObservedPoint>& points, double sigma) {
   const std::vector<std::vector<int>> neighbours = NearestOfFrame(points);
   const int count = static_cast<int>(points.size());
   const auto is_most = [](int some, std::size_t all) {
@@ -61,12 +61,12 @@ Errors ImpossibleDistances(const std::vector<SeenPoint>& points, double sigma) {
   return errors;
 }
 
-// The most unusual first, as each changes what is expected of those beside it.
-Errors UnexplainedJumps(const std::vector<SeenPoint>& points, double sigma) {
+// The largest first, as each changes what is expected of those beside it.
+Errors UnexplainedJumps(const std::vector<ObservedPoint>& points, double sigma) {
   Errors errors(points.size(), 0.0);
   Unexplained unexplained(points);
-  std::priority_queue<std::pair<double, int>> worst;  // by size, which tells an end from what is
-  const auto add = [&](int i) {                       // beside it
+  std::priority_queue<std::pair<double, int>> worst;  // by size
+  const auto add = [&](int i) {
     const double size = unexplained.Size(i);
     if (size > kGross * sigma && size > kUnusual * unexplained.Usual(i)) worst.push({size, i});
   };
@@ -82,7 +82,7 @@ Errors UnexplainedJumps(const std::vector<SeenPoint>& points, double sigma) {
 }
 
 // A wrong label or (u, v) is found again and again, a gross error hardly.
-void KeepWhatIsAlwaysOff(const std::vector<SeenPoint>& points, Errors* errors) {
+void KeepWhatIsAlwaysOff(const std::vector<ObservedPoint>& points, Errors* errors) {
   std::map<int, std::pair<int, int>> off_of;  // by id: how many are off, and of how many
   for (std::size_t i = 0; i < points.size(); ++i) {
     auto& [off, all] = off_of[points[i].id];
@@ -95,9 +95,9 @@ void KeepWhatIsAlwaysOff(const std::vector<SeenPoint>& points, Errors* errors) {
   }
 }
 
-Errors FindErrors(const std::vector<SeenPoint>& points, double sigma, bool in_space) {
+Errors FindErrors(const std::vector<ObservedPoint>& points, double sigma, bool in_space) {
   Errors errors(points.size(), 0.0);
-  std::vector<SeenPoint> rest;
+  std::vector<ObservedPoint> rest;
   std::vector<std::size_t> index;
   if (in_space) {
     errors = ImpossibleDistances(points, sigma);
@@ -129,16 +129,11 @@ void MoveOut(const Errors& errors, std::vector<Point>* all, std::vector<Outlier>
   *all = std::move(kept);
 }
 
-int CountMarkers(const std::vector<Outlier>& outliers) {
-  return static_cast<int>(std::count_if(outliers.begin(), outliers.end(),
-                                        [](const Outlier& o) { return o.IsMarker(); }));
-}
-
 }  // namespace
 
 std::vector<Outlier> LeaveOutOutliers(Recording* recording) {
   std::vector<Outlier> out;
-  std::vector<SeenPoint> points;
+  std::vector<ObservedPoint> points;
   for (const Marker& m : recording->markers) points.push_back({m.frame, m.id, m.uv, m.position});
   const double marker_sigma = recording->noise.marker.value_or(kDefaultMarkerSigma);
   MoveOut(FindErrors(points, marker_sigma, true), &recording->markers, &out);
@@ -165,7 +160,9 @@ std::vector<Outlier> LeaveOutOutliers(Recording* recording) {
 
 std::string DescribeOutliers(const std::vector<Outlier>& out, const Recording& recording) {
   if (out.empty()) return "";
-  const int all = static_cast<int>(out.size()), markers = CountMarkers(out), tracks = all - markers;
+  const auto first_track =
+      std::find_if(out.begin(), out.end(), [](const Outlier& o) { return !o.IsMarker(); });
+  const auto markers = first_track - out.begin(), tracks = out.end() - first_track;
   std::vector<std::string> parts;
   if (markers > 0) {
     const Marker& m = std::get<Marker>(out.front().point);
@@ -174,12 +171,11 @@ std::string DescribeOutliers(const std::vector<Outlier>& out, const Recording& r
                                 out.front().off));
   }
   if (tracks > 0) {
-    const Outlier& worst = out[static_cast<std::size_t>(markers)];
-    const Track& t = std::get<Track>(worst.point);
+    const Track& t = std::get<Track>(first_track->point);
     parts.push_back(fmt::format(
         "{} of {} tracked points (worst: {} in camera {} at frame {}, {:.0f} px off)", tracks,
         recording.tracks.size() + tracks, t.id,
-        recording.cameras[static_cast<std::size_t>(t.camera)].name, t.frame, worst.off));
+        recording.cameras[static_cast<std::size_t>(t.camera)].name, t.frame, first_track->off));
   }
   return fmt::format("{}", fmt::join(parts, " and "));
 }

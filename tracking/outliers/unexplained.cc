@@ -23,7 +23,7 @@ double Median(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<std::vector<int>> NearestOfFrame(const std::vector<SeenPoint>& points) {
+std::vector<std::vector<int>> NearestOfFrame(const std::vector<ObservedPoint>& points) {
   std::map<int, std::vector<int>> by_frame;
   for (int i = 0; i < static_cast<int>(points.size()); ++i) by_frame[points[i].frame].push_back(i);
   std::vector<std::vector<int>> nearest(points.size());
@@ -44,14 +44,13 @@ std::vector<std::vector<int>> NearestOfFrame(const std::vector<SeenPoint>& point
   return nearest;
 }
 
-Unexplained::Unexplained(const std::vector<SeenPoint>& points)
+Unexplained::Unexplained(const std::vector<ObservedPoint>& points)
     : points_(points),
       before_(points.size(), -1),
       after_(points.size(), -1),
-      neighbours_(NearestOfFrame(points)),
       shared_(points.size(), Eigen::Vector3d::Zero()),
       sizes_(points.size(), 0.0),
-      around_(points.size(), 0.0) {
+      usual_(points.size(), 0.0) {
   const int count = static_cast<int>(points.size());
   std::map<int, std::vector<int>> by_id;
   for (int i = 0; i < count; ++i) by_id[points[i].id].push_back(i);
@@ -63,12 +62,13 @@ Unexplained::Unexplained(const std::vector<SeenPoint>& points)
       after_[series[k - 1]] = series[k];
     }
   }
+  const std::vector<std::vector<int>> neighbours = NearestOfFrame(points);
   std::vector<Eigen::Vector3d> in_time;
   for (int i = 0; i < count; ++i) in_time.push_back(InTime(i));
   for (int i = 0; i < count; ++i) {
     for (int k = 0; k < 3; ++k) {
       std::vector<double> values;
-      for (const int j : neighbours_[i]) {
+      for (const int j : neighbours[i]) {
         if (std::isfinite(in_time[j][k])) values.push_back(in_time[j][k]);
       }
       shared_[i][k] = static_cast<int>(values.size()) >= kEnoughToAverage
@@ -81,15 +81,13 @@ Unexplained::Unexplained(const std::vector<SeenPoint>& points)
   for (const double size : sizes_) {
     if (size > 0.0) known.push_back(size);
   }
-  median_ = Median(std::move(known));
+  const double median = Median(std::move(known));
   for (int i = 0; i < count; ++i) {
     std::vector<double> around;
-    for (const int j : neighbours_[i]) around.push_back(sizes_[j]);
-    around_[i] = Median(std::move(around));
+    for (const int j : neighbours[i]) around.push_back(sizes_[j]);
+    usual_[i] = std::max(median, Median(std::move(around)));
   }
 }
-
-double Unexplained::Usual(int point) const { return std::max(median_, around_[point]); }
 
 // Off the line through two others of the same id: before and after, or two of one side.
 Eigen::Vector3d Unexplained::InTime(int point) const {
@@ -107,8 +105,7 @@ Eigen::Vector3d Unexplained::InTime(int point) const {
       points_[point].position - weight_a * points_[a].position - weight_b * points_[b].position;
   const double noise = std::sqrt((1.0 + weight_a * weight_a + weight_b * weight_b) / 1.5);
   const double acceleration = std::abs(from * to);  // against 1 of equal steps
-  // An end that is off weighs more than what it makes of the point before it, which is half as
-  // much.
+  // An end that is off weighs more than the point beside it, which it makes half as much off.
   constexpr double kEnd = 0.75;
   const bool is_end = from * to > 0.0;
   return off / (std::max(noise, acceleration) * (is_end ? kEnd : 1.0));

@@ -14,8 +14,6 @@
 namespace clothfit {
 namespace {
 
-constexpr double kStretch = 1.1;  // more than cloth is likely to stretch
-
 // A point of the cloth seen at one frame.
 struct WatchedPoint {
   std::string label;
@@ -59,7 +57,7 @@ void WarnOfStretch(const Recording& recording, std::vector<std::string>* warning
         const double on_cloth = (points[i].uv - points[j].uv).norm();
         const double in_space = (points[i].position - points[j].position).norm();
         const double slack = 3.0 * std::hypot(points[i].sigma, points[j].sigma);
-        if (on_cloth <= 0.0 || in_space <= kStretch * on_cloth + slack) continue;
+        if (on_cloth <= 0.0 || in_space <= kUnlikelyStretch * on_cloth + slack) continue;
         exceeded = true;
         if (in_space / on_cloth <= worst) continue;
         worst = in_space / on_cloth;
@@ -138,7 +136,7 @@ void WarnOfInitialStretch(const Recording& recording, std::vector<std::string>* 
   const auto* placement = std::get_if<PointPlacement>(&recording.cloth.initial);
   if (placement == nullptr) return;
   const std::vector<PlacedPoint>& points = placement->points;
-  double worst = kStretch;
+  double worst = kUnlikelyStretch;
   std::string worst_pair;
   for (size_t i = 0; i < points.size(); ++i) {
     for (size_t j = i + 1; j < points.size(); ++j) {

@@ -3,12 +3,13 @@
 #include "tracking/outliers/outliers.h"
 
 #include <cmath>
-#include <random>
 #include <set>
 #include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "autodiff_sim/base/normal_numbers.h"
 
 namespace clothfit {
 namespace {
@@ -19,9 +20,8 @@ using testing::IsEmpty;
 constexpr int kMarkersASide = 10, kSheetFrames = 40;
 constexpr double kSheetSize = 0.9, kSheetSigma = 0.002;  // m
 
-// Uniform noise of this sigma, the same with every standard library.
-double UniformNoise(std::mt19937* random, double sigma) {
-  return sigma * std::sqrt(12.0) * (static_cast<double>((*random)()) / 4294967296.0 - 0.5);
+Eigen::Vector2d UvOf(int id) {
+  return kSheetSize / (kMarkersASide - 1) * Eigen::Vector2d(id % kMarkersASide, id / kMarkersASide);
 }
 
 // A sheet that swings and waves. stretch: along u, as a whole.
@@ -37,13 +37,12 @@ Recording MakeSheet(double stretch = 1.0) {
   recording.frame_count = kSheetFrames;
   recording.noise.marker = kSheetSigma;
   recording.cloth.size = {kSheetSize, kSheetSize};
-  std::mt19937 random(7);
+  NormalNumbers noise(7, 0);
   for (int frame = 0; frame < kSheetFrames; ++frame) {
     for (int id = 0; id < kMarkersASide * kMarkersASide; ++id) {
-      const Eigen::Vector2d uv(kSheetSize * (id % kMarkersASide) / (kMarkersASide - 1),
-                               kSheetSize * (id / kMarkersASide) / (kMarkersASide - 1));
-      Eigen::Vector3d position = PlaceOnSheet(uv, frame / recording.frame_rate, stretch);
-      for (int k = 0; k < 3; ++k) position[k] += UniformNoise(&random, kSheetSigma);
+      const Eigen::Vector2d uv = UvOf(id);
+      const Eigen::Vector3d position = PlaceOnSheet(uv, frame / recording.frame_rate, stretch) +
+                                       kSheetSigma * noise.NextVector<3>();
       recording.markers.push_back({frame, id, uv, position});
     }
   }
@@ -68,13 +67,11 @@ std::set<FrameAndId> LeftOut(const std::vector<Outlier>& out) {
 TEST(Outliers, OfOneInAHundredAreAllFoundAndNothingElse) {
   Recording recording = MakeSheet();
   const std::size_t all = recording.markers.size();
-  std::mt19937 random(11);
+  NormalNumbers random(11, 0);
   std::set<FrameAndId> planted;
   for (Marker& marker : recording.markers) {
-    if (random() % 100 != 0 || IsBesideEnd(marker.frame)) continue;
-    Eigen::Vector3d direction(UniformNoise(&random, 1.0), UniformNoise(&random, 1.0),
-                              UniformNoise(&random, 1.0));
-    marker.position += 0.18 * direction.normalized();
+    if (random.Index(100) != 0 || IsBesideEnd(marker.frame)) continue;
+    marker.position += 0.18 * random.NextVector<3>().normalized();
     planted.insert({marker.frame, marker.id});
   }
   ASSERT_GT(planted.size(), 20U);
@@ -102,17 +99,9 @@ TEST(Outliers, AreNoneOfAClothThatIsStretchedAsAWhole) {
 TEST(Outliers, AreNotLabelsThatAreAlwaysExchanged) {
   Recording recording = MakeSheet();
   for (Marker& marker : recording.markers) {
-    if (marker.id == 12) {
-      marker.id = 77;
-    } else if (marker.id == 77) {
-      marker.id = 12;
-    }
-  }
-  for (Marker& marker : recording.markers) {  // (u, v) follow the label
-    if (marker.id == 12 || marker.id == 77) {
-      marker.uv = {kSheetSize * (marker.id % kMarkersASide) / (kMarkersASide - 1),
-                   kSheetSize * (marker.id / kMarkersASide) / (kMarkersASide - 1)};
-    }
+    if (marker.id != 12 && marker.id != 77) continue;
+    marker.id = 12 + 77 - marker.id;
+    marker.uv = UvOf(marker.id);
   }
   EXPECT_THAT(LeaveOutOutliers(&recording), IsEmpty());
 }
@@ -122,12 +111,12 @@ TEST(Outliers, OfTracksAreFoundInEachCamera) {
   recording.noise.track = 0.5;
   recording.cameras.resize(2);
   recording.cameras[1].name = "left";
-  std::mt19937 random(5);
+  NormalNumbers random(5, 0);
   std::set<FrameAndId> planted;
   for (const Marker& m : recording.markers) {
     for (int camera = 0; camera < 2; ++camera) {
       Eigen::Vector2d pixel(500.0 * m.position.x() + 0.5 * camera, 500.0 * m.position.z());
-      if (camera == 1 && random() % 200 == 0 && !IsBesideEnd(m.frame)) {
+      if (camera == 1 && random.Index(200) == 0 && !IsBesideEnd(m.frame)) {
         pixel += Eigen::Vector2d(30.0, -30.0);
         planted.insert({m.frame, m.id});
       }
