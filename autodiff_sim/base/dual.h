@@ -10,14 +10,23 @@
 
 #include <Eigen/Core>
 
+#include "autodiff_sim/base/vector_width.h"
+
 namespace clothfit {
 
-typedef double DualRegister __attribute__((vector_size(64), may_alias));
+typedef double DualRegister __attribute__((vector_size(kVectorBytes), may_alias));
+
+// The least number of derivatives that fills whole registers and holds so many.
+constexpr int WholeRegisters(int derivatives) {
+  constexpr int kWidth = kVectorBytes / static_cast<int>(sizeof(double));
+  return (derivatives + kWidth - 1) / kWidth * kWidth;
+}
 
 template <int kSize>
 struct Dual {
-  static_assert(kSize % 8 == 0, "derivatives fill whole registers");
-  static constexpr int kRegisters = kSize / 8;
+  static constexpr int kWidth = kVectorBytes / static_cast<int>(sizeof(double));
+  static_assert(kSize % kWidth == 0, "derivatives fill whole registers");
+  static constexpr int kRegisters = kSize / kWidth;
 
   double a = 0.0;
   DualRegister v[kRegisters] = {};
@@ -35,8 +44,8 @@ struct Dual {
     return *this;
   }
 
-  double derivative(int i) const { return v[i / 8][i % 8]; }
-  void SetDerivative(int i, double value) { v[i / 8][i % 8] = value; }
+  double derivative(int i) const { return v[i / kWidth][i % kWidth]; }
+  void SetDerivative(int i, double value) { v[i / kWidth][i % kWidth] = value; }
 
   Dual& operator+=(const Dual& g) { return *this = *this + g; }
   Dual& operator-=(const Dual& g) { return *this = *this - g; }

@@ -11,11 +11,15 @@
 
 #include <Eigen/Core>
 
+#include "autodiff_sim/base/vector_width.h"
+
 namespace clothfit {
 namespace {
 
-constexpr int kWide = 16;  // rows of a panel worked on at once
-typedef float Wide __attribute__((vector_size(64), aligned(4), may_alias));
+constexpr int kWide = kVectorBytes / 4;  // rows of a panel worked on at once
+constexpr int kRounded = 16;             // strides are multiples of it, whatever the machine
+static_assert(kRounded % kWide == 0);
+typedef float Wide __attribute__((vector_size(kVectorBytes), aligned(4), may_alias));
 typedef float Eight __attribute__((vector_size(32), aligned(4), may_alias));
 
 const Wide& WideAt(const float* p) { return *reinterpret_cast<const Wide*>(p); }
@@ -26,7 +30,7 @@ float Sum(const Wide& v) {
   return Eigen::Map<const Eigen::Array<float, kWide, 1>>(reinterpret_cast<const float*>(&v)).sum();
 }
 
-// out = sign * out + sum_k a(:, k) b(c, k), for 16 kRows rows and kCols columns.
+// out = sign * out + sum_k a(:, k) b(c, k), for kWide kRows rows and kCols columns.
 template <int kRows, int kCols, bool kSubtract>
 void Tile(int depth, int stride, const float* a, const float* b, float* out) {
   Wide sum[kRows][kCols] = {};
@@ -44,14 +48,16 @@ void Tile(int depth, int stride, const float* a, const float* b, float* out) {
   }
 }
 
-// The same for all rows from `begin`, a multiple of 16, on.
+// The same for all rows from `begin`, a multiple of 16, on: four registers of sums a column where
+// there are 32 registers, two where there are 16.
 template <int kCols, bool kSubtract>
 void TileColumn(int depth, int stride, const float* panel, int begin, const float* b, float* out) {
+  constexpr int kRows = kVectorBytes == 64 ? 4 : 2;
   int i = begin;
-  for (; i + 4 * kWide <= stride; i += 4 * kWide) {
-    Tile<4, kCols, kSubtract>(depth, stride, panel + i, b, out + i);
+  for (; i + kRows * kWide <= stride; i += kRows * kWide) {
+    Tile<kRows, kCols, kSubtract>(depth, stride, panel + i, b, out + i);
   }
-  switch ((stride - i) / kWide) {
+  switch ((stride - i) / kWide) {  // none where two registers hold 16 rows or less
     case 3:
       return Tile<3, kCols, kSubtract>(depth, stride, panel + i, b, out + i);
     case 2:
@@ -63,7 +69,7 @@ void TileColumn(int depth, int stride, const float* panel, int begin, const floa
   }
 }
 
-int RoundDown(int row) { return row / kWide * kWide; }
+int RoundDown(int row) { return row / kRounded * kRounded; }
 
 // Takes column `before` of a strip out of column `column`, from row `begin` on.
 void TakeOut(int begin, int stride, const float* before, float factor, float* column) {
@@ -128,7 +134,7 @@ bool FactorColumnPairs(int first, int stride, float* lower, float* upper, float*
   return true;
 }
 
-// For the rows [row, row + 16): t -= sum_k panel(:, k) t_k, k < depth.
+// For the rows [row, row + kWide): t -= sum_k panel(:, k) t_k, k < depth.
 void SubtractProductOfEight(int depth, int stride, const float* panel, int row, float* t) {
   Eight sum[kWide] = {};
   const float* l = panel + row;

@@ -91,7 +91,7 @@ class TermBatch final : public ForceBatch {
 
   [[gnu::flatten]] void AddStepJacobian(const BatchPoint& point, double gamma,
                                         BlockSparseMatrix* jacobian) const override {
-    using T = Dual<(3 * kNodes + 7) / 8 * 8>;
+    using T = Dual<WholeRegisters(3 * kNodes)>;
     ElementInput<Term, T> in = MakeInput<T>(point);
     for (int n = 0; n < kNodes; ++n) {  // these derivatives are the same for all elements
       for (int k = 0; k < 3; ++k) {
@@ -133,12 +133,12 @@ class TermBatch final : public ForceBatch {
       for (int n = 0; n < kNodes; ++n) {
         for (int k = 0; k < 3; ++k) {
           double* row = force + kLanes * (3 * elements_[e].nodes[n] + k);
-          for (int c = 0; c < kLanes; ++c) row[c] += out.force[n][k].v[0][c];
+          for (int c = 0; c < kLanes; ++c) row[c] += out.force[n][k].derivative(c);
         }
       }
       for (std::size_t m = 0; m < Term::kMemory; ++m) {
         for (int c = 0; c < kLanes; ++c)
-          memory[kLanes * (e * Term::kMemory + m) + c] = out.memory[m].v[0][c];
+          memory[kLanes * (e * Term::kMemory + m) + c] = out.memory[m].derivative(c);
       }
     }
   }
@@ -168,7 +168,7 @@ class TermBatch final : public ForceBatch {
     number->a = value;
   }
   static void SetLanes(const double* rows, std::size_t row, Dual<kLanes>* number) {
-    for (int c = 0; c < kLanes; ++c) number->v[0][c] = rows[kLanes * row + c];
+    for (int c = 0; c < kLanes; ++c) number->SetDerivative(c, rows[kLanes * row + c]);
   }
 
   // Sets the values and leaves the derivatives.
@@ -223,7 +223,7 @@ class TermBatch final : public ForceBatch {
     const int* index = &blocks_[e * kNodes * kNodes];
     for (int a = 0; a < kNodes; ++a) {
       for (int p = 0; p < 3; ++p) {
-        double row[T::kRegisters * 8];
+        double row[T::kRegisters * T::kWidth];
         std::memcpy(row, out.force[a][p].v, sizeof(row));
         for (int b = 0; b < kNodes; ++b) {
           double* target = matrix->block(index[a * kNodes + b]) + 3 * p;
