@@ -106,8 +106,9 @@ void WriteTables(const fs::path& folder, const Comparison& comparison) {
 
 int RunCompareCommand(CompareOptions options) {
   CheckOptions(&options);
-  const Recording recording = ReadRecordingOf(options.config);
+  Recording recording = ReadRecordingOf(options.config);
   const FitConfig config = ConfigOf(options, recording);
+  LeaveOutOutliers(config, &recording);
   const Scene scene = MakeScene(recording, config);
   CheckFittable(scene);
   CheckContact(scene, config);

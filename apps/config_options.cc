@@ -75,12 +75,7 @@ Recording ReadRecordingOf(const ConfigOptions& options) {
   if (folder.empty()) {
     throw InputError("RECORDING", "is missing; expected a recording's folder, here or in --config");
   }
-  Recording recording = ReadRecording(std::filesystem::absolute(folder).lexically_normal());
-  if (options.keep_outliers) return recording;
-  const std::string outliers = DescribeOutliers(LeaveOutOutliers(&recording), recording);
-  if (!outliers.empty())
-    std::fprintf(stderr, "clothfit: left out as gross errors: %s\n", outliers.c_str());
-  return recording;
+  return ReadRecording(std::filesystem::absolute(folder).lexically_normal());
 }
 
 FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording) {
@@ -91,8 +86,17 @@ FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording)
   for (const std::string& assignment : options.set) SetParameter("--set", assignment, &config);
   FreeAndFix(options, &config);
   if (options.self_contact) config.self_contact = true;
+  if (options.keep_outliers) config.leave_out_outliers = false;
   if (options.resolution) config.resolution = {(*options.resolution)[0], (*options.resolution)[1]};
   return config;
+}
+
+void LeaveOutOutliers(const FitConfig& config, Recording* recording) {
+  if (!config.leave_out_outliers) return;
+  LeaveOutOutliers(recording);
+  const std::string outliers = DescribeOutliers(*recording);
+  if (!outliers.empty())
+    std::fprintf(stderr, "clothfit: left out as gross errors: %s\n", outliers.c_str());
 }
 
 void PrintWarnings(const Recording& recording) {

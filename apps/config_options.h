@@ -31,13 +31,15 @@ void AddConfigOptions(CLI::App* command, ConfigOptions* options);
 // --free and --fix.
 void AddFreeOptions(CLI::App* command, ConfigOptions* options);
 
-// Reads the recording that the options, or their config file, name; without its gross errors, which
-// are told on stderr, unless they are to be kept.
+// Reads the recording that the options, or their config file, name.
 Recording ReadRecordingOf(const ConfigOptions& options);
 
 // The defaults, then the config file, then --without, --set, --fix and --free in this order, of the
 // last two terms before single parameters. Not yet checked as a whole.
 FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording);
+
+// Leaves the recording's gross errors out, unless the config keeps them, and tells them on stderr.
+void LeaveOutOutliers(const FitConfig& config, Recording* recording);
 
 // Prints what is worth knowing about the recording to the standard error.
 void PrintWarnings(const Recording& recording);

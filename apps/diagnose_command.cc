@@ -29,9 +29,10 @@ struct DiagnoseOptions {
 };
 
 int RunDiagnoseCommand(DiagnoseOptions options) {
-  const Recording recording = ReadRecordingOf(options.config);
+  Recording recording = ReadRecordingOf(options.config);
   const FitConfig config = ReadConfigOf(options.config, recording);
   config.Check("command line");
+  LeaveOutOutliers(config, &recording);
   CheckFittable(MakeScene(recording, config));
   const DiagnosisFolder folder(options.output, ExistingIf(options.force, options.resume));
   if (!options.quiet) PrintWarnings(recording);

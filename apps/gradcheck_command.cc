@@ -61,13 +61,14 @@ FitConfig MakeGradcheckConfig(const GradcheckOptions& options, const Recording& 
 }
 
 int RunGradcheckCommand(const GradcheckOptions& options) {
-  const Recording recording = ReadRecordingOf(options.config);
+  Recording recording = ReadRecordingOf(options.config);
   const int frames = options.frames.value_or(std::min(kDefaultFrames, recording.frame_count));
   if (frames < 1 || frames > recording.frame_count) {
     throw InputError("--frames", fmt::format("{}: expected 1 to {}, the recording's length", frames,
                                              recording.frame_count));
   }
   const FitConfig config = MakeGradcheckConfig(options, recording);
+  LeaveOutOutliers(config, &recording);
   const Scene scene = MakeScene(recording, config);
   CheckSimulable(scene);
   CheckContact(scene, config);

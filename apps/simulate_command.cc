@@ -30,10 +30,11 @@ int CountFrames(const SimulateOptions& options, const Recording& recording) {
 }
 
 int RunSimulateCommand(const SimulateOptions& options) {
-  const Recording recording = ReadRecordingOf(options.config);
+  Recording recording = ReadRecordingOf(options.config);
   FitConfig config = ReadConfigOf(options.config, recording);
   if (options.check_intersections) config.check_intersections = true;
   config.Check("command line");
+  LeaveOutOutliers(config, &recording);
   const int frames = CountFrames(options, recording);
   const Scene scene = MakeScene(recording, config);
   CheckSimulable(scene);

@@ -73,7 +73,8 @@ struct FitConfig {
   // observations
   bool use_markers = true;
   bool use_tracks = true;
-  bool use_silhouettes = false;  // by the soft error, see fitting/residuals/soft_silhouette.h
+  bool use_silhouettes = false;    // by the soft error, see fitting/residuals/soft_silhouette.h
+  bool leave_out_outliers = true;  // markers and tracks off by far more than their noise
   // E = alpha E_s + beta E_a (Hasler 2007, sec. 6.2): weights of the silhouettes' squared residuals
   // and of those of markers and tracks. 0 leaves them out.
   double alpha = 1.0;
@@ -96,6 +97,8 @@ struct FitConfig {
   double window = 0.0;  // s; windows hand state and information on; 0 = one window
   // First with no more particles than this along the longer side of a grid, then with all; 0: no
   int coarse_resolution = 9;
+  // Other materials to begin from, where one start leaves more than noise
+  bool other_starts = true;
   bool polish = true;  // then fit all frames at once, open loop, from where the windows ended
   // Of Levenberg-Marquardt: of the polish; of each window without one, else fewer.
   int max_iterations = 30;

@@ -149,7 +149,7 @@ class InputBytes {
   void Put(const Recording& recording) {
     [[maybe_unused]] const auto& [path, name, frame_rate, frame_count, gravity, ground_height,
                                   cloth, handles, obstacles, noise, splits, cameras, files, markers,
-                                  tracks] = recording;
+                                  tracks, left_out] = recording;
     PutAll(frame_rate, frame_count, gravity, ground_height, cloth, handles, obstacles, noise,
            splits, cameras, files, markers, tracks);
   }
@@ -230,16 +230,16 @@ class InputBytes {
                                   check_intersections, self_contact, parameters, initial_order,
                                   initial_position_sigma, initial_velocity_sigma, spline_spacing,
                                   spline_acceleration, spline_speed, use_markers, use_tracks,
-                                  use_silhouettes, alpha, beta, loss, loss_scale, frames, attract,
-                                  loops, optimiser, max_simulations, polish_hard, window,
-                                  coarse_resolution, polish, max_iterations, function_tolerance] =
-        config;
+                                  use_silhouettes, leave_out_outliers, alpha, beta, loss,
+                                  loss_scale, frames, attract, loops, optimiser, max_simulations,
+                                  polish_hard, window, coarse_resolution, other_starts, polish,
+                                  max_iterations, function_tolerance] = config;
     PutAll(resolution, buckling, max_step, integrator, tolerance, check_intersections, self_contact,
            parameters, initial_order, initial_position_sigma, initial_velocity_sigma,
            spline_spacing, spline_acceleration, spline_speed, use_markers, use_tracks,
-           use_silhouettes, alpha, beta, loss, loss_scale, frames, attract, loops, optimiser,
-           max_simulations, polish_hard, window, coarse_resolution, polish, max_iterations,
-           function_tolerance);
+           use_silhouettes, leave_out_outliers, alpha, beta, loss, loss_scale, frames, attract,
+           loops, optimiser, max_simulations, polish_hard, window, coarse_resolution, other_starts,
+           polish, max_iterations, function_tolerance);
   }
   void Put(const FitCheckpoint& from) {
     const auto& [coarse, next_window, theta, information, mean] = from;

@@ -10,6 +10,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "tracking/files/output_file.h"
+#include "tracking/outliers/outliers.h"
 #include "tracking/recording/validation.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"
@@ -43,9 +44,10 @@ std::string LineOf(const fs::path& file, int line) {
 FittedRun ReadFittedRun(const RunFolder& run) {
   const std::string folder = ReadConfigRecording(run.ConfigFile());
   if (folder.empty()) throw InputError(run.ConfigFile().string(), "names no recording");
-  const Recording recording = ReadRecording(folder);
+  Recording recording = ReadRecording(folder);
   FitConfig config = DefaultConfig(recording);
   ReadConfig(run.ConfigFile(), &config);
+  if (config.leave_out_outliers) LeaveOutOutliers(&recording);
   Scene scene = MakeScene(recording, config);
   return {std::move(config), std::move(scene)};
 }

@@ -131,8 +131,8 @@ void MoveOut(const Errors& errors, std::vector<Point>* all, std::vector<Outlier>
 
 }  // namespace
 
-std::vector<Outlier> LeaveOutOutliers(Recording* recording) {
-  std::vector<Outlier> out;
+void LeaveOutOutliers(Recording* recording) {
+  std::vector<Outlier>& out = recording->left_out;
   std::vector<ObservedPoint> points;
   for (const Marker& m : recording->markers) points.push_back({m.frame, m.id, m.uv, m.position});
   const double marker_sigma = recording->noise.marker.value_or(kDefaultMarkerSigma);
@@ -155,10 +155,10 @@ std::vector<Outlier> LeaveOutOutliers(Recording* recording) {
   std::stable_sort(out.begin(), out.end(), [](const Outlier& a, const Outlier& b) {
     return a.IsMarker() != b.IsMarker() ? a.IsMarker() : a.off > b.off;
   });
-  return out;
 }
 
-std::string DescribeOutliers(const std::vector<Outlier>& out, const Recording& recording) {
+std::string DescribeOutliers(const Recording& recording) {
+  const std::vector<Outlier>& out = recording.left_out;
   if (out.empty()) return "";
   const auto first_track =
       std::find_if(out.begin(), out.end(), [](const Outlier& o) { return !o.IsMarker(); });

@@ -6,20 +6,13 @@
 #pragma once
 
 #include <string>
-#include <variant>
-#include <vector>
 
 #include "tracking/recording/recording.h"
 
 namespace clothfit {
 
-struct Outlier {
-  std::variant<Marker, Track> point;
-  double off = 0.0;  // m or px, by which at least
-  bool IsMarker() const { return std::holds_alternative<Marker>(point); }
-};
-
-// Takes them out of a recording's markers and tracks; markers first, of each kind the worst first.
+// Moves them from a recording's markers and tracks to what it left out; markers first, of each kind
+// the worst first.
 //  - A marker that is farther from half of its nearest neighbours than cloth lets it be (a tenth
 //    more than on the cloth, and 6 sigmas). Neighbours that half of their own neighbours contradict
 //    do not count, so that cloth that is stretched as a whole is no error.
@@ -28,10 +21,10 @@ struct Outlier {
 // What is found of one id more than three times and in more than a tenth of its frames is no gross
 // error but a wrong label or (u, v): it stays. An error beside the end of an id's frames may take
 // the end with it, since nothing tells them apart in time.
-std::vector<Outlier> LeaveOutOutliers(Recording* recording);
+void LeaveOutOutliers(Recording* recording);
 
 // "3 of 18876 markers (worst: marker 149 at frame 46, 0.180 m off)" of what was left out of a
 // recording, and the like of tracked points; empty where nothing was.
-std::string DescribeOutliers(const std::vector<Outlier>& out, const Recording& recording);
+std::string DescribeOutliers(const Recording& recording);
 
 }  // namespace clothfit

@@ -149,6 +149,13 @@ struct CameraFiles {
   std::optional<std::filesystem::path> background;
 };
 
+// A marker or a track that is off by far more than its noise.
+struct Outlier {
+  std::variant<Marker, Track> point;
+  double off = 0.0;  // m or px, by which at least
+  bool IsMarker() const { return std::holds_alternative<Marker>(point); }
+};
+
 struct Recording {
   std::filesystem::path path;  // the folder
   std::string name;
@@ -165,6 +172,7 @@ struct Recording {
   std::vector<CameraFiles> files;  // one a camera, in the same order; or none at all
   std::vector<Marker> markers;     // in file order
   std::vector<Track> tracks;       // in file order
+  std::vector<Outlier> left_out;   // of markers and tracks, by LeaveOutOutliers; not in files
 };
 
 // Reads the folder (recording-format version 1) and checks it as CheckRecording does. Rows of

@@ -75,24 +75,27 @@ TEST(Outliers, OfOneInAHundredAreAllFoundAndNothingElse) {
     planted.insert({marker.frame, marker.id});
   }
   ASSERT_GT(planted.size(), 20U);
-  const std::vector<Outlier> out = LeaveOutOutliers(&recording);
+  LeaveOutOutliers(&recording);
+  const std::vector<Outlier>& out = recording.left_out;
   EXPECT_EQ(LeftOut(out), planted);
   EXPECT_EQ(recording.markers.size() + planted.size(), all);
   EXPECT_GE(out.front().off, out.back().off);
-  EXPECT_THAT(DescribeOutliers(out, recording), HasSubstr("of 4000 markers (worst: marker "));
+  EXPECT_THAT(DescribeOutliers(recording), HasSubstr("of 4000 markers (worst: marker "));
 }
 
 TEST(Outliers, AreNoneWhereThereAreNone) {
   Recording recording = MakeSheet();
-  EXPECT_THAT(LeaveOutOutliers(&recording), IsEmpty());
+  LeaveOutOutliers(&recording);
+  EXPECT_THAT(recording.left_out, IsEmpty());
   EXPECT_EQ(recording.markers.size(),
             static_cast<std::size_t>(kSheetFrames * kMarkersASide * kMarkersASide));
-  EXPECT_EQ(DescribeOutliers({}, recording), "");
+  EXPECT_EQ(DescribeOutliers(recording), "");
 }
 
 TEST(Outliers, AreNoneOfAClothThatIsStretchedAsAWhole) {
   Recording recording = MakeSheet(1.4);
-  EXPECT_THAT(LeaveOutOutliers(&recording), IsEmpty());
+  LeaveOutOutliers(&recording);
+  EXPECT_THAT(recording.left_out, IsEmpty());
 }
 
 // A wrong label is a fault of the recording that is looked for elsewhere.
@@ -103,7 +106,8 @@ TEST(Outliers, AreNotLabelsThatAreAlwaysExchanged) {
     marker.id = 12 + 77 - marker.id;
     marker.uv = UvOf(marker.id);
   }
-  EXPECT_THAT(LeaveOutOutliers(&recording), IsEmpty());
+  LeaveOutOutliers(&recording);
+  EXPECT_THAT(recording.left_out, IsEmpty());
 }
 
 TEST(Outliers, OfTracksAreFoundInEachCamera) {
@@ -124,10 +128,11 @@ TEST(Outliers, OfTracksAreFoundInEachCamera) {
     }
   }
   recording.markers.clear();
-  const std::vector<Outlier> out = LeaveOutOutliers(&recording);
+  LeaveOutOutliers(&recording);
+  const std::vector<Outlier>& out = recording.left_out;
   for (const Outlier& o : out) EXPECT_EQ(std::get<Track>(o.point).camera, 1);
   EXPECT_EQ(LeftOut(out), planted);
-  EXPECT_THAT(DescribeOutliers(out, recording), HasSubstr("in camera left at frame "));
+  EXPECT_THAT(DescribeOutliers(recording), HasSubstr("in camera left at frame "));
 }
 
 }  // namespace
