@@ -11,6 +11,7 @@
 #include "fitting/runs/fit_run.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/recording/summary.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -25,9 +26,17 @@ int RunCheckCommand(const std::string& folder) {
   std::fflush(stdout);
   PrintWarnings(recording);
   Recording without = recording;
-  const std::string outliers = DescribeOutliers(LeaveOutOutliers(&without), without);
+  LeaveOutOutliers(&without);
+  const std::string outliers = DescribeOutliers(without);
   if (!outliers.empty())
     fmt::print(stderr, "clothfit: warning: gross errors, which fits leave out: {}\n", outliers);
+  const std::vector<std::string> unknown = HandlesUnknownInHeldOutFrames(scene);
+  if (!unknown.empty()) {
+    fmt::print(
+        stderr,
+        "clothfit: warning: held-out frames cannot be judged: where {} {} then is not known\n",
+        JoinNames(unknown), unknown.size() == 1 ? "is" : "are");
+  }
   return kExitSuccess;
 }
 

@@ -15,6 +15,7 @@
 #include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/optimise/optimiser.h"
+#include "fitting/report/run_record.h"
 #include "fitting/runs/fit_run.h"
 #include "tracking/text/text.h"
 
@@ -35,7 +36,8 @@ struct FitOptions {
   std::optional<std::string> strategy, optimiser;
   std::optional<std::vector<int>> frames;
   std::optional<LossKind> loss;
-  bool no_polish = false, attract = false, force = false, resume = false, quiet = false;
+  bool one_start = false, no_polish = false, attract = false, force = false, resume = false;
+  bool quiet = false;
 };
 
 void ApplyOptions(const FitOptions& options, FitConfig* config) {
@@ -49,6 +51,7 @@ void ApplyOptions(const FitOptions& options, FitConfig* config) {
   if (options.strategy) config->loops = ParseStrategy("--strategy", *options.strategy);
   if (options.optimiser) config->optimiser = *options.optimiser;
   if (options.max_simulations) config->max_simulations = *options.max_simulations;
+  if (options.one_start) config->other_starts = false;
   if (options.no_polish) config->polish = false;
   if (options.attract) Attract(config);
   config->Check("command line");
@@ -95,7 +98,10 @@ FitResult FitWithDisplay(const Scene& scene, const FitConfig& config, const RunF
 }
 
 int Report(const FitResult& result, const RunFolder& run, bool quiet) {
-  if (!quiet) fmt::print("{}\nrun: {}\n", DescribeFitResult(result), run.path().string());
+  if (!quiet) {
+    fmt::print("{}\n{}\nrun: {}\n", DescribeFitResult(result),
+               DescribeVerdict(JudgeFit(FactsOf(ReadRunRecord(run)))), run.path().string());
+  }
   std::fflush(stdout);
   const std::string hint =
       fmt::format("; 'clothfit fit --resume -o {}' goes on", run.path().string());
@@ -145,6 +151,7 @@ int RunFitCommand(FitOptions options) {
   Recording recording = ReadRecordingOf(options.config);
   FitConfig config = ReadConfigOf(options.config, recording);
   ApplyOptions(options, &config);
+  LeaveOutOutliers(config, &recording);
   Scene scene = MakeScene(recording, config);
   const bool track = HasPicturesOnly(recording);
   if (!track) CheckFittable(scene);
@@ -162,6 +169,7 @@ int RunFitCommand(FitOptions options) {
     config = ReadConfigOf(options.config, recording);
     config.recording = fs::absolute(recording.path).lexically_normal().string();
     ApplyOptions(options, &config);
+    LeaveOutOutliers(config, &recording);
     scene = MakeScene(recording, config);
     CheckFittable(scene);
   }
@@ -182,6 +190,8 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
   AddFreeOptions(command, &options->config);
   command->add_option("--window", options->window, "seconds fitted together; 0: all at once")
       ->type_name("S");
+  command->add_flag("--one-start", options->one_start,
+                    "begin from the given material alone, also where that leaves more than noise");
   command->add_flag("--no-polish", options->no_polish,
                     "leave out the fit of all frames after the windows");
   command

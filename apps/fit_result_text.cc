@@ -76,4 +76,10 @@ std::string DescribeFitResult(const FitResult& result) {
   return text;
 }
 
+std::string DescribeVerdict(const PageVerdict& verdict) {
+  std::string text = verdict.headline + "\n";
+  for (const std::string& sentence : verdict.sentences) text += "  " + sentence + "\n";
+  return text;
+}
+
 }  // namespace clothfit

@@ -15,6 +15,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/studies/chaos_study.h"
 #include "fitting/studies/recovery_study.h"
+#include "fitting/trials/finite_elements/generator.h"
 #include "tracking/features/tracking_evaluation.h"
 #include "tracking/files/output_folder.h"
 #include "tracking/text/text.h"
@@ -22,13 +23,19 @@
 namespace clothfit {
 namespace {
 
+constexpr int kFiniteElementRefinement = 2;  // elements along a spacing of the fit's particles
+
 struct StudyOptions {
   RecoveryOptions recovery;
   std::string output;
-  bool force = false;
+  bool force = false, finite_elements = false;
 };
 
-int RunRecoveryCommand(const StudyOptions& options) {
+int RunRecoveryCommand(StudyOptions options) {
+  if (options.finite_elements) {
+    options.recovery.generator = FiniteElementGenerator({}, {}, nullptr);
+    options.recovery.recording.refinement = kFiniteElementRefinement;
+  }
   if (options.recovery.num_seeds < 1) {
     throw InputError("--seeds", fmt::format("{}; expected 1 or more", options.recovery.num_seeds));
   }
@@ -71,6 +78,9 @@ void AddRecoveryStudy(CLI::App* study, Action* action) {
                    "recordings fitted at the same time; no influence on the result")
       ->type_name("N")
       ->capture_default_str();
+  recovery->add_flag("--finite-elements", options->finite_elements,
+                     "make them with triangular finite elements on a finer mesh, which share no "
+                     "code with a fit");
   recovery->add_flag("--force", options->force, "replace the tables that are there");
   recovery->footer("Example:\n  clothfit study recovery --seeds 20 -o studies/recovery");
   recovery->callback(

@@ -19,19 +19,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a table says of how well a run explains its recording: JSON's name, unit, and the member.
-struct ErrorColumn {
+// What a table says of how well a run explains its recording: JSON's name, title, and the value.
+struct ResultColumn {
   const char *name, *title;
-  std::optional<double> Evaluation::*member;
-  double factor;
+  std::optional<double> (*value)(const FitResult& result);
 };
-constexpr ErrorColumn kErrors[] = {
-    {"marker_mm", "markers, mm", &Evaluation::marker_rms, 1000.0},
-    {"held_out_marker_mm", "held out", &Evaluation::held_out_marker_rms, 1000.0},
-    {"track_px", "tracks, px", &Evaluation::track_rms, 1.0},
-    {"held_out_track_px", "held out", &Evaluation::held_out_track_rms, 1.0},
-    {"silhouette_px", "silhouettes, px", &Evaluation::silhouette_error, 1.0},
-    {"held_out_silhouette_px", "held out", &Evaluation::held_out_silhouette_error, 1.0}};
+
+template <std::optional<double> Evaluation::*kMember, int kFactor = 1>
+std::optional<double> ErrorOf(const FitResult& result) {
+  const std::optional<double>& error = result.after.*kMember;
+  return error ? std::optional<double>(kFactor * *error) : std::nullopt;
+}
+
+template <double Misfit::*kMember>
+std::optional<double> MisfitOf(const FitResult& result) {
+  return result.misfit ? std::optional<double>((*result.misfit).*kMember) : std::nullopt;
+}
+
+constexpr ResultColumn kColumns[] = {
+    {"marker_mm", "markers, mm", ErrorOf<&Evaluation::marker_rms, 1000>},
+    {"held_out_marker_mm", "held out", ErrorOf<&Evaluation::held_out_marker_rms, 1000>},
+    {"track_px", "tracks, px", ErrorOf<&Evaluation::track_rms>},
+    {"held_out_track_px", "held out", ErrorOf<&Evaluation::held_out_track_rms>},
+    {"silhouette_px", "silhouettes, px", ErrorOf<&Evaluation::silhouette_error>},
+    {"held_out_silhouette_px", "held out", ErrorOf<&Evaluation::held_out_silhouette_error>},
+    {"chi_square", "chi-square", MisfitOf<&Misfit::chi_square>},
+    {"chi_square_limit", "of noise, at most", MisfitOf<&Misfit::limit>}};
 
 Recording TrackInto(const RunFolder& run, const Recording& recording, const JobContext& context) {
   const fs::path folder = run.path() / "observations";
@@ -51,9 +64,9 @@ nlohmann::json ToJson(const FitResult& result) {
   nlohmann::json json = {{"status", ToString(result.status)},
                          {"iterations", result.iterations},
                          {"simulations", result.simulations}};
-  for (const ErrorColumn& column : kErrors) {
-    const std::optional<double> value = result.after.*column.member;
-    json[column.name] = value ? nlohmann::json(column.factor * *value) : nlohmann::json();
+  for (const ResultColumn& column : kColumns) {
+    const std::optional<double> value = column.value(result);
+    json[column.name] = value ? nlohmann::json(*value) : nlohmann::json();
   }
   json["parameters"] = nlohmann::json::array();
   for (const ParameterEstimate& one : result.estimates) {
@@ -76,9 +89,10 @@ FitResult FitInto(const fs::path& folder, const fs::path& place, const BatchFit&
   const bool track =
       recording.markers.empty() && recording.tracks.empty() && HasPictures(recording);
   if (track) recording = TrackInto(run, recording, context);
-  const std::string outliers = DescribeOutliers(LeaveOutOutliers(&recording), recording);
-  if (!outliers.empty()) run.AppendLog("left out as gross errors: " + outliers);
   FitConfig config = BatchConfig(fit, recording);
+  if (config.leave_out_outliers) LeaveOutOutliers(&recording);
+  const std::string outliers = DescribeOutliers(recording);
+  if (!outliers.empty()) run.AppendLog("left out as gross errors: " + outliers);
   if (track) config.recording = fs::absolute(place / "observations").lexically_normal().string();
   const Scene scene = MakeScene(recording, config);
   CheckFittable(scene);
@@ -129,7 +143,7 @@ std::string WriteBatchTables(const fs::path& folder, const std::vector<JobResult
                                                    "name,parameter,unit,value,lower95,upper95,"
                                                    "determined\n";
   std::string text = "| fit | status | simulations | s |", line = "|---|---|---:|---:|";
-  for (const ErrorColumn& column : kErrors) {
+  for (const ResultColumn& column : kColumns) {
     csv += fmt::format(",{}", column.name);
     text += fmt::format(" {} |", column.title);
     line += "---:|";
@@ -138,7 +152,7 @@ std::string WriteBatchTables(const fs::path& folder, const std::vector<JobResult
   text += "\n" + line + "\n";
   for (const JobResult& result : results) {
     if (!result.IsDone()) {
-      csv += result.name + ",failed" + std::string(1 + std::size(kErrors), ',') + "\n";
+      csv += result.name + ",failed" + std::string(1 + std::size(kColumns), ',') + "\n";
       text += fmt::format("| {} | failed: {} |\n", result.name, result.problem);
       continue;
     }
@@ -148,7 +162,7 @@ std::string WriteBatchTables(const fs::path& folder, const std::vector<JobResult
     csv += fmt::format("{},{},{}", result.name, status, simulations);
     text +=
         fmt::format("| {} | {} | {} | {:.1f} |", result.name, status, simulations, result.seconds);
-    for (const ErrorColumn& column : kErrors) {
+    for (const ResultColumn& column : kColumns) {
       csv += "," + Cell(output.at(column.name), false);
       text += " " + Cell(output.at(column.name), true) + " |";
     }

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include "fitting/config/config.h"
+#include "fitting/fit/misfit.h"
 #include "fitting/rollout/free_parameters.h"
 #include "fitting/scene/scene.h"
 
@@ -79,6 +80,12 @@ struct ParameterEstimate {
   bool at_bound = false;
 };
 
+// How many starts a fit was begun from, went to the end from, and ended at its cost from, to within
+// what noise lets be told apart.
+struct FitStarts {
+  int begun = 1, finished = 1, agreeing = 1;
+};
+
 struct FitResult {
   FitStatus status = FitStatus::kFailed;
   Eigen::VectorXd theta;
@@ -95,7 +102,9 @@ struct FitResult {
   // Plain statements on what the data leave open, one a line.
   std::vector<std::string> statements;
   double noise_factor = 1.0;  // residuals over their stated sigmas; above 1 it widens the intervals
-  StepReport steps;           // halvings and the like, summed over the last simulation
+  std::optional<Misfit> misfit;  // of markers and tracks; of whole fits alone, see FitByStrategy
+  FitStarts starts;
+  StepReport steps;  // halvings and the like, summed over the last simulation
 };
 
 // Runs the fit. `resume` goes on from a checkpoint of the same scene and config.

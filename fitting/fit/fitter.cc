@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <ceres/ceres.h>
 #include <fmt/format.h>
@@ -19,6 +20,10 @@ namespace clothfit {
 namespace {
 
 using Outcome = WindowSimulator::Outcome;
+
+int NumIterations(const ceres::Solver::Summary& summary) {
+  return std::max(0, static_cast<int>(summary.iterations.size()) - 1);
+}
 
 // Reports iterations and ends the solver when the fit is stopped.
 class IterationReporter : public ceres::IterationCallback {
@@ -47,7 +52,7 @@ Fitter::Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& 
       observations_(scene, config),
       simulator_(scene, config, free_, false, callbacks.stop),
       attracting_(scene, config, free_, config.attract, callbacks.stop),
-      polish_tolerance_(config.function_tolerance) {
+      polish_tolerance_(PolishTolerance()) {
   window_frames_ =
       config.window > 0.0
           ? std::max(1, static_cast<int>(std::lround(config.window * scene.recording.frame_rate)))
@@ -61,9 +66,18 @@ Fitter::Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& 
   num_windows_ = (std::max(1, scene.last_fitted_frame) + window_frames_ - 1) / window_frames_;
 }
 
-void Fitter::OnlyComeNear() {
+double Fitter::PolishTolerance() const {
+  // Twice this, over the square of the noise factor, is a change of the chi-square: 0.05 moves
+  // nothing by more than a fifth of its standard error.
+  constexpr double kNegligible = 0.025;
+  const double observed = observations_.NumObserved(0, scene_.last_fitted_frame);
+  return std::max(config_.function_tolerance, 2.0 * kNegligible / std::max(1.0, observed));
+}
+
+void Fitter::OnlyComeNear(bool near) {
   constexpr double kTolerance = 1e-3;
-  polish_tolerance_ = kTolerance;
+  polish_tolerance_ = near ? std::max(kTolerance, PolishTolerance()) : PolishTolerance();
+  if (!near && HasWork() && config_.polish) converged_ = false;
 }
 
 void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
@@ -97,11 +111,18 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
                                         const std::vector<int>& held) {
   ceres::Problem problem;
   double* theta = progress_.theta.data();
-  newest_ = at_best_ = {};
   const bool is_whole = simulator == &simulator_ && held.empty() && start.frame == 0 &&
                         first == 0 && last == scene_.last_fitted_frame;
+  newest_ = {};
+  if (!is_whole) at_best_ = {};
   const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
                             RowMajorMatrix* jacobian) {
+    if (jacobian != nullptr && at_best_.IsAt(at)) {
+      newest_ = at_best_;
+      *residuals = newest_.residuals;
+      *jacobian = newest_.jacobian;
+      return true;
+    }
     const Outcome outcome = EvaluateWindow(simulator, observations_, start, at, first, last,
                                            WindowRows::kCompressed, residuals, jacobian);
     if (outcome == Outcome::kComplete && jacobian != nullptr && is_whole)
@@ -116,8 +137,10 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   if (!held.empty()) problem.SetManifold(theta, new ceres::SubsetManifold(free_.size(), held));
   simulator->Hold(held);
   constexpr double kRadiusNear = 10.0;  // of a minimum
+  const double first_radius = is_near_ ? kRadiusNear : kCautiousRadius;
+  const bool goes_on = is_whole && radius_ > 0.0;
   ceres::Solver::Options options = LevenbergMarquardtOptions(
-      patience.iterations, patience.tolerance, is_near_ ? kRadiusNear : kCautiousRadius);
+      patience.iterations, patience.tolerance, goes_on ? radius_ : first_radius);
   options.update_state_every_iteration = true;
   IterationReporter reporter([&](const ceres::IterationSummary& s) { Report(s, rows); },
                              callbacks_.stop);
@@ -127,7 +150,7 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   ceres::Solve(options, &problem, &summary);
   simulator->Hold({});
   progress_.theta = best_;  // Ceres takes back what it had reached when an evaluation fails
-  iterations_ += std::max(0, static_cast<int>(summary.iterations.size()) - 1);
+  iterations_ += NumIterations(summary);
   Log(fmt::format("{}: cost {:.6g} -> {:.6g}, {} iterations, {}", stage_, summary.initial_cost,
                   summary.final_cost, summary.iterations.size(), summary.message));
   return summary;
@@ -328,54 +351,102 @@ double Fitter::Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) co
   return 0.5 * (residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());
 }
 
-void Fitter::Polish() {
+void Fitter::Linearise(const Eigen::VectorXd& theta) {
+  const WindowStart start = simulator_.FirstStart(theta);
+  at_best_ = {};
+  cost_ = std::numeric_limits<double>::infinity();
+  if (EvaluateWindow(&simulator_, observations_, start, theta, 0, scene_.last_fitted_frame,
+                     WindowRows::kCompressed, &at_best_.residuals,
+                     &at_best_.jacobian) != Outcome::kComplete) {
+    at_best_ = {};
+    return;
+  }
+  at_best_.theta = theta;
+  at_best_.steps = simulator_.last_report();
+  cost_ = 0.5 * (at_best_.residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());
+}
+
+void Fitter::StartPolish() {
   stage_ = fmt::format("all frames (0-{})", scene_.last_fitted_frame);
   stage_begin_ = 1.0 - (stage_share_ = num_windows_ > 1 ? 0.6 : 1.0);
-  const Eigen::VectorXd reached = progress_.theta;
-  const double at_reached = Cost(reached, &simulator_);
-  if (cost_before_ < at_reached) {
+  Linearise(progress_.theta);
+  if (cost_before_ < cost_ && progress_.theta != free_.start() && !Stopped()) {
     Log("the windows' result explains all frames worse than the start does; going on from the "
         "start");
     progress_.theta = free_.start();
+    Linearise(progress_.theta);
   }
-  const WindowStart start = simulator_.FirstStart(progress_.theta);
-  const ceres::Solver::Summary summary = Minimise(
-      &simulator_, start, 0, scene_.last_fitted_frame, {config_.max_iterations, polish_tolerance_},
-      free_.prior_jacobian(), -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
-  converged_ = summary.termination_type == ceres::CONVERGENCE;
 }
 
-FitResult Fitter::Start() {
-  FitResult result;
+void Fitter::Advance(int most_iterations) {
+  if (!HasWork() || !config_.polish || converged_ || Stopped()) return;
+  if (!std::exchange(has_begun_polish_, true)) StartPolish();
+  if (of_polish_ >= most_iterations) return;
+  const WindowStart start = simulator_.FirstStart(progress_.theta);
+  const ceres::Solver::Summary summary =
+      Minimise(&simulator_, start, 0, scene_.last_fitted_frame,
+               {most_iterations - of_polish_, polish_tolerance_}, free_.prior_jacobian(),
+               -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
+  converged_ = summary.termination_type == ceres::CONVERGENCE;
+  cost_ = best_cost_;
+  of_polish_ += NumIterations(summary);
+  if (!summary.iterations.empty()) radius_ = summary.iterations.back().trust_region_radius;
+}
+
+bool Fitter::HasWork() const {
+  return free_.size() > 0 && observations_.Count(0, scene_.last_fitted_frame) > 0;
+}
+
+void Fitter::ToStart() {
   progress_.theta = free_.start();
   progress_.information = free_.PriorInformation();
   progress_.mean = free_.PriorMean();
-  result.before = EvaluateScene(scene_, config_, free_, free_.start());
+}
+
+void Fitter::MeasureStart(FitResult* result) {
+  result->before = EvaluateScene(scene_, config_, free_, free_.start());
   WindowSimulator unstopped(scene_, config_, free_, false, nullptr);
-  result.cost_before = cost_before_ = Cost(free_.start(), &unstopped);
-  return result;
+  result->cost_before = cost_before_ = Cost(free_.start(), &unstopped);
+}
+
+void Fitter::AddWorkTo(FitResult* result) const {
+  result->iterations += iterations_;
+  result->simulated_frames += SimulatedFrames();
+  result->differentiated_frames += DifferentiatedFrames();
 }
 
 FitResult Fitter::At(const Eigen::VectorXd& theta) {
-  FitResult result = Start();
+  FitResult result;
+  ToStart();
+  MeasureStart(&result);
   progress_.theta = theta;
+  Finish(&result);
+  return result;
+}
+
+void Fitter::Begin(const FitCheckpoint* resume) {
+  ToStart();
+  if (resume != nullptr) progress_ = *resume;
+  converged_ = !HasWork();
+  if (converged_) return;
+  const bool in_windows = num_windows_ > 1 || !config_.polish || config_.attract;
+  if (resume == nullptr) FindHandlePaths();
+  if (in_windows && progress_.next_window < num_windows_) RunWindows();
+  if (!config_.polish) converged_ = progress_.next_window == num_windows_;
+}
+
+FitResult Fitter::End() {
+  FitResult result;
   Finish(&result);
   return result;
 }
 
 FitResult Fitter::Run(const FitCheckpoint* resume) {
   const auto begin = std::chrono::steady_clock::now();
-  FitResult result = Start();
-  if (resume != nullptr) progress_ = *resume;
-  if (free_.size() > 0 && observations_.Count(0, scene_.last_fitted_frame) > 0) {
-    const bool in_windows = num_windows_ > 1 || !config_.polish || config_.attract;
-    if (resume == nullptr) FindHandlePaths();
-    if (in_windows && progress_.next_window < num_windows_) RunWindows();
-    if (config_.polish && !Stopped()) Polish();
-    if (!config_.polish) converged_ = progress_.next_window == num_windows_;
-  } else {
-    converged_ = true;
-  }
+  FitResult result;
+  MeasureStart(&result);
+  Begin(resume);
+  Advance(config_.max_iterations);
   Finish(&result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

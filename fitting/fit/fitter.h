@@ -5,6 +5,7 @@
 // Behind RunFit; nothing else includes it.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,30 @@ class Fitter {
   // The arguments must outlive this object.
   Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks);
 
-  // A finer fit follows, which changes the cost by more than this one's last iterations would.
-  void OnlyComeNear();
+  // Whether to stop where what follows changes the cost by more than last iterations would.
+  void OnlyComeNear(bool near = true);
   // It begins where a coarser one has ended.
   void BeginNear() { is_near_ = true; }
+  // Its result tells noise from what mesh and step leave (MeasurePoints).
+  void TellMisfit() { tells_misfit_ = true; }
   FitResult Run(const FitCheckpoint* resume);
+  // The same in parts, so that fits can be compared while they are under way: what comes before the
+  // fit of all frames; iterations of that, which go on where the last ones ended; and the result.
+  // Nothing is measured of the config's own start.
+  void Begin(const FitCheckpoint* resume);
+  void Advance(int most_iterations);
+  FitResult End();
+  // Of all frames, open loop, with priors; infinite where they cannot be simulated.
+  double cost() const { return cost_; }
+  // Does it leave more than noise may? As if residuals were independent.
+  bool LeavesMoreThanNoise() const;
+  // Measures the config's own start for a result; what comes before the fit of all frames must not
+  // explain them worse than that.
+  void MeasureStart(FitResult* result);
+  bool has_converged() const { return converged_; }
+  const Eigen::VectorXd& theta() const { return progress_.theta; }
+  // Adds the iterations and the simulated frames so far.
+  void AddWorkTo(FitResult* result) const;
   // What is to be said of this free vector, wherever it comes from.
   FitResult At(const Eigen::VectorXd& theta);
   // Where a fit stands whose windows ended at this free vector.
@@ -35,6 +55,8 @@ class Fitter {
   }
 
  private:
+  // The relative change of the cost at which nothing worth having is left.
+  double PolishTolerance() const;
   struct Patience {
     int iterations;
     double tolerance;  // relative change of the cost at which to stop
@@ -53,7 +75,10 @@ class Fitter {
   // Frame by frame from the first frame on to the last; beyond it as the prior expects. False where
   // the simulation does not get there.
   bool ContinueHandlePaths(FrameByFrame* search, int first, int last);
-  FitResult Start();
+  void ToStart();
+  bool HasWork() const;
+  // All frames at once from here, with derivatives, as at_best_.
+  void Linearise(const Eigen::VectorXd& theta);
   void RunWindows();
   bool RunWindow(int window, WindowStart* start);
   // Frees the state at a later window's start: the offsets of the initial state now are offsets
@@ -64,7 +89,8 @@ class Fitter {
   // What is known of everything but these entries, with the entries themselves back at their
   // priors.
   void Marginalise(const std::vector<int>& entries);
-  void Polish();
+  // Where the fit of all frames begins.
+  void StartPolish();
   double Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) const;
   void Log(const std::string& line) const {
     if (callbacks_.log) callbacks_.log(line);
@@ -82,6 +108,8 @@ class Fitter {
   // linear: near 0 at a minimum, also where Levenberg-Marquardt's own small steps have come to
   // rest.
   double ExpectedDecrease(const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian) const;
+  // J'J with the priors' own.
+  Eigen::MatrixXd Information(const RowMajorMatrix& jacobian) const;
   void Finish(FitResult* result);
   void FillEstimates(const Uncertainty& uncertainty, FitResult* result) const;
 
@@ -110,14 +138,15 @@ class Fitter {
   Eigen::VectorXd first_offsets_;  // their values at the recording's start
   std::string stage_;
   double stage_begin_ = 0.0, stage_share_ = 0.0;  // of the whole fit's work
-  int iterations_ = 0;
+  int iterations_ = 0, of_polish_ = 0;
   // Simulated frame by frame, and those of them with derivatives.
   double frames_for_paths_ = 0.0, differentiated_for_paths_ = 0.0;
-  bool converged_ = false;
-  double noise_ = 1.0;
-  double cost_before_ = 0.0;
+  bool has_begun_polish_ = false, converged_ = false;
+  double cost_ = std::numeric_limits<double>::infinity();
+  double cost_before_ = std::numeric_limits<double>::infinity();
   double polish_tolerance_;
-  bool is_near_ = false;
+  double radius_ = 0.0;  // of the trust region that the polish has come to; 0 before
+  bool is_near_ = false, tells_misfit_ = false;
 };
 
 }  // namespace clothfit

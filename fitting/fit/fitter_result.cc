@@ -8,20 +8,29 @@
 
 #include <fmt/format.h>
 
+#include "fitting/fit/discretisation.h"
 #include "fitting/fit/evaluation.h"
 #include "fitting/fit/fitter.h"
 #include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
 
+Eigen::MatrixXd Fitter::Information(const RowMajorMatrix& jacobian) const {
+  const Eigen::MatrixXd& prior = free_.prior_jacobian();
+  return jacobian.transpose() * jacobian + prior.transpose() * prior;
+}
+
+bool Fitter::LeavesMoreThanNoise() const {
+  const double observed = observations_.NumObserved(0, scene_.last_fitted_frame);
+  return !(2.0 * cost_ <= ChiSquareLimit(observed) * observed);
+}
+
 double Fitter::ExpectedDecrease(const Eigen::VectorXd& residuals,
                                 const RowMajorMatrix& jacobian) const {
   const Eigen::VectorXd prior = free_.PriorResiduals(progress_.theta);
-  const Eigen::MatrixXd& prior_jacobian = free_.prior_jacobian();
   const Eigen::VectorXd gradient =
-      jacobian.transpose() * residuals + prior_jacobian.transpose() * prior;
-  const Eigen::MatrixXd information =
-      jacobian.transpose() * jacobian + prior_jacobian.transpose() * prior_jacobian;
+      jacobian.transpose() * residuals + free_.prior_jacobian().transpose() * prior;
+  const Eigen::MatrixXd information = Information(jacobian);
   std::vector<int> inner;  // entries that may follow their gradient
   for (int i = 0; i < free_.size(); ++i) {
     const FreeEntry& entry = free_.entries()[i];
@@ -62,8 +71,11 @@ void Fitter::Finish(FitResult* result) {
   if (is_complete) {
     result->cost_after =
         0.5 * (residuals.squaredNorm() + free_.PriorResiduals(result->theta).squaredNorm());
+    const std::optional<PointFit> points =
+        tells_misfit_ ? MeasurePoints(scene_, config_, free_, result->theta) : std::nullopt;
+    if (points) result->misfit = points->misfit;
     uncertainty = QuantifyUncertainty(free_, observations_.NumObserved(0, scene_.last_fitted_frame),
-                                      residuals, jacobian);
+                                      residuals, jacobian, points ? points->errors : ModelErrors{});
     // Whoever asks for a rough fit asks for no more than that.
     const double most = std::max(0.01, 10.0 * polish_tolerance_);
     const double decrease = ExpectedDecrease(residuals, jacobian);
@@ -81,6 +93,10 @@ void Fitter::Finish(FitResult* result) {
     uncertainty.determined.assign(static_cast<std::size_t>(free_.size()), false);
     uncertainty.statements.push_back(
         "the open-loop simulation of all fitted frames diverges at the result");
+  }
+  if (is_complete && HasWork() && jacobian.isZero(0.0)) {
+    converged_ = false;
+    uncertainty.statements.push_back("nothing that is free moves what was observed");
   }
   result->noise_factor = uncertainty.noise_factor;
   result->statements = uncertainty.statements;

@@ -67,10 +67,12 @@ struct SearchResult {
 // along a path's control points. Throws InputError where the optimiser does not suit the strategy.
 SearchResult Search(const Scene& scene, const FitConfig& config, const SearchOptions& options);
 
-// A whole fit with report and intervals, by whatever the config asks for: RunFit, followed where it
-// stalls by a search of the fabric on the hard error, or Search.
-FitResult FitByStrategy(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
-                        const FitCheckpoint* resume = nullptr);
+// A whole fit with report and intervals, by whatever the config asks for: RunFit's and, where that
+// leaves more than noise, others beside it from other materials (StagedFit), followed where it
+// stalls by a search of the fabric on the hard error; or Search. Of markers and tracks it tells
+// noise from what mesh and step leave (MeasurePoints).
+FitResult FitByStrategy(const Scene& scene, const FitConfig& config,
+                        const FitCallbacks& callbacks = {}, const FitCheckpoint* resume = nullptr);
 
 // Time of a simulation with derivatives along all of the free vector, were they all at work from
 // its start on, over that of one without, on this machine: medians of `repeats` in turn.

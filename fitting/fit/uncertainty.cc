@@ -93,18 +93,41 @@ std::string Describe(const std::vector<FreeEntry>& entries, const Eigen::VectorX
       "the combination {} is not determined by the recording; it is held at the priors", names);
 }
 
+// What the data know of the free vector: information and gradient at the size that residuals really
+// have, with the amount of the error of mesh and step marginalised.
+struct DataKnow {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+};
+
+DataKnow OfData(const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian, double variance,
+                const ModelErrors& errors) {
+  DataKnow data{jacobian.transpose() * jacobian / variance,
+                jacobian.transpose() * residuals / variance};
+  if (!(errors.amplitude > 0.0)) return data;
+  const Eigen::VectorXd tie = errors.by_entries / variance;
+  const double own = errors.squares / variance + 1.0 / (errors.amplitude * errors.amplitude);
+  data.information -= tie * tie.transpose() / own;
+  return data;
+}
+
+// Rows with J'J = information, which is positive semidefinite but for rounding.
+Eigen::MatrixXd RowsOf(const Eigen::MatrixXd& information) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
+  return eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
 // Fills in the ends of the 95 % intervals.
-void FillIntervals(const FreeParameters& free, const Eigen::VectorXd& residuals,
-                   const RowMajorMatrix& jacobian, const Eigen::MatrixXd& covariance,
-                   Uncertainty* result) {
+void FillIntervals(const FreeParameters& free, const DataKnow& data,
+                   const Eigen::MatrixXd& covariance, Uncertainty* result) {
   constexpr double kTwoSided95 = 1.959964;
   result->upper95 = kTwoSided95 * result->sigma;
   result->lower95 = -result->upper95;
   if (!covariance.allFinite()) return;
-  const double variance = result->noise_factor * result->noise_factor;
   ResponseModel model;
-  model.data_information = jacobian.transpose() * jacobian / variance;
-  model.data_gradient = jacobian.transpose() * residuals / variance;
+  model.data_information = data.information;
+  model.data_gradient = data.gradient;
   model.prior_information = free.prior_jacobian().transpose() * free.prior_jacobian();
   for (const FreeEntry& entry : free.entries()) model.is_log.push_back(entry.is_log);
   for (int i = 0; i < free.size(); ++i) {
@@ -118,16 +141,18 @@ void FillIntervals(const FreeParameters& free, const Eigen::VectorXd& residuals,
 }  // namespace
 
 Uncertainty QuantifyUncertainty(const FreeParameters& free, int num_observed,
-                                const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian) {
+                                const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian,
+                                const ModelErrors& errors) {
   Uncertainty result;
   const int n = free.size();
   const double spare = std::max(1, num_observed - n);
   result.noise_factor = std::max(1.0, std::sqrt(residuals.squaredNorm() / spare));
   if (n == 0) return result;
-  const Eigen::MatrixXd covariance =
-      Covariance(jacobian / result.noise_factor, free.prior_jacobian());
+  const double variance = result.noise_factor * result.noise_factor * errors.correlation;
+  const DataKnow data = OfData(residuals, jacobian, variance, errors);
+  const Eigen::MatrixXd covariance = Covariance(RowsOf(data.information), free.prior_jacobian());
   result.sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-  FillIntervals(free, residuals, jacobian, covariance, &result);
+  FillIntervals(free, data, covariance, &result);
   std::vector<int> physical;
   for (int i = 0; i < n; ++i) {
     const FreeEntry& entry = free.entries()[i];

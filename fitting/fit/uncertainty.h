@@ -12,13 +12,24 @@
 
 namespace clothfit {
 
+// Errors beyond independent noise that the intervals have to hold.
+struct ModelErrors {
+  double correlation = 1.0;  // residuals that say as much as one: variances grow by it
+  // What mesh and step are wrong by, in sigmas, as far as the free entries make up for it: e. Its
+  // products with the Jacobian and with itself. It is one more unknown how many times it is there:
+  // 0, give or take `amplitude`. Empty where e is not known.
+  Eigen::VectorXd by_entries;
+  double squares = 0.0, amplitude = 0.0;
+};
+
 struct Uncertainty {
   Eigen::VectorXd sigma;  // one a free entry, in the free vector's scale
   // Ends of the 95 % interval, as offsets from the solution in the free vector's scale: a physical
   // parameter's are the profile's (fitting/fit/profile_interval.h), others 1.96 sigmas.
   Eigen::VectorXd lower95, upper95;
   std::vector<bool> determined;  // by the data: the posterior variance is below half of the prior's
-  double noise_factor = 1.0;  // residuals over stated sigmas, at least 1; the intervals contain it
+  // Residuals over stated sigmas, at least 1; the intervals contain it, and their correlation.
+  double noise_factor = 1.0;
   std::vector<std::string> statements;  // the directions that the data leave to the prior, in words
 };
 
@@ -28,7 +39,8 @@ struct Uncertainty {
 // with every other free entry projected out, are below 1: there the prior knows more than the data.
 // `num_observed` is the number of observed coordinates, which compressed rows do not show.
 Uncertainty QuantifyUncertainty(const FreeParameters& free, int num_observed,
-                                const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian);
+                                const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian,
+                                const ModelErrors& errors = {});
 
 // The directions of these entries that the data leave to their priors, in words, from the entries'
 // posterior covariance (marginal, in the free vector's scale).

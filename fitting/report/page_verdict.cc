@@ -32,8 +32,9 @@ std::string MainKind(const VerdictFacts& facts) {
   return "";
 }
 
-// Held-out over fitted error of the main kind; empty where nothing is held out.
+// Held-out over fitted error of the main kind; empty where nothing is held out that can be judged.
 std::optional<double> HeldOutRatio(const VerdictFacts& facts) {
+  if (!facts.unknown_handles.empty()) return std::nullopt;
   const ErrorChange* const fitted = Find(facts, MainKind(facts), false);
   const ErrorChange* const held_out = Find(facts, MainKind(facts), true);
   if (fitted == nullptr || held_out == nullptr || *fitted->after <= 0.0) return std::nullopt;
@@ -49,10 +50,14 @@ bool ReachesTheEnd(const VerdictFacts& facts) {
   return facts.simulated_frames >= facts.recorded_frames;
 }
 
+bool IsWithinNoise(const VerdictFacts& facts) {
+  return facts.misfit ? facts.misfit->IsNoise() : facts.noise_factor.value_or(1.0) <= kGoodNoise;
+}
+
 Grade GradeOf(const VerdictFacts& facts) {
   if (facts.status == "failed" || !ReachesTheEnd(facts) || !facts.noise_factor) return Grade::kPoor;
   const double noise = *facts.noise_factor, held_out = HeldOutRatio(facts).value_or(1.0);
-  const bool good = noise <= kGoodNoise && held_out <= kGoodHeldOut;
+  const bool good = IsWithinNoise(facts) && held_out <= kGoodHeldOut;
   if (good && facts.status == "converged") return Grade::kGood;
   const bool partial = noise <= kPartialNoise && held_out <= kPartialHeldOut && IsBetter(facts);
   return partial ? Grade::kPartial : Grade::kPoor;
@@ -62,7 +67,9 @@ std::string Headline(const VerdictFacts& facts, Grade grade) {
   if (!ReachesTheEnd(facts)) return "The simulation breaks down before the recording ends.";
   if (grade == Grade::kGood) return "The simulated cloth moves as the recorded one did.";
   if (grade == Grade::kPoor) return "The simulated cloth does not move as the recorded one did.";
-  if (facts.noise_factor.value_or(0.0) > kGoodNoise) {
+  if (!IsWithinNoise(facts)) {
+    if (facts.misfit && facts.misfit->IsNoiseAndMesh())
+      return "The simulated cloth follows the recorded one as far as its mesh can.";
     return "The simulated cloth follows the recorded one, but not to within its noise.";
   }
   if (HeldOutRatio(facts).value_or(1.0) > kGoodHeldOut) {
@@ -106,6 +113,44 @@ std::string NoiseSentence(double factor) {
       factor,
       factor <= kGoodNoise ? "the noise is understated, or a little physics is missing"
                            : "physics is missing, or the noise is understated");
+}
+
+// Of markers and tracks, whose noise is known.
+std::string MisfitSentence(const Misfit& misfit) {
+  const std::string left =
+      fmt::format("The residuals' chi-square is {:.3g} (1 is expected, noise leaves up to {:.3g})",
+                  misfit.chi_square, misfit.limit);
+  if (misfit.IsNoise()) return left + ": no more than the stated noise.";
+  if (misfit.IsNoiseAndMesh()) {
+    return fmt::format("{}, {:.3g} without what mesh and step leave: no more than both.", left,
+                       *misfit.without_discretisation);
+  }
+  return left +
+         ": physics is missing, the noise is understated, or there is a lower minimum. The "
+         "intervals are widened by what is left.";
+}
+
+std::string MeshSentence(const Misfit& misfit) {
+  constexpr double kSmall = 0.5;  // of the noise
+  if (!misfit.discretisation) return "What mesh and step do to the fit is not known.";
+  return fmt::format("Mesh and step err by {:.2g} times the noise{}; the intervals contain it.",
+                     *misfit.discretisation,
+                     *misfit.discretisation <= kSmall
+                         ? ""
+                         : ": a finer mesh (--resolution) may change what was found");
+}
+
+std::string StartsSentence(const FitStarts& starts) {
+  if (starts.finished == 1) {
+    return fmt::format("Of {} materials that it was begun from one was worth following to the end.",
+                       starts.begun);
+  }
+  return fmt::format(
+      "Begun from {} materials, of which {} were followed to the end; {}.", starts.begun,
+      starts.finished,
+      starts.agreeing == starts.finished
+          ? "they end at the same cost"
+          : "they end at different costs, so that there may be a lower minimum still");
 }
 
 std::string ParameterSentence(const VerdictFacts& facts) {
@@ -170,10 +215,29 @@ PageVerdict JudgeFit(const VerdictFacts& facts) {
   if (const std::optional<double> ratio = HeldOutRatio(facts)) {
     verdict.sentences.push_back(HeldOutSentence(*Find(facts, kind, true), *ratio));
   }
-  if (facts.noise_factor) verdict.sentences.push_back(NoiseSentence(*facts.noise_factor));
+  if (!facts.unknown_handles.empty() && Find(facts, kind, true) != nullptr) {
+    verdict.sentences.push_back(
+        "The frames that were held out cannot be judged: where the handles were then is not known "
+        "of " +
+        JoinNames(facts.unknown_handles) + ".");
+  }
+  if (facts.misfit) {
+    verdict.sentences.push_back(MisfitSentence(*facts.misfit));
+    verdict.sentences.push_back(MeshSentence(*facts.misfit));
+  } else if (facts.noise_factor) {
+    verdict.sentences.push_back(NoiseSentence(*facts.noise_factor));
+  }
+  if (facts.starts.begun > 1) verdict.sentences.push_back(StartsSentence(facts.starts));
+  if (!facts.left_out.empty())
+    verdict.sentences.push_back("Left out as gross errors: " + facts.left_out + ".");
   verdict.sentences.push_back(ParameterSentence(facts));
   for (std::string& sentence : Reservations(facts)) {
     verdict.sentences.push_back(std::move(sentence));
+  }
+  const bool is_missing =
+      facts.misfit && !facts.misfit->IsNoiseAndMesh() && !facts.recording.empty();
+  if (is_missing && facts.status == "converged") {
+    verdict.sentences.push_back("What is missing: 'clothfit diagnose " + facts.recording + "'.");
   }
   return verdict;
 }

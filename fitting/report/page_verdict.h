@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "fitting/fit/fit.h"
+
 namespace clothfit {
 
 // One kind of observation, over the fitted or over the held-out frames.
@@ -25,6 +27,11 @@ struct VerdictFacts {
   int num_free = 0;                                 // physical parameters
   std::vector<std::string> undetermined, at_bound;  // names among them
   int recorded_frames = 0, simulated_frames = 0;
+  std::optional<Misfit> misfit;  // of markers and tracks
+  FitStarts starts;
+  std::string left_out;                      // gross errors, in words; empty where there were none
+  std::vector<std::string> unknown_handles;  // in held-out frames
+  std::string recording;                     // as the command line names it
 };
 
 struct PageVerdict {
@@ -35,8 +42,9 @@ struct PageVerdict {
 };
 std::string ToString(PageVerdict::Grade grade);
 
-// Good: converged, residuals within 1.5 times the stated noise, and held-out errors within 1.5
-// times the fitted ones. Partial: within 5 and 2.5 times, and better than the start. Else poor.
+// Good: converged, residuals that noise alone may leave (Misfit::IsNoise; of outlines within 1.5
+// times the stated noise), and held-out errors within 1.5 times the fitted ones, where those can be
+// judged. Partial: within 5 and 2.5 times, and better than the start. Else poor.
 PageVerdict JudgeFit(const VerdictFacts& facts);
 
 // "2.8 mm", "0.33 px".

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/report/run_record.h"
 
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -59,6 +60,20 @@ void AddErrors(const Json& summary, bool held_out, std::vector<ErrorChange>* err
   }
 }
 
+std::optional<Misfit> MisfitOf(const Json& summary) {
+  const auto found = summary.find("misfit");  // no earlier version has it
+  if (found == summary.end() || !found->is_object()) return std::nullopt;
+  Misfit misfit;
+  misfit.observed = found->value("observed", 0);
+  misfit.chi_square = NumberAt(*found, "chi_square").value_or(NAN);
+  misfit.limit = NumberAt(*found, "limit").value_or(NAN);
+  misfit.correlation = NumberAt(*found, "correlation").value_or(1.0);
+  misfit.discretisation = NumberAt(*found, "discretisation");
+  misfit.amplitude = NumberAt(*found, "amplitude");
+  misfit.without_discretisation = NumberAt(*found, "without_discretisation");
+  return misfit;
+}
+
 }  // namespace
 
 RunRecord ReadRunRecord(const RunFolder& run) {
@@ -83,6 +98,14 @@ VerdictFacts FactsOf(const RunRecord& record) {
   AddErrors(summary, true, &facts.errors);
   facts.noise_factor = NumberAt(summary, "noise_factor");
   facts.recorded_frames = summary.at("frames").value("recorded", 0);
+  facts.misfit = MisfitOf(summary);
+  const Json none = Json::object();
+  const Json starts = summary.value("starts", none);
+  facts.starts = {starts.value("begun", 1), starts.value("finished", 1),
+                  starts.value("agreeing", 1)};
+  facts.left_out = summary.value("left_out", none).value("in_words", "");
+  facts.unknown_handles = summary.value("unknown_in_held_out_frames", std::vector<std::string>());
+  facts.recording = summary.value("recording", none).value("path", "");
   facts.simulated_frames = summary.at("frames").value("simulated", 0);
   const std::vector<NamedParameter> table = MakeParameterTable();
   for (const auto& [name, estimate] : summary.at("parameters").items()) {

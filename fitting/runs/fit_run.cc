@@ -161,6 +161,15 @@ void CheckFittable(const Scene& scene) {
       "nothing to fit: expected markers, tracks or masks in the frames that are fitted");
 }
 
+std::vector<std::string> HandlesUnknownInHeldOutFrames(const Scene& scene) {
+  const auto& range = scene.recording.splits.held_out_frames;
+  std::vector<std::string> names;
+  for (const SceneHandle& handle : scene.handles)
+    if (range && range->last > scene.last_fitted_frame && !handle.path.is_known())
+      names.push_back(handle.name);
+  return names;
+}
+
 FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
                      const FitCallbacks& callbacks, bool resume) {
   const FreeParameters free(config, scene, MakeParameterTable());

@@ -4,6 +4,9 @@
 // Fits and simulations that leave a run folder.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "fitting/fit/fit.h"
 #include "fitting/runs/run_folder.h"
 
@@ -19,10 +22,14 @@ void CheckContact(const Scene& scene, const FitConfig& config);
 // As CheckSimulable(), and where the scene has nothing that a fit could go by.
 void CheckFittable(const Scene& scene);
 
-// RunFit with everything written into the run: config and log at once, the checkpoint after every
-// accepted step, the results at the end. The checkpoint stays behind where more can be had: after
-// an interruption, or when the iterations were used up. `callbacks` are called too. `resume` goes
-// on from the run's own checkpoint, or from the beginning where it has none yet.
+// Names of the handles whose paths are not known and, in held-out frames after the fitted ones, are
+// not found either: what is predicted there says nothing.
+std::vector<std::string> HandlesUnknownInHeldOutFrames(const Scene& scene);
+
+// FitByStrategy with everything written into the run: config and log at once, the checkpoint after
+// every accepted step, the results at the end. The checkpoint stays behind where more can be had:
+// after an interruption, or when the iterations were used up. `callbacks` are called too. `resume`
+// goes on from the run's own checkpoint, or from the beginning where it has none yet.
 FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
                      const FitCallbacks& callbacks, bool resume);
 

@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "fitting/files/version.h"
+#include "fitting/runs/fit_run.h"
 #include "fitting/runs/run_folder.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/outliers/outliers.h"
 
 namespace clothfit {
 namespace {
@@ -37,6 +39,41 @@ Json Frames(const Scene& scene, const FitResult& result) {
   return {{"recorded", scene.recording.frame_count},
           {"fitted", fitted},
           {"simulated", result.after.frames}};
+}
+
+Json MisfitAsJson(const std::optional<Misfit>& misfit) {
+  if (!misfit) return nullptr;
+  return {{"observed", misfit->observed},
+          {"chi_square", OrNull(misfit->chi_square)},
+          {"limit", OrNull(misfit->limit)},
+          {"correlation", OrNull(misfit->correlation)},
+          {"discretisation", OrNull(misfit->discretisation)},
+          {"amplitude", OrNull(misfit->amplitude)},
+          {"without_discretisation", OrNull(misfit->without_discretisation)}};
+}
+
+// All of what was left out in words, and the worst few.
+Json LeftOutAsJson(const Recording& recording) {
+  constexpr std::size_t kWorst = 10;
+  const std::vector<Outlier>& out = recording.left_out;
+  const auto markers =
+      std::count_if(out.begin(), out.end(), [](const Outlier& o) { return o.IsMarker(); });
+  Json json = {{"markers", markers},
+               {"tracks", static_cast<std::ptrdiff_t>(out.size()) - markers},
+               {"in_words", DescribeOutliers(recording)},
+               {"worst", Json::array()}};
+  for (std::size_t i = 0; i < std::min(kWorst, out.size()); ++i) {
+    if (const auto* marker = std::get_if<Marker>(&out[i].point)) {
+      json["worst"].push_back(
+          {{"marker", marker->id}, {"frame", marker->frame}, {"off_m", out[i].off}});
+    } else if (const auto* track = std::get_if<Track>(&out[i].point)) {
+      json["worst"].push_back({{"track", track->id},
+                               {"camera", recording.cameras[track->camera].name},
+                               {"frame", track->frame},
+                               {"off_px", out[i].off}});
+    }
+  }
+  return json;
 }
 
 Json EstimateAsJson(const ParameterEstimate& estimate) {
@@ -74,6 +111,12 @@ void RunFolder::WriteSummary(const Scene& scene, const FitConfig& config,
   json["frames"] = Frames(scene, result);
   json["halvings"] = result.steps.halvings;
   json["noise_factor"] = OrNull(result.noise_factor);
+  json["misfit"] = MisfitAsJson(result.misfit);
+  json["starts"] = {{"begun", result.starts.begun},
+                    {"finished", result.starts.finished},
+                    {"agreeing", result.starts.agreeing}};
+  json["left_out"] = LeftOutAsJson(scene.recording);
+  json["unknown_in_held_out_frames"] = HandlesUnknownInHeldOutFrames(scene);
   json["statements"] = result.statements;
   json["parameters"] = Json::object();
   for (const ParameterEstimate& estimate : result.estimates) {

@@ -8,6 +8,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/fit/search.h"
 
 namespace clothfit {
 namespace {
@@ -43,11 +44,12 @@ double Coverage::Wilson(double side) const {
 RecoveredSeed RecoverSeed(const RecoveryOptions& options, int seed) {
   SyntheticOptions recording_options = options.recording;
   recording_options.seed = static_cast<std::uint64_t>(seed);
-  const SyntheticRecording synthetic = MakeSyntheticRecording(recording_options);
+  const SyntheticRecording synthetic =
+      MakeSyntheticRecording(recording_options, {}, options.generator);
   FitConfig config = DefaultConfig(synthetic.recording);
   config.max_iterations = options.max_iterations;
   const Scene scene = MakeScene(synthetic.recording, config);
-  const FitResult fit = RunFit(scene, config);
+  const FitResult fit = FitByStrategy(scene, config);
   RecoveredSeed result;
   result.seed = seed;
   result.status = fit.status;

@@ -17,6 +17,7 @@ namespace clothfit {
 struct RecoveryOptions {
   // The recording, of which each seed changes the noise. The parameters are the truth.
   SyntheticOptions recording;
+  SyntheticGenerator generator;  // of it
   int first_seed = 1;
   int num_seeds = 20;
   int num_threads = 2;  // seeds fitted at the same time; has no influence on the result

@@ -62,21 +62,6 @@ FittedScene WithOtherSteps(const FittedScene& fitted, const std::array<int, 2>& 
   return other;
 }
 
-int FinerSide(int side) {
-  constexpr double kTimes = 1.5;
-  return 1 + static_cast<int>(std::lround(kTimes * (side - 1)));
-}
-
-std::array<int, 2> GridWithSide(const std::array<int, 2>& grid, int longest_side) {
-  const int longer = std::max(grid[0], grid[1]);
-  std::array<int, 2> other = grid;
-  for (int& n : other) {
-    const double share = static_cast<double>(longest_side - 1) / (longer - 1);
-    n = 1 + std::max(1, static_cast<int>(std::lround(share * (n - 1))));
-  }
-  return other;
-}
-
 Pass BaselinePass(const FittedScene& fitted) {
   Pass pass{fitted.values, true, true};
   for (auto& [name, setting] : pass.config.parameters)

@@ -14,6 +14,7 @@
 
 #include "fitting/diagnosis/fitted/faults.h"
 #include "fitting/fit/fit.h"
+#include "fitting/scene/grid_side.h"
 
 namespace clothfit {
 
@@ -35,11 +36,6 @@ bool HasPoints(const Scene& scene);
 // The same fit on another mesh or with another step; nothing is fitted again.
 FittedScene WithOtherSteps(const FittedScene& fitted, const std::array<int, 2>& resolution,
                            double max_step);
-
-// A grid of the same shape with this many particles along its longer side.
-std::array<int, 2> GridWithSide(const std::array<int, 2>& grid, int longest_side);
-// Particles along a side of the next finer mesh.
-int FinerSide(int side);
 
 // Frames whose rows are looked at, and where their rows begin.
 class RowFrames {

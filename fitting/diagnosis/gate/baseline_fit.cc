@@ -6,15 +6,14 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/fitted/refit.h"
+#include "fitting/fit/other_starts.h"
 
 namespace clothfit {
 namespace {
@@ -78,32 +77,6 @@ FittedScene FitFromOthers(FittedScene best, const DiagnosisOptions& options) {
 }
 
 }  // namespace
-
-std::vector<FitConfig> OtherStarts(const FitConfig& config) {
-  constexpr double kLively = 0.1, kStiff = 20.0, kStretchy = 0.1;
-  const auto scale = [](const std::string& name, double factor, FitConfig* of) {
-    ParameterSetting& setting = of->parameters.at(name);
-    if (setting.free)
-      setting.value = std::clamp(factor * setting.value, setting.lower, setting.upper);
-  };
-  FitConfig lively = config;
-  for (const NamedParameter& named : MakeParameterTable()) {
-    const bool is_of_fabric = named.role == Role::kOrdinary && named.parameter.is_free;
-    if (is_of_fabric && std::string_view(named.parameter.name) == "damping")
-      scale(named.name, kLively, &lively);
-  }
-  FitConfig stiff = lively, stretchy = lively;
-  scale("bending.stiffness", kStiff, &stiff);
-  scale("stretch.stiffness", kStretchy, &stretchy);
-  std::vector<FitConfig> others;
-  for (const FitConfig& other : {lively, stiff, stretchy}) {
-    const bool is_new = std::none_of(others.begin(), others.end(), [&](const FitConfig& before) {
-      return ConfigDifferences(before, other).empty();
-    });
-    if (is_new && !ConfigDifferences(config, other).empty()) others.push_back(other);
-  }
-  return others;
-}
 
 FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
                         const DiagnosisOptions& options) {

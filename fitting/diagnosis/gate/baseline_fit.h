@@ -5,8 +5,6 @@
 // local minimum of the cost.
 #pragma once
 
-#include <vector>
-
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/fitted/rows.h"
 
@@ -21,10 +19,5 @@ inline constexpr int kFirstIterations = 5;  // enough to see which starts and mo
 // every start.
 FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
                         const DiagnosisOptions& options);
-
-// Other material parameters to begin with: one with a tenth of the damping, and that one with
-// twenty times the stiffness in bending, or with a tenth of that in stretch. What is not free stays
-// as it is, and starts that come out equal, or equal to the config's own, are left out.
-std::vector<FitConfig> OtherStarts(const FitConfig& config);
 
 }  // namespace clothfit

@@ -61,6 +61,48 @@ TEST(PageVerdict, IsNoBetterThanItsWorstPart) {
   EXPECT_THAT(JudgeFit(broken).sentences, Contains("Only 12 of 50 frames could be simulated."));
 }
 
+Misfit MisfitOf(double chi_square, double without_discretisation) {
+  Misfit misfit;
+  misfit.chi_square = chi_square;
+  misfit.limit = 1.05;
+  misfit.discretisation = 0.8;
+  misfit.without_discretisation = without_discretisation;
+  return misfit;
+}
+
+TEST(PageVerdict, CallsNothingGoodThatLeavesMoreThanNoise) {
+  VerdictFacts facts = GoodFacts();
+  facts.recording = "recordings/r";
+  facts.misfit = MisfitOf(1.04, 1.0);
+  EXPECT_EQ(JudgeFit(facts).grade, Grade::kGood);
+  facts.misfit = MisfitOf(1.2, 1.04);
+  EXPECT_EQ(JudgeFit(facts).grade, Grade::kPartial);
+  EXPECT_THAT(JudgeFit(facts).headline, HasSubstr("as far as its mesh can"));
+  EXPECT_THAT(JudgeFit(facts).sentences, Not(Contains(HasSubstr("clothfit diagnose"))));
+  facts.misfit = MisfitOf(1.2, 1.1);
+  EXPECT_EQ(JudgeFit(facts).grade, Grade::kPartial);
+  EXPECT_THAT(JudgeFit(facts).headline, HasSubstr("not to within its noise"));
+  EXPECT_THAT(JudgeFit(facts).sentences, Contains(HasSubstr("clothfit diagnose recordings/r")));
+}
+
+TEST(PageVerdict, SaysWhereHeldOutFramesCannotBeJudged) {
+  VerdictFacts facts = GoodFacts();
+  facts.errors[1].after = 0.1;
+  EXPECT_EQ(JudgeFit(facts).grade, Grade::kPoor);
+  facts.unknown_handles = {"left", "right"};
+  EXPECT_EQ(JudgeFit(facts).grade, Grade::kGood);
+  EXPECT_THAT(JudgeFit(facts).sentences, Contains(HasSubstr("cannot be judged")));
+  EXPECT_THAT(JudgeFit(facts).sentences, Not(Contains(HasSubstr("than it fits"))));
+}
+
+TEST(PageVerdict, TellsHowManyStartsAgree) {
+  VerdictFacts facts = GoodFacts();
+  facts.starts = {4, 2, 2};
+  EXPECT_THAT(JudgeFit(facts).sentences, Contains(HasSubstr("end at the same cost")));
+  facts.starts.agreeing = 1;
+  EXPECT_THAT(JudgeFit(facts).sentences, Contains(HasSubstr("there may be a lower minimum")));
+}
+
 TEST(PageVerdict, NamesWhatTheDataLeaveOpen) {
   VerdictFacts facts = GoodFacts();
   facts.undetermined = {"air_drag.normal"};

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What mesh and step do to a fit, and how far its markers and tracks are met.
+#pragma once
+
+#include <optional>
+
+#include "fitting/fit/misfit.h"
+#include "fitting/fit/uncertainty.h"
+#include "fitting/rollout/free_parameters.h"
+
+namespace clothfit {
+
+struct PointFit {
+  Misfit misfit;
+  ModelErrors errors;
+};
+
+// Of the fitted markers and tracks at theta; empty where there are none, or they cannot be
+// simulated.
+//
+// The error of mesh and step is estimated from one simulation on the finer mesh (FinerSide) with
+// half the step, as if both errors were of second order (Richardson): the converged simulation lies
+// 1 / (1 - 1 / kFiner^2) times as far off as the finer one, a little more than that of the step.
+// Where the mesh is no grid or the finer simulation fails it is not known.
+//
+// Two simulations, one of them with derivatives, side by side.
+std::optional<PointFit> MeasurePoints(const Scene& scene, const FitConfig& config,
+                                      const FreeParameters& free, const Eigen::VectorXd& theta);
+
+}  // namespace clothfit

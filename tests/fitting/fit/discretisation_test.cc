@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What mesh and step do to a fit, against fits and simulations on finer meshes.
+#include "fitting/fit/discretisation.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/fit/search.h"
+#include "fitting/rollout/window_cost.h"
+#include "fitting/studies/recovery_study.h"
+
+namespace clothfit {
+namespace {
+
+// Of a cloth that was simulated on a mesh much finer than those it is fitted with.
+Recording FinelyMeshed() {
+  SyntheticOptions options = DemoRecording();
+  options.resolution = {25, 25};
+  options.markers = {7, 7};
+  options.frame_count = 24;
+  return MakeSyntheticRecording(options).recording;
+}
+
+FitConfig ConfigOf(const Recording& recording, int side) {
+  FitConfig config = DefaultConfig(recording);
+  config.resolution = {side, side};
+  config.other_starts = false;
+  config.coarse_resolution = 0;
+  return config;
+}
+
+std::optional<PointFit> MeasureAtStart(const Recording& recording, int side) {
+  const FitConfig config = ConfigOf(recording, side);
+  const Scene scene = MakeScene(recording, config);
+  const FreeParameters free(config, scene, MakeParameterTable());
+  return MeasurePoints(scene, config, free, free.start());
+}
+
+Eigen::VectorXd ResidualsOnMesh(const Recording& recording, int side, double step) {
+  FitConfig config = ConfigOf(recording, side);
+  config.max_step = step;
+  const Scene scene = MakeScene(recording, config);
+  const FreeParameters free(config, scene, MakeParameterTable());
+  Eigen::VectorXd residuals;
+  EXPECT_TRUE(EvaluateResiduals(scene, config, free, free.start(), scene.last_fitted_frame,
+                                &residuals, nullptr));
+  return residuals.head(ObservationResiduals(scene, config).Count(0, scene.last_fitted_frame));
+}
+
+// Springs have no clean order of convergence, so that the error is estimated to a factor of two.
+TEST(Discretisation, IsEstimatedToAFactorOfTwo) {
+  const Recording recording = FinelyMeshed();
+  const Eigen::VectorXd truth = ResidualsOnMesh(recording, 41, 1.0 / 960.0);
+  for (const int side : {9, 13}) {
+    const Eigen::VectorXd own = ResidualsOnMesh(recording, side, 1.0 / 120.0);
+    const double error = (own - truth).norm() / std::sqrt(static_cast<double>(own.size()));
+    const auto points = MeasureAtStart(recording, side);
+    ASSERT_TRUE(points && points->misfit.discretisation);
+    EXPECT_LT(*points->misfit.discretisation, 2.0 * error) << side;
+    EXPECT_GT(*points->misfit.discretisation, 0.5 * error) << side;
+  }
+}
+
+// Of a recording whose truth has a finer mesh the error is found in the residuals; of one whose
+// truth has the fit's own mesh it is not.
+TEST(Discretisation, IsFoundWhereItIs) {
+  const auto amplitude = [](const Recording& recording) {
+    const FitConfig config = ConfigOf(recording, 9);
+    const FitResult fit = FitByStrategy(MakeScene(recording, config), config);
+    EXPECT_TRUE(fit.misfit && fit.misfit->amplitude);
+    EXPECT_LE(*fit.misfit->without_discretisation, fit.misfit->chi_square * (1.0 + 1e-3));
+    return *fit.misfit->amplitude;
+  };
+  SyntheticOptions own = DemoRecording();
+  own.resolution = {9, 9};
+  own.markers = {7, 7};
+  own.frame_count = 24;
+  EXPECT_LT(std::abs(amplitude(MakeSyntheticRecording(own).recording)), 0.25);
+  EXPECT_GT(amplitude(FinelyMeshed()), 0.3);
+}
+
+// Intervals on a coarse mesh hold more of what a finer one finds than those that do not know of it.
+// How often they hold the truth is measured by `clothfit study recovery --finite-elements`.
+TEST(Discretisation, WidensIntervals) {
+  const Recording recording = FinelyMeshed();
+  const FitConfig coarse = ConfigOf(recording, 9), fine = ConfigOf(recording, 17);
+  const FitResult on_coarse = FitByStrategy(MakeScene(recording, coarse), coarse);
+  const FitResult on_fine = FitByStrategy(MakeScene(recording, fine), fine);
+  const FitResult plain = RunFit(MakeScene(recording, coarse), coarse);
+  int checked = 0, held = 0, held_by_plain = 0;
+  std::string missed;
+  for (std::size_t i = 0; i < on_fine.estimates.size(); ++i) {
+    const ParameterEstimate& found = on_coarse.estimates[i];
+    if (!found.free || !found.determined || !on_fine.estimates[i].determined) continue;
+    const double value = on_fine.estimates[i].value;
+    ++checked;
+    const bool is_held = value >= found.lower95 && value <= found.upper95;
+    if (is_held) ++held;
+    if (!is_held) {
+      missed += fmt::format("{} {:.4g} .. {:.4g}, on the finer mesh {:.4g}; ", found.name,
+                            found.lower95, found.upper95, value);
+    }
+    if (value >= plain.estimates[i].lower95 && value <= plain.estimates[i].upper95) ++held_by_plain;
+    EXPECT_LE(found.lower95, plain.estimates[i].lower95 * (1.0 + 1e-9)) << found.name;
+    EXPECT_GE(found.upper95, plain.estimates[i].upper95 * (1.0 - 1e-9)) << found.name;
+  }
+  EXPECT_GE(checked, 4);
+  EXPECT_GT(held, held_by_plain) << missed;
+}
+
+TEST(Discretisation, IsNotKnownOfMeshesThatAreNoGrid) {
+  const Recording recording = FinelyMeshed();
+  const FitConfig config = ConfigOf(recording, 7);
+  Scene scene = MakeScene(recording, config);
+  scene.mesh.grid = {0, 0};
+  const FreeParameters free(config, scene, MakeParameterTable());
+  const auto points = MeasurePoints(scene, config, free, free.start());
+  ASSERT_TRUE(points);
+  EXPECT_FALSE(points->misfit.discretisation);
+  EXPECT_EQ(points->errors.by_entries.size(), 0);
+}
+
+}  // namespace
+}  // namespace clothfit
