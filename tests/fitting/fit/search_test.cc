@@ -106,8 +106,8 @@ TEST_P(TwoLoops, SearchFabricOutsideAndHandlesInside) {
   const SearchResult first = Search(known.scene, config, options);
   options.budget.evaluations = GetParam() == std::string("lm") ? 200.0 : 150.0;
   const SearchResult found = Search(known.scene, config, options);
-  EXPECT_LT(found.error, first.error) << found.reason << ", " << found.simulations << " of "
-                                      << first.simulations;
+  EXPECT_LT(found.error, first.error)
+      << found.reason << ", " << found.simulations << " of " << first.simulations;
   ExpectFallingHistory(found);
   EXPECT_EQ(static_cast<int>(found.positions.size()), known.scene.last_fitted_frame + 1);
   EXPECT_TRUE(std::isfinite(found.open_loop_error));
