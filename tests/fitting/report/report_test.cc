@@ -8,6 +8,7 @@
 
 #include "fitting/files/npy_file.h"
 #include "fitting/report/html.h"
+#include "fitting/report/run_record.h"
 #include "tests/fitting/report/test_assets.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_run.h"
@@ -48,6 +49,22 @@ class Report : public testing::Test {
 };
 TestFolder* Report::made_ = nullptr;
 ReportPage* Report::page_ = nullptr;
+
+// What a fit measured comes back from summary.json.
+TEST_F(Report, KnowsHowTheFitMeetsItsNoise) {
+  const VerdictFacts facts = FactsOf(ReadRunRecord(RunFolder::Open(run_)));
+  ASSERT_TRUE(facts.misfit);
+  EXPECT_GT(facts.misfit->observed, 0);
+  EXPECT_GT(facts.misfit->chi_square, 0.0);
+  EXPECT_GT(facts.misfit->limit, 1.0);
+  EXPECT_GE(facts.misfit->correlation, 1.0);
+  EXPECT_TRUE(facts.misfit->discretisation && facts.misfit->amplitude &&
+              facts.misfit->without_discretisation);
+  EXPECT_GE(facts.starts.begun, facts.starts.finished);
+  EXPECT_EQ(facts.left_out, "");
+  EXPECT_FALSE(facts.recording.empty());
+  EXPECT_THAT(page_->html, HasSubstr("chi-square"));
+}
 
 TEST_F(Report, StandsAlone) {
   EXPECT_THAT(page_->html, HasSubstr("<!doctype html>"));
