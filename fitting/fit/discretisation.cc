@@ -60,16 +60,13 @@ double RootMeanSquare(const Eigen::VectorXd& values) {
   return values.norm() / std::sqrt(std::max<double>(1.0, static_cast<double>(values.size())));
 }
 
-// How much of the error is there, 0 or more: what is found of its visible part, which no entry
-// makes up for, or as much of that as explains what is left beyond noise, whichever is larger. Of
-// the other part nothing is seen, so that it is taken to be as much.
-double Amplitude(const Misfit& misfit, const Eigen::VectorXd& visible,
-                 const Eigen::VectorXd& residuals) {
-  const double squares = visible.squaredNorm();
+// How much of the error is there, 0 or more: what is found of its visible part (`squares`: of its
+// rows), which no entry makes up for, or as much of that as explains what is left beyond noise,
+// whichever is larger. Of the other part nothing is seen, so that it is taken to be as much.
+double Amplitude(const Misfit& misfit, double squares, double found) {
   if (!(squares > 0.0)) return 1.0;
-  const double found = std::abs(visible.dot(residuals)) / squares;
   const double beyond_noise = std::max(0.0, misfit.chi_square - misfit.limit);
-  return std::max(found, std::sqrt(beyond_noise * misfit.observed / squares));
+  return std::max(std::abs(found), std::sqrt(beyond_noise * misfit.observed / squares));
 }
 
 void AddDiscretisation(const PointRows& own, const PointRows& finer,
@@ -84,10 +81,11 @@ void AddDiscretisation(const PointRows& own, const PointRows& finer,
   if (!factor) return;
   const Eigen::VectorXd made_up = own.jacobian * factor->solve(own.jacobian.transpose() * error);
   const Eigen::VectorXd visible = error - made_up;
-  misfit.amplitude = fit->errors.amplitude = Amplitude(misfit, visible, own.residuals);
+  const double squares = visible.squaredNorm();
+  const double found = squares > 0.0 ? visible.dot(own.residuals) / squares : 0.0;
+  misfit.amplitude = fit->errors.amplitude = Amplitude(misfit, squares, found);
   fit->errors.by_entries = own.jacobian.transpose() * made_up;
   fit->errors.squares = made_up.squaredNorm();
-  const double found = visible.dot(own.residuals) / std::max(visible.squaredNorm(), 1e-300);
   misfit.without_discretisation =
       (own.residuals - found * visible).squaredNorm() /
       std::max(1, misfit.observed - static_cast<int>(information.rows()));

@@ -3,7 +3,6 @@
 #include "fitting/fit/fitter.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -351,30 +350,31 @@ double Fitter::Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) co
   return 0.5 * (residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());
 }
 
-void Fitter::Linearise(const Eigen::VectorXd& theta) {
-  const WindowStart start = simulator_.FirstStart(theta);
+void Fitter::Linearise(const Eigen::VectorXd& theta, WindowSimulator* simulator) {
+  const WindowStart start = simulator->FirstStart(theta);
   at_best_ = {};
   cost_ = std::numeric_limits<double>::infinity();
-  if (EvaluateWindow(&simulator_, observations_, start, theta, 0, scene_.last_fitted_frame,
-                     WindowRows::kCompressed, &at_best_.residuals,
-                     &at_best_.jacobian) != Outcome::kComplete) {
+  const Outcome outcome =
+      EvaluateWindow(simulator, observations_, start, theta, 0, scene_.last_fitted_frame,
+                     WindowRows::kCompressed, &at_best_.residuals, &at_best_.jacobian);
+  if (outcome == Outcome::kComplete) {
+    at_best_.theta = theta;
+    cost_ = 0.5 * (at_best_.residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());
+  } else {
     at_best_ = {};
-    return;
   }
-  at_best_.theta = theta;
-  at_best_.steps = simulator_.last_report();
-  cost_ = 0.5 * (at_best_.residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());
+  at_best_.steps = simulator->last_report();
 }
 
 void Fitter::StartPolish() {
   stage_ = fmt::format("all frames (0-{})", scene_.last_fitted_frame);
   stage_begin_ = 1.0 - (stage_share_ = num_windows_ > 1 ? 0.6 : 1.0);
-  Linearise(progress_.theta);
+  Linearise(progress_.theta, &simulator_);
   if (cost_before_ < cost_ && progress_.theta != free_.start() && !Stopped()) {
     Log("the windows' result explains all frames worse than the start does; going on from the "
         "start");
     progress_.theta = free_.start();
-    Linearise(progress_.theta);
+    Linearise(progress_.theta, &simulator_);
   }
 }
 
@@ -438,17 +438,6 @@ void Fitter::Begin(const FitCheckpoint* resume) {
 FitResult Fitter::End() {
   FitResult result;
   Finish(&result);
-  return result;
-}
-
-FitResult Fitter::Run(const FitCheckpoint* resume) {
-  const auto begin = std::chrono::steady_clock::now();
-  FitResult result;
-  MeasureStart(&result);
-  Begin(resume);
-  Advance(config_.max_iterations);
-  Finish(&result);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One fit at one resolution: windows that hand state and information on, then all frames at once.
-// Behind RunFit; nothing else includes it.
+// Behind StagedFit and FitByStrategy; nothing else includes it.
 #pragma once
 
 #include <limits>
@@ -30,9 +30,6 @@ class Fitter {
   // Its result tells noise from what mesh and step leave (MeasurePoints).
   void TellMisfit() { tells_misfit_ = true; }
   FitResult Run(const FitCheckpoint* resume);
-  // The same in parts, so that fits can be compared while they are under way: what comes before the
-  // fit of all frames; iterations of that, which go on where the last ones ended; and the result.
-  // Nothing is measured of the config's own start.
   void Begin(const FitCheckpoint* resume);
   void Advance(int most_iterations);
   FitResult End();
@@ -43,7 +40,6 @@ class Fitter {
   // Measures the config's own start for a result; what comes before the fit of all frames must not
   // explain them worse than that.
   void MeasureStart(FitResult* result);
-  bool has_converged() const { return converged_; }
   const Eigen::VectorXd& theta() const { return progress_.theta; }
   // Adds the iterations and the simulated frames so far.
   void AddWorkTo(FitResult* result) const;
@@ -77,8 +73,9 @@ class Fitter {
   bool ContinueHandlePaths(FrameByFrame* search, int first, int last);
   void ToStart();
   bool HasWork() const;
-  // All frames at once from here, with derivatives, as at_best_.
-  void Linearise(const Eigen::VectorXd& theta);
+  // All frames at once from here, with derivatives, as at_best_; which is not at theta where they
+  // cannot be simulated.
+  void Linearise(const Eigen::VectorXd& theta, WindowSimulator* simulator);
   void RunWindows();
   bool RunWindow(int window, WindowStart* start);
   // Frees the state at a later window's start: the offsets of the initial state now are offsets

@@ -53,17 +53,8 @@ void Fitter::Finish(FitResult* result) {
   result->iterations = iterations_;
   // What follows is short and must be done even after an interruption.
   WindowSimulator simulator(scene_, config_, free_, false, nullptr);
-  bool is_complete = at_best_.IsAt(result->theta);
-  if (!is_complete) {
-    const WindowStart start = simulator.FirstStart(result->theta);
-    at_best_ = {};
-    is_complete =
-        EvaluateWindow(&simulator, observations_, start, result->theta, 0, scene_.last_fitted_frame,
-                       WindowRows::kCompressed, &at_best_.residuals,
-                       &at_best_.jacobian) == WindowSimulator::Outcome::kComplete;
-    if (is_complete) at_best_.theta = result->theta;
-    at_best_.steps = simulator.last_report();
-  }
+  if (!at_best_.IsAt(result->theta)) Linearise(result->theta, &simulator);
+  const bool is_complete = at_best_.IsAt(result->theta);
   const Eigen::VectorXd& residuals = at_best_.residuals;
   const RowMajorMatrix& jacobian = at_best_.jacobian;
   result->steps = at_best_.steps;

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fitting/fit/fitter.h"
@@ -51,7 +52,7 @@ class StagedFit {
   // Free vectors with another material each.
   std::vector<Eigen::VectorXd> OtherThetas(const Scene& scene, const FitConfig& config,
                                            const Eigen::VectorXd& theta) const;
-  // Fits from others where the first, which has ended, leaves more than noise may; the best first.
+  // Fits from others where the first, which has ended, leaves more than noise may; added behind it.
   void AddOthers(const Scene& scene, const FitConfig& config, int most_iterations,
                  const Stage& stage, Chains* chains);
   // All of them, side by side, up to so many iterations of each.
@@ -60,8 +61,10 @@ class StagedFit {
   void Race(const Stage& stage, Chains* chains);
   // The best, at most kFollowed of them, and none that costs more than kNearly times the least.
   void KeepBest(Chains* chains);
+  // Free vectors that the coarse fits found, the best first. Beside them the fine one measures its
+  // start.
   std::vector<Eigen::VectorXd> FitCoarse(const FitConfig& coarser, const FitCheckpoint* resume,
-                                         Chain* fine, FitResult* result);
+                                         Chain* fine, FitResult* before);
   void CountAgreeing(const Chains& chains, FitResult* result) const;
 
   const Scene& scene_;
