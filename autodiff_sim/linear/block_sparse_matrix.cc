@@ -68,15 +68,15 @@ template <int kColumns>
 void BlockSparseMatrix::AddProduct(const Lanes<kColumns>& x, double scale,
                                    Lanes<kColumns>* y) const {
   using Row = Eigen::Matrix<double, 1, kColumns>;
-  const double* block = values_.data();
   for (int row = 0; row < pattern_->num_rows(); ++row) {
     Row sum0 = Row::Zero(), sum1 = Row::Zero(), sum2 = Row::Zero();
-    for (int k = pattern_->row_begin[row]; k < pattern_->row_begin[row + 1]; ++k, block += 9) {
+    for (int k = pattern_->row_begin[row]; k < pattern_->row_begin[row + 1]; ++k) {
+      const double *row0 = block(k), *row1 = row0 + kRow, *row2 = row1 + kRow;
       const int col = 3 * pattern_->column[k];
       const Row x0 = x.row(col), x1 = x.row(col + 1), x2 = x.row(col + 2);
-      sum0 += block[0] * x0 + block[1] * x1 + block[2] * x2;
-      sum1 += block[3] * x0 + block[4] * x1 + block[5] * x2;
-      sum2 += block[6] * x0 + block[7] * x1 + block[8] * x2;
+      sum0 += row0[0] * x0 + row0[1] * x1 + row0[2] * x2;
+      sum1 += row1[0] * x0 + row1[1] * x1 + row1[2] * x2;
+      sum2 += row2[0] * x0 + row2[1] * x1 + row2[2] * x2;
     }
     y->row(3 * row) += scale * sum0;
     y->row(3 * row + 1) += scale * sum1;
@@ -86,11 +86,12 @@ void BlockSparseMatrix::AddProduct(const Lanes<kColumns>& x, double scale,
 
 void FloatBlockMatrix::Round(const BlockSparseMatrix& a) {
   const FlushDenormals flush;
-  const double* block = a.block(0);
-  for (float* rounded = values_.data(); rounded != values_.data() + values_.size();
-       rounded += 12, block += 9) {
+  float* rounded = values_.data();
+  for (int k = 0; k < pattern_->num_blocks(); ++k, rounded += 12) {
+    const double* block = a.block(k);
     for (int q = 0; q < 3; ++q) {
-      for (int p = 0; p < 3; ++p) rounded[4 * q + p] = static_cast<float>(block[3 * p + q]);
+      for (int p = 0; p < 3; ++p)
+        rounded[4 * q + p] = static_cast<float>(block[BlockSparseMatrix::kRow * p + q]);
     }
   }
 }

@@ -41,23 +41,30 @@ BlockPattern ExtendPattern(const BlockPattern& pattern,
 
 class BlockSparseMatrix {
  public:
+  // Numbers from one row of a block to the next: three and one that means nothing, so that a row is
+  // added to at once.
+  static constexpr int kRow = 4;
+
   explicit BlockSparseMatrix(const BlockPattern* pattern)
-      : pattern_(pattern), values_(9 * static_cast<std::size_t>(pattern->num_blocks()), 0.0) {}
+      : pattern_(pattern), rows_(3 * static_cast<std::size_t>(pattern->num_blocks())) {}
 
   const BlockPattern& pattern() const { return *pattern_; }
-  void SetZero() { std::fill(values_.begin(), values_.end(), 0.0); }
+  void SetZero() { std::fill(rows_.begin(), rows_.end(), BlockRow()); }
 
-  // The block with this index, 9 numbers, row after row.
-  double* block(int index) { return &values_[9 * static_cast<std::size_t>(index)]; }
-  const double* block(int index) const { return &values_[9 * static_cast<std::size_t>(index)]; }
+  // The block with this index, its rows kRow numbers apart.
+  double* block(int index) { return rows_[3 * static_cast<std::size_t>(index)].value; }
+  const double* block(int index) const { return rows_[3 * static_cast<std::size_t>(index)].value; }
 
   // y += scale * A x.
   template <int kColumns>
   void AddProduct(const Lanes<kColumns>& x, double scale, Lanes<kColumns>* y) const;
 
  private:
+  struct alignas(32) BlockRow {
+    double value[kRow] = {};
+  };
   const BlockPattern* pattern_;
-  std::vector<double> values_;
+  std::vector<BlockRow> rows_;  // three a block
 };
 
 // A rounded copy for iterations whose result is corrected in double precision.

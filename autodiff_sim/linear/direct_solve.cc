@@ -19,7 +19,8 @@ Eigen::SparseMatrix<double> ToSparse(const BlockSparseMatrix& a) {
   for (int row = 0; row < pattern.num_rows(); ++row) {
     for (int k = pattern.row_begin[row]; k < pattern.row_begin[row + 1]; ++k) {
       for (int e = 0; e < 9; ++e) {
-        entries.emplace_back(3 * row + e / 3, 3 * pattern.column[k] + e % 3, a.block(k)[e]);
+        entries.emplace_back(3 * row + e / 3, 3 * pattern.column[k] + e % 3,
+                             a.block(k)[BlockSparseMatrix::kRow * (e / 3) + e % 3]);
       }
     }
   }

@@ -92,22 +92,6 @@ Row<kColumns> Norms(const FloatLanes<kColumns>& a) {
   return Dots<kColumns>(a, a).sqrt();
 }
 
-// P^-1 r, each column as a vector of ordinary size times `scale`: the squares of small numbers
-// would leave the range of single precision.
-template <int kColumns>
-FloatLanes<kColumns> Precondition(const SupernodalFactor* preconditioner, const Lanes<kColumns>& r,
-                                  Row<kColumns>* scale) {
-  const Row<kColumns> largest = r.cwiseAbs().colwise().maxCoeff().array();
-  *scale = (largest > 0.0).select(largest, 1.0);
-  const Eigen::Matrix<double, 1, kColumns> inverse = (1.0 / *scale).matrix();
-  FloatLanes<kColumns> rounded(r.rows(), kColumns), z;
-  for (Eigen::Index i = 0; i < r.rows(); ++i) {
-    rounded.row(i) = r.row(i).cwiseProduct(inverse).template cast<float>();
-  }
-  preconditioner->Solve<kColumns>(rounded, &z);
-  return z;
-}
-
 // x += d, in units of scale.
 template <int kColumns>
 void AddTo(const FloatLanes<kColumns>& d, const Row<kColumns>& scale, Lanes<kColumns>* x) {
@@ -206,8 +190,21 @@ class Refinement {
 }  // namespace
 
 template <int kColumns>
+Preconditioned<kColumns>::Preconditioned(const SupernodalFactor& factor, const Lanes<kColumns>& r) {
+  const Row<kColumns> largest = r.cwiseAbs().colwise().maxCoeff().array();
+  scale = (largest > 0.0).select(largest, 1.0);
+  const Eigen::Matrix<double, 1, kColumns> inverse = (1.0 / scale).matrix();
+  FloatLanes<kColumns> rounded(r.rows(), kColumns);
+  for (Eigen::Index i = 0; i < r.rows(); ++i) {
+    rounded.row(i) = r.row(i).cwiseProduct(inverse).template cast<float>();
+  }
+  factor.Solve<kColumns>(rounded, &z);
+}
+
+template <int kColumns>
 GmresReport Gmres::Solve(const SupernodalFactor* preconditioner, const Lanes<kColumns>& b,
-                         const GmresOptions& options, Lanes<kColumns>* x) const {
+                         const GmresOptions& options, Lanes<kColumns>* x,
+                         const Preconditioned<kColumns>* first) const {
   const FlushDenormals flush;
   GmresReport report;
   for (int c = 0; c < kColumns; ++c) {
@@ -216,11 +213,18 @@ GmresReport Gmres::Solve(const SupernodalFactor* preconditioner, const Lanes<kCo
   bool is_fresh = x->isZero(0.0);
   Refinement<kColumns> refinement(options);
   while (report.iterations <= options.max_iterations && !report.converged) {
-    Lanes<kColumns> r = b;
-    if (!is_fresh) matrix_->AddProduct<kColumns>(*x, -1.0, &r);
+    Preconditioned<kColumns> left;  // P^-1 (b - A x)
+    if (is_fresh) {
+      left = first != nullptr ? *first : Preconditioned<kColumns>(*preconditioner, b);
+    } else {
+      Lanes<kColumns> r = b;
+      matrix_->AddProduct<kColumns>(*x, -1.0, &r);
+      left = Preconditioned<kColumns>(*preconditioner, r);
+    }
     is_fresh = false;
-    Row<kColumns> scale, relative;
-    FloatLanes<kColumns> z = Precondition<kColumns>(preconditioner, r, &scale);  // P^-1 (b - A x)
+    FloatLanes<kColumns>& z = left.z;
+    const Row<kColumns> scale = left.scale;
+    Row<kColumns> relative;
     const Row<kColumns> norm = Norms<kColumns>(z);
     if (!norm.allFinite()) return report;
     const Row<kColumns> size = SizeWith<kColumns>(*x, z, scale);
@@ -230,10 +234,10 @@ GmresReport Gmres::Solve(const SupernodalFactor* preconditioner, const Lanes<kCo
     } else {
       const Row<kColumns> wanted =
           (options.relative_tolerance * size / scale).max(kCycleReduction * norm);
-      const int left = std::min(kLongestCycle, options.max_iterations - report.iterations);
-      if (left <= 0) return report;
+      const int patience = std::min(kLongestCycle, options.max_iterations - report.iterations);
+      if (patience <= 0) return report;
       const Row<kColumns> residual = Cycle<kColumns>(rounded_, preconditioner, std::move(z), norm,
-                                                     wanted, scale, left, &report.iterations, x);
+                                                     wanted, scale, patience, &report.iterations, x);
       if (!residual.allFinite()) return report;
       // Of what was reached, as a guess may have been far too large; at least |x + P^-1 r|, so that
       // what is not small enough here is not small enough for the next cycle either.
@@ -246,9 +250,11 @@ GmresReport Gmres::Solve(const SupernodalFactor* preconditioner, const Lanes<kCo
   return report;
 }
 
+template struct Preconditioned<1>;
 template GmresReport Gmres::Solve<1>(const SupernodalFactor*, const Lanes<1>&, const GmresOptions&,
-                                     Lanes<1>*) const;
+                                     Lanes<1>*, const Preconditioned<1>*) const;
 template GmresReport Gmres::Solve<kLanes>(const SupernodalFactor*, const Lanes<kLanes>&,
-                                          const GmresOptions&, Lanes<kLanes>*) const;
+                                          const GmresOptions&, Lanes<kLanes>*,
+                                          const Preconditioned<kLanes>*) const;
 
 }  // namespace clothfit

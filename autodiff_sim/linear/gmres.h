@@ -26,6 +26,17 @@ struct GmresReport {
   double relative_residual = 0.0;  // the worst column's |P^-1 (b - A x)| / |x|, estimated
 };
 
+// P^-1 r, each column as a vector of ordinary size times `scale`: the squares of small numbers
+// would leave the range of single precision.
+template <int kColumns>
+struct Preconditioned {
+  Preconditioned() = default;
+  Preconditioned(const SupernodalFactor& factor, const Lanes<kColumns>& r);
+
+  FloatLanes<kColumns> z;
+  Eigen::Array<double, 1, kColumns> scale;
+};
+
 class Gmres {
  public:
   explicit Gmres(const BlockPattern* pattern) : rounded_(pattern) {}
@@ -39,10 +50,11 @@ class Gmres {
   // Solves A x = b, from the given x on, with the factor P of (about) A on the left, so that what
   // is minimised estimates the error of x itself. Each column has its own Krylov space; products
   // and triangular solves are done for all at once. A column with b = 0 gets x = 0. For 1 or kLanes
-  // columns.
+  // columns. Where x is zero and P^-1 b is known already it may be given as `first`.
   template <int kColumns>
   GmresReport Solve(const SupernodalFactor* preconditioner, const Lanes<kColumns>& b,
-                    const GmresOptions& options, Lanes<kColumns>* x) const;
+                    const GmresOptions& options, Lanes<kColumns>* x,
+                    const Preconditioned<kColumns>* first = nullptr) const;
 
  private:
   const BlockSparseMatrix* matrix_ = nullptr;

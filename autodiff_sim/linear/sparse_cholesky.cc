@@ -33,7 +33,7 @@ bool SparseCholesky::Factorize(const BlockSparseMatrix& a) {
   double mean = 0.0;
   for (int i = 0; i < a.pattern().num_rows(); ++i) {
     const double* block = a.block(a.pattern().diagonal[i]);
-    mean += std::abs(block[0]) + std::abs(block[4]) + std::abs(block[8]);
+    for (int k = 0; k < 3; ++k) mean += std::abs(block[(BlockSparseMatrix::kRow + 1) * k]);
   }
   mean /= 3.0 * a.pattern().num_rows();
   has_factor_ = false;
@@ -52,6 +52,7 @@ bool SparseCholesky::Factorize(const BlockSparseMatrix& a) {
 }
 
 void SparseCholesky::Gather(const BlockSparseMatrix& a, float shift) {
+  constexpr int kRow = BlockSparseMatrix::kRow;
   std::fill(lower_.begin(), lower_.end(), 0.0f);
   for (const BlockPlace& place : supernodes_->places) {
     const double *block = a.block(place.block), *mirror = a.block(place.mirror);
@@ -59,7 +60,7 @@ void SparseCholesky::Gather(const BlockSparseMatrix& a, float shift) {
     for (int q = 0; q < 3; ++q) {
       for (int p = 0; p < 3; ++p) {
         target[q * place.stride + p] =
-            static_cast<float>(0.5 * (block[3 * p + q] + mirror[3 * q + p]));
+            static_cast<float>(0.5 * (block[kRow * p + q] + mirror[kRow * q + p]));
       }
       if (place.diagonal) target[q * place.stride + q] += shift;
     }

@@ -25,8 +25,8 @@ void SparseLu::Gather(const BlockSparseMatrix& a) {
     for (int q = 0; q < 3; ++q) {
       for (int p = 0; p < 3; ++p) {
         const std::size_t at = place.values + static_cast<std::size_t>(q * place.stride + p);
-        lower_[at] = static_cast<float>(block[3 * p + q]);
-        upper_[at] = static_cast<float>(mirror[3 * q + p]);
+        lower_[at] = static_cast<float>(block[BlockSparseMatrix::kRow * p + q]);
+        upper_[at] = static_cast<float>(mirror[BlockSparseMatrix::kRow * q + p]);
       }
     }
   }

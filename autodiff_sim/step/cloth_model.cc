@@ -83,14 +83,17 @@ BatchPoint ClothModel::PointOf(const Part& part, const ForcePoint& all) {
 }
 
 BatchDirections ClothModel::DirectionsOf(const Part& part, const ForceDirections& all) {
-  return {all.x.data(),
-          all.v.data(),
-          all.a.data(),
+  const auto rows = [](const Lanes<kLanes>& lanes) {
+    return lanes.size() > 0 ? lanes.data() : nullptr;
+  };
+  return {rows(all.x),
+          rows(all.v),
+          rows(all.a),
           all.start->data(),
           all.parameters.data(),
           all.parameters.data() + kLanes * part.first_parameter,
           all.memory->data() + kLanes * part.first_memory,
-          all.inputs.size() > 0 ? all.inputs.data() : nullptr};
+          rows(all.inputs)};
 }
 
 // Whether the term adds nothing: its parameters are off, but for those that only shape its force.
@@ -180,12 +183,13 @@ std::vector<NamedEnergy> ClothModel::Energies(const ForcePoint& all) const {
 void ClothModel::AddMass(double areal_density, BlockSparseMatrix* a) const {
   for (int i = 0; i < mesh_.num_particles(); ++i) {
     double* block = a->block(pattern_.diagonal[i]);
-    for (int k = 0; k < 3; ++k) block[4 * k] += areal_density * topology_.areas[i];
+    for (int k = 0; k < 3; ++k) block[(BlockSparseMatrix::kRow + 1) * k] += areal_density * topology_.areas[i];
   }
 }
 
 bool ClothModel::StepJacobian(const ForcePoint& all, double gamma, BlockSparseMatrix* jacobian,
                               BlockSparseMatrix* without) const {
+  const JacobianWeights weights = {-gamma * gamma, -gamma, -1.0};
   jacobian->SetZero();
   AddMass(all.parameters[kArealDensity], jacobian);
   const Part* contact = nullptr;
@@ -194,16 +198,24 @@ bool ClothModel::StepJacobian(const ForcePoint& all, double gamma, BlockSparseMa
     if (without != nullptr && part.first_parameter == first_contact_parameter_) {
       contact = &part;
     } else {
-      part.batch->AddStepJacobian(PointOf(part, all), gamma, jacobian);
+      part.batch->AddJacobian(PointOf(part, all), weights, jacobian);
     }
   }
   const bool touches = contact != nullptr && CountContacts()[0] > 0;
   if (touches) {
     const ContactClock clock(&contact_times.response);
     *without = *jacobian;
-    contact->batch->AddStepJacobian(PointOf(*contact, all), gamma, jacobian);
+    contact->batch->AddJacobian(PointOf(*contact, all), weights, jacobian);
   }
   return touches;
+}
+
+void ClothModel::Stiffness(const ForcePoint& all, BlockSparseMatrix* stiffness) const {
+  stiffness->SetZero();
+  for (const Part& part : parts_) {
+    if (!IsOff(part, all.parameters))
+      part.batch->AddJacobian(PointOf(part, all), {1.0, 0.0, 0.0}, stiffness);
+  }
 }
 
 void ClothModel::AddForceDerivatives(const ForcePoint& all, const ForceDirections& directions,

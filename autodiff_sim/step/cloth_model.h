@@ -54,12 +54,12 @@ struct NamedEnergy {
 };
 double Total(const std::vector<NamedEnergy>& energies);
 
-// kLanes directions in which all of that may move, a row for each number.
+// kLanes directions in which all of that may move, a row for each number; empty where nothing does.
 struct ForceDirections {
   Lanes<kLanes> x, v, a, parameters;
   const Lanes<kLanes>* start = nullptr;
   const Lanes<kLanes>* memory = nullptr;  // at the start of the step
-  Lanes<kLanes> inputs;  // rows of StepInputs::directions; empty where nothing moves them
+  Lanes<kLanes> inputs;                   // rows of StepInputs::directions
 };
 
 // The cloth as the solver sees it: its forces and masses.
@@ -140,6 +140,8 @@ class ClothModel {
   // Returns whether it is.
   bool StepJacobian(const ForcePoint& point, double gamma, BlockSparseMatrix* jacobian,
                     BlockSparseMatrix* without = nullptr) const;
+  // stiffness = df/dx.
+  void Stiffness(const ForcePoint& point, BlockSparseMatrix* stiffness) const;
   // Adds the forces' derivatives along kLanes directions, 3N x kLanes. `awake` as found above for
   // all directions together.
   void AddForceDerivatives(const ForcePoint& point, const ForceDirections& directions,

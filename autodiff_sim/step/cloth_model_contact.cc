@@ -163,12 +163,12 @@ void ClothModel::AddContactStiffness(const ForcePoint& point, double gamma,
     const double across = gamma * parameter[SelfContact::kFriction] * push *
                           BarrierSlope<double>(s) / std::hypot(sliding.norm(), slip);
     const Eigen::Matrix3d nn = normal * normal.transpose();
-    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> block =
-        along * nn + across * (Eigen::Matrix3d::Identity() - nn);
+    Eigen::Matrix<double, 3, BlockSparseMatrix::kRow, Eigen::RowMajor> block;
+    block << along * nn + across * (Eigen::Matrix3d::Identity() - nn), Eigen::Vector3d::Zero();
     for (int a = 0; a < 4; ++a) {
       for (int b = 0; b < 4; ++b) {
         double* target = matrix->block(pattern_.Find(pair.nodes[a], pair.nodes[b]));
-        for (int k = 0; k < 9; ++k) target[k] += w[a] * w[b] * block.data()[k];
+        for (Eigen::Index k = 0; k < block.size(); ++k) target[k] += w[a] * w[b] * block.data()[k];
       }
     }
   }

@@ -73,10 +73,30 @@ void HandleConstraints::SetDependentVelocities(const Eigen::VectorXd& x_hat, dou
   }
 }
 
+std::vector<HandleConstraints::HeldBlock> HandleConstraints::HeldColumns(
+    const BlockSparseMatrix& a) const {
+  constexpr int kRow = BlockSparseMatrix::kRow;
+  const BlockPattern& pattern = a.pattern();
+  std::vector<HeldBlock> blocks;
+  for (const Held& held : held_) {
+    for (int k = pattern.row_begin[held.node]; k < pattern.row_begin[held.node + 1]; ++k) {
+      const int row = pattern.column[k];
+      const double* block = a.block(pattern.Find(row, held.node));
+      blocks.push_back({row, held.node, {}});
+      for (int p = 0; p < 3; ++p) {
+        for (int q = 0; q < 3; ++q) blocks.back().value(p, q) = block[kRow * p + q];
+      }
+    }
+  }
+  return blocks;
+}
+
 void HandleConstraints::ReduceMatrix(BlockSparseMatrix* a) const {
+  constexpr int kNext = BlockSparseMatrix::kRow + 1;  // on the diagonal
+  constexpr int kNumbers = 3 * BlockSparseMatrix::kRow;
   const BlockPattern& pattern = a->pattern();
   const auto add_block = [a](int to, double factor, int from) {
-    for (int e = 0; e < 9; ++e) a->block(to)[e] += factor * a->block(from)[e];
+    for (int e = 0; e < kNumbers; ++e) a->block(to)[e] += factor * a->block(from)[e];
   };
   for (const Held& held : held_) {
     const int begin = pattern.row_begin[held.node], end = pattern.row_begin[held.node + 1];
@@ -91,13 +111,13 @@ void HandleConstraints::ReduceMatrix(BlockSparseMatrix* a) const {
         add_block(pattern.Find(share.node, pattern.column[k]), share.factor, k);
     }
     const double* diagonal = a->block(pattern.Find(held.node, held.node));
-    const double scale = std::max(1e-12, (diagonal[0] + diagonal[4] + diagonal[8]) / 3.0);
+    const double scale = std::max(1e-12, (diagonal[0] + diagonal[kNext] + diagonal[2 * kNext]) / 3.0);
     for (int k = begin; k < end; ++k) {
-      std::fill_n(a->block(k), 9, 0.0);
-      std::fill_n(a->block(pattern.Find(pattern.column[k], held.node)), 9, 0.0);
+      std::fill_n(a->block(k), kNumbers, 0.0);
+      std::fill_n(a->block(pattern.Find(pattern.column[k], held.node)), kNumbers, 0.0);
     }
     double* identity = a->block(pattern.Find(held.node, held.node));
-    identity[0] = identity[4] = identity[8] = scale;
+    identity[0] = identity[kNext] = identity[2 * kNext] = scale;
   }
 }
 

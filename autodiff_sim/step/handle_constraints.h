@@ -61,6 +61,13 @@ class HandleConstraints {
     }
   }
 
+  // A block of a matrix in the column of a held particle.
+  struct HeldBlock {
+    int row, column;  // particles
+    Eigen::Matrix3d value;
+  };
+  std::vector<HeldBlock> HeldColumns(const BlockSparseMatrix& a) const;
+
   // The same for rows and columns; the held particles' blocks become multiples of the identity.
   void ReduceMatrix(BlockSparseMatrix* a) const;
 

@@ -139,6 +139,20 @@ bool Simulation::StartsClear(const State& state) {
   return true;
 }
 
+namespace {
+
+// The velocity after a step of h, by the polynomial through those that are known. Where there are
+// three it is of second order.
+Eigen::VectorXd ExtrapolatedVelocity(const State& state, double h) {
+  const double h1 = state.previous_step, h2 = state.older_step, h12 = h1 + h2;
+  if (h2 <= 0.0) return state.v + (h / h1) * (state.v - state.previous_v);
+  return ((h + h1) * (h + h12) / (h1 * h12)) * state.v -
+         (h * (h + h12) / (h1 * h2)) * state.previous_v +
+         (h * (h + h1) / (h12 * h2)) * state.older_v;
+}
+
+}  // namespace
+
 // One step of exactly h; the state is untouched unless it converges. A fresh one starts from the
 // velocities as they are, not from extrapolated ones.
 StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* state,
@@ -176,8 +190,7 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
     problem.keep_clear = true;
   }
   Eigen::VectorXd v = state->v;
-  if (problem.formula.before != 0.0 && !fresh)
-    v += (h / state->previous_step) * (state->v - state->previous_v);
+  if (problem.formula.before != 0.0 && !fresh) v = ExtrapolatedVelocity(*state, h);
   StepSolver& solver = solver_->solver;
   if (!solver.Solve(problem, &v, &report)) {
     report.status = StepStatus::kDiverged;
@@ -195,9 +208,10 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
     report.status = StepStatus::kSensitivityFailed;
   }
   state->previous_x = std::exchange(state->x, problem.x_hat + problem.formula.gamma * v);
-  state->previous_v = std::exchange(state->v, v);
-  state->memory = solver.memory();
+  state->older_v = std::exchange(state->previous_v, std::exchange(state->v, v));
+  state->older_step = state->previous_step;
   state->previous_step = h;
+  state->memory = solver.memory();
   if (problem.keep_clear) solver_->clear_x = state->x;
   state->time += h;
   if (options_.check_intersections) {

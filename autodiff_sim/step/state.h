@@ -20,6 +20,9 @@ struct State {
   // The step before, for BDF2; previous_step (s) is 0 where there is none.
   Eigen::VectorXd previous_x, previous_v;
   double previous_step = 0.0;
+  // The velocity before that, and the step to it; only a step's first guess depends on it.
+  Eigen::VectorXd older_v;
+  double older_step = 0.0;
 };
 
 // Derivatives of a state along up to kLanes directions.

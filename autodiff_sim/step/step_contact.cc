@@ -68,6 +68,8 @@ void StepSolver::MakeMatrices(Ordering ordering) {
   factor.TakeShift(factor_);
   factor_ = std::move(factor);
   whole_.reset();
+  stiffness_.reset();
+  estimated_with_ = -1;
   gmres_ = Gmres(&model_->pattern());
   factor_is_current_ = false;
   excess_ = 0;

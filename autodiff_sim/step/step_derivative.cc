@@ -31,8 +31,7 @@ bool IsIdle(const Sensitivity& sensitivity, const StepInputs& inputs, std::size_
 
 }  // namespace
 
-// What moves the step while its free velocities stand still: the states before, the parameters, the
-// inputs and, through them, the held particles.
+// While the step's free velocities stand still.
 ForceDirections StepSolver::DirectionsAtFixedVelocity(const StepProblem& problem,
                                                       const StepInputs& inputs,
                                                       const Sensitivity& sensitivity,
@@ -53,26 +52,37 @@ ForceDirections StepSolver::DirectionsAtFixedVelocity(const StepProblem& problem
   directions.x = formula.now * lanes.x + formula.before * lanes.previous_x;
   problem.constraints->DependentVelocityDerivative(inputs, first, directions.x, formula.gamma,
                                                    &directions.v);
-  directions.x += formula.gamma * directions.v;
-  directions.a = (directions.v - formula.now * lanes.v - formula.before * lanes.previous_v) *
-                 (1.0 / formula.gamma);
+  directions.a = (formula.now * lanes.v + formula.before * lanes.previous_v) *
+                 (-1.0 / formula.gamma);
   return directions;
 }
 
-// -dr along these directions: gamma df - M gamma da - dM (v - v_hat).
+// -dr along these directions: gamma df - M gamma da - dM (v - v_hat), where df is of the positions
+// K dx, of the held particles' velocities what the Jacobian says, and else by automatic
+// differentiation.
 Lanes<kLanes> StepSolver::RightHandSide(const StepProblem& problem, const Eigen::VectorXd& v,
                                         const ForceDirections& directions,
                                         const std::vector<bool>& awake) const {
   const StepFormula& formula = problem.formula;
   const double density = (*problem.parameters)[kArealDensity];
   Lanes<kLanes> rhs = Lanes<kLanes>::Zero(v.size(), kLanes);
+  ForceDirections others;
+  others.a = directions.a;
+  others.parameters = directions.parameters;
+  others.start = directions.start;
+  others.memory = directions.memory;
+  others.inputs = directions.inputs;
   const StepMotion motion(problem, v);
-  model_->AddForceDerivatives(motion.Point(problem), directions, awake, &rhs);
+  model_->AddForceDerivatives(motion.Point(problem), others, awake, &rhs);
+  stiffness_->AddProduct<kLanes>(directions.x, 1.0, &rhs);
   const Eigen::Matrix<double, 1, kLanes> density_lanes = directions.parameters.row(kArealDensity);
   for (Eigen::Index row = 0; row < rhs.rows(); ++row) {
     const double area = model_->topology().areas[static_cast<std::size_t>(row / 3)];
     rhs.row(row) = formula.gamma * (rhs.row(row) - density * area * directions.a.row(row)) -
                    area * (v[row] - problem.v_hat[row]) * density_lanes;
+  }
+  for (const HandleConstraints::HeldBlock& held : held_columns_) {
+    rhs.middleRows<3>(3 * held.row) -= held.value * directions.v.middleRows<3>(3 * held.column);
   }
   problem.constraints->ReduceResidual<kLanes>(&rhs);
   return rhs;
@@ -82,6 +92,8 @@ bool StepSolver::Differentiate(const StepProblem& problem, const StepInputs& inp
                                const Eigen::VectorXd& v, Sensitivity* sensitivity,
                                StepReport* report) {
   AssembleJacobian(problem, v, report);
+  if (!stiffness_) stiffness_.emplace(&model_->pattern());
+  model_->Stiffness(StepMotion(problem, v).Point(problem), &*stiffness_);
   const int count = static_cast<int>(sensitivity->lanes().size());
   bool is_idle = true;
   for (int b = 0; b < count; ++b)
@@ -178,9 +190,9 @@ void StepSolver::FinishLanes(const StepProblem& problem, const Eigen::VectorXd& 
   ForceDirections& directions = step->directions;
   if (!step->is_still) {
     problem.constraints->ExpandDirection<kLanes>(&step->dv);
-    directions.x += problem.formula.gamma * step->dv;
     directions.v += step->dv;
-    directions.a += step->dv * (1.0 / problem.formula.gamma);
+    directions.x += problem.formula.gamma * directions.v;
+    directions.a += directions.v * (1.0 / problem.formula.gamma);
   }
   // Along what is known only now.
   model_->UpdateMemoryDerivatives(StepMotion(problem, v).Point(problem), directions, awake,

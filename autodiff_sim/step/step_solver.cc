@@ -37,6 +37,7 @@ StepSolver::StepSolver(ClothModel* model, const SimulationOptions& options)
 void StepSolver::Reset() {
   factor_is_current_ = false;
   excess_ = 0;
+  estimated_with_ = -1;
   factor_.Forget();
 }
 
@@ -64,6 +65,7 @@ void StepSolver::AssembleJacobian(const StepProblem& problem, const Eigen::Vecto
   const double gamma = problem.formula.gamma;
   use_definite_ = model_->StepJacobian(motion.Point(problem), gamma, &jacobian_,
                                        problem.keep_clear ? &definite_ : nullptr);
+  held_columns_ = problem.constraints->HeldColumns(jacobian_);
   problem.constraints->ReduceMatrix(&jacobian_);
   if (use_definite_) {
     model_->AddContactStiffness(motion.Point(problem), gamma, &definite_);
@@ -86,44 +88,48 @@ bool StepSolver::RefreshFactor(StepReport* report) {
   return factor_is_current_;
 }
 
-void StepSolver::EstimateError(Eigen::VectorXd* z) {
-  const double largest = reduced_residual_.lpNorm<Eigen::Infinity>();
-  const double scale = largest > 0.0 ? largest : 1.0;
-  FloatLanes<1> rounded = (reduced_residual_ / scale).cast<float>(), solution;
-  factor_.Solve<1>(rounded, &solution);
-  *z = scale * solution.cast<double>();
+StepSolver::Error StepSolver::EstimateError() {
+  estimate_ = Preconditioned<1>(factor_, reduced_residual_);
+  estimated_with_ = factor_.num_factorizations();
+  const Eigen::VectorXd z = estimate_.scale[0] * estimate_.z.cast<double>();
+  return {z.norm(), z.lpNorm<Eigen::Infinity>()};
 }
 
 bool StepSolver::Direction(double relative_tolerance, Eigen::VectorXd* d, StepReport* report) {
-  const Eigen::VectorXd rhs = -reduced_residual_;
+  const auto known = [this] {
+    return estimated_with_ == factor_.num_factorizations() ? &estimate_ : nullptr;
+  };
   GmresOptions options;
   options.relative_tolerance = relative_tolerance;
   options.max_iterations = factor_is_current_ ? kPatience : kTooManyIterations;
-  d->setZero(rhs.size());
-  GmresReport linear = gmres_.Solve<1>(&factor_, rhs, options, d);
+  d->setZero(reduced_residual_.size());
+  GmresReport linear = gmres_.Solve<1>(&factor_, reduced_residual_, options, d, known());
   report->linear_iterations += linear.iterations;
   excess_ += std::max(0, linear.iterations - kIterationsOfFreshFactor);
   if (!linear.converged && !factor_is_current_) {
     if (!RefreshFactor(report)) return false;
     options.max_iterations = kPatience;
-    linear = gmres_.Solve<1>(&factor_, rhs, options, d);
+    linear = gmres_.Solve<1>(&factor_, reduced_residual_, options, d, known());
     report->linear_iterations += linear.iterations;
   }
+  *d = -*d;
   return d->allFinite();  // where it is rough, the line search judges it
 }
 
-double StepSolver::LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double level,
-                              double largest_share, Eigen::VectorXd* v, Eigen::VectorXd* z) {
+double StepSolver::LineSearch(const StepProblem& problem, const Eigen::VectorXd& d,
+                              double largest_share, Eigen::VectorXd* v, Error* error) {
   const Eigen::VectorXd start = *v;
+  const double level = error->norm;
   for (double share = largest_share; share >= kShortestStep * largest_share && share > 0.0;
        share *= 0.5) {
     *v = start + share * d;
     if (!Residual(problem, *v).allFinite()) continue;
-    EstimateError(z);
-    if (z->norm() <= (1.0 - 0.25 * share) * level) return share;
+    *error = EstimateError();
+    if (error->norm <= (1.0 - 0.25 * share) * level) return share;
   }
   *v = start;
   Residual(problem, *v);
+  *error = EstimateError();
   return 0.0;
 }
 
@@ -136,10 +142,9 @@ bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepRepor
   if (!factor_.has_factor() && !RefreshFactor(report)) return false;
   bool current = true, usable = true;  // jacobian_: is that of v, serves at v
   double share = 1.0;
-  Eigen::VectorXd z, d;
-  EstimateError(&z);
-  double error = gamma * z.lpNorm<Eigen::Infinity>();
-  for (int iteration = 0; error > position_tolerance_; ++iteration) {
+  Eigen::VectorXd d;
+  Error error = EstimateError();
+  for (int iteration = 0; gamma * error.largest > position_tolerance_; ++iteration) {
     if (iteration == options_.max_newton_iterations) return false;
     ++report->newton_iterations;
     if (!usable) {
@@ -150,27 +155,26 @@ bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepRepor
     const bool careful = share < 1.0;
     if (current && FactorIsWorn(careful) && !RefreshFactor(report)) return false;
     const double forcing = careful ? kCarefulForcingTerm : kForcingTerm;
-    if (!Direction(std::max(forcing, kLastShare * position_tolerance_ / error), &d, report)) {
-      return false;
-    }
+    const double needed = kLastShare * position_tolerance_ / (gamma * error.largest);
+    if (!Direction(std::max(forcing, needed), &d, report)) return false;
     problem.constraints->ExpandDirection<1>(&d);
-    EstimateError(&z);  // the level in the metric of the present factor
-    const double level = z.norm();
-    const double clear = ClearShare(problem, *v, d, report);
-    share = LineSearch(problem, d, level, clear, v, &z);
+    // The level in the metric of the present factor.
+    if (estimated_with_ != factor_.num_factorizations()) error = EstimateError();
+    const double level = error.norm, clear = ClearShare(problem, *v, d, report);
+    share = LineSearch(problem, d, clear, v, &error);
     if (share > 0.0) {
-      error = gamma * z.lpNorm<Eigen::Infinity>();
-      const double contraction = z.norm() / level;
+      const double contraction = error.norm / level;
       current = false;
       // Another Jacobian costs about as much as an iteration.
-      usable = share == 1.0 && contraction * contraction * error < position_tolerance_;
+      usable = share == 1.0 &&
+               contraction * contraction * gamma * error.largest < position_tolerance_;
     } else if (!current) {
       usable = false;
     } else if (factor_is_current_ || !RefreshFactor(report)) {
       return false;
     }
   }
-  report->error = gamma * z.lpNorm<Eigen::Infinity>();
+  report->error = gamma * error.largest;
   const std::vector<bool> awake(model_->num_terms(), options_.remember_when_off);
   model_->UpdateMemoryOfOff(StepMotion(problem, *v).Point(problem), awake, &new_memory_);
   return std::isfinite(report->error);

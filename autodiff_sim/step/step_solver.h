@@ -83,13 +83,19 @@ class StepSolver {
   // Whether the factor's age has cost about as many linear iterations as another factor does; if
   // careful, whether it has any.
   bool FactorIsWorn(bool careful) const;
-  // P^-1 of the reduced residual: an estimate of the error of the velocities.
-  void EstimateError(Eigen::VectorXd* z);
+  // Sets `estimate_`, P^-1 of the reduced residual: an estimate of the error of the velocities.
+  // m/s, its norm and its largest component.
+  struct Error {
+    double norm, largest;
+  };
+  Error EstimateError();
   // The Newton direction; refreshes the factor when GMRES takes too long with it.
   bool Direction(double relative_tolerance, Eigen::VectorXd* d, StepReport* report);
-  // Moves v along d as far as the level function falls. Returns the step's share of d, 0 for none.
-  double LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double level,
-                    double largest_share, Eigen::VectorXd* v, Eigen::VectorXd* z);
+  // Moves v along d as far as the level function falls. Returns the step's share of d, 0 for none;
+  // `error` becomes that at the new v.
+  double LineSearch(const StepProblem& problem, const Eigen::VectorXd& d, double largest_share,
+                    Eigen::VectorXd* v, Error* error);
+  // What moves the step: x and a by the states before alone, v of the held particles alone.
   ForceDirections DirectionsAtFixedVelocity(const StepProblem& problem, const StepInputs& inputs,
                                             const Sensitivity& sensitivity,
                                             std::size_t block) const;
@@ -123,6 +129,9 @@ class StepSolver {
   SimulationOptions options_;
   double position_tolerance_;  // m
   BlockSparseMatrix jacobian_;
+  // Of jacobian_ before it was reduced.
+  std::vector<HandleConstraints::HeldBlock> held_columns_;
+  std::optional<BlockSparseMatrix> stiffness_;  // df/dx of the last step with derivatives
   // What is factored in its place where the cloth is in contact with itself; see
   // ClothModel::AddContactStiffness.
   BlockSparseMatrix definite_;
@@ -135,6 +144,8 @@ class StepSolver {
   bool use_whole_ = false;
   // Linear iterations since the last factorisation beyond those that a fresh factor needs.
   int excess_ = 0;
+  Preconditioned<1> estimate_;
+  int estimated_with_ = 0;  // number of the factorisation
   Eigen::VectorXd full_residual_, reduced_residual_, force_, new_memory_;
 };
 

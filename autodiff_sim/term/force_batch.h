@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include "autodiff_sim/linear/block_sparse_matrix.h"
+#include "autodiff_sim/term/element_jacobian.h"
 #include "autodiff_sim/term/term.h"
 
 namespace clothfit {
@@ -46,7 +47,7 @@ struct BatchPoint {
 };
 
 // Directions in which a batch's forces are differentiated, kLanes at once: rows of kLanes numbers,
-// a row for each number of the point. All pointers as in BatchPoint.
+// a row for each number of the point. All pointers as in BatchPoint; null where nothing moves.
 struct BatchDirections {
   const double* x;      // 3N rows
   const double* v;      // 3N rows
@@ -55,7 +56,7 @@ struct BatchDirections {
   const double* all_parameters;
   const double* parameter;  // the term's own
   const double* memory;     // the term's own
-  const double* input;      // rows of StepInputs::directions; null where nothing moves them
+  const double* input;      // rows of StepInputs::directions
 };
 
 class ForceBatch {
@@ -78,12 +79,12 @@ class ForceBatch {
   virtual void AddForces(const BatchPoint& point, double* force, double* memory) const = 0;
   // J, of all elements; none where the term has none.
   virtual std::optional<double> Energy(const BatchPoint& point) const = 0;
-  // jacobian += -gamma d force / d velocity, where positions move by gamma times velocities and
-  // accelerations by velocities over gamma.
-  virtual void AddStepJacobian(const BatchPoint& point, double gamma,
-                               BlockSparseMatrix* jacobian) const = 0;
-  // force += the forces' derivatives along the directions, 3N rows; those of the new memory are
-  // written to `memory`.
+  // matrix += the forces' derivatives by positions, velocities and accelerations, each with its
+  // weight.
+  virtual void AddJacobian(const BatchPoint& point, const JacobianWeights& weights,
+                           BlockSparseMatrix* matrix) const = 0;
+  // force += the forces' derivatives along the directions, 3N rows; those of the new memory, of a
+  // term that remembers, are written to `memory`.
   virtual void AddDerivatives(const BatchPoint& point, const BatchDirections& directions,
                               double* force, double* memory) const = 0;
 };

@@ -5,6 +5,7 @@
 // that cmake/term_list.cmake writes, and tests that bring a term of their own).
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -20,6 +21,12 @@ template <class Term, class = void>
 constexpr bool kTermHasEnergy = false;
 template <class Term>
 constexpr bool kTermHasEnergy<Term, std::void_t<decltype(&Term::Energy)>> = true;
+
+// Whether a term says for which elements it writes down the derivatives, term/element_jacobian.h.
+template <class Term, class = void>
+constexpr bool kTermPicksElements = false;
+template <class Term>
+constexpr bool kTermPicksElements<Term, std::void_t<decltype(&Term::WritesJacobian)>> = true;
 
 template <class Term>
 class TermBatch final : public ForceBatch {
@@ -89,28 +96,19 @@ class TermBatch final : public ForceBatch {
     }
   }
 
-  [[gnu::flatten]] void AddStepJacobian(const BatchPoint& point, double gamma,
-                                        BlockSparseMatrix* jacobian) const override {
-    using T = Dual<WholeRegisters(3 * kNodes)>;
-    ElementInput<Term, T> in = MakeInput<T>(point);
-    for (int n = 0; n < kNodes; ++n) {  // these derivatives are the same for all elements
-      for (int k = 0; k < 3; ++k) {
-        in.x[n][k].SetDerivative(3 * n + k, gamma);
-        in.v[n][k].SetDerivative(3 * n + k, 1.0);
-        if constexpr (Term::kUsesAcceleration) in.a[n][k].SetDerivative(3 * n + k, 1.0 / gamma);
-      }
-    }
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      LoadNodes(point, elements_[e], &in);
-      LoadInputs(elements_[e], &in);
-      ElementOutput<Term, T> out = EmptyOutput<T>(point, e);
-      Term::template AddForce<T>(elements_[e], in, &out);
-      ScatterBlocks(out, e, -gamma, jacobian);
+  void AddJacobian(const BatchPoint& point, const JacobianWeights& weights,
+                   BlockSparseMatrix* matrix) const override {
+    if constexpr (kWritesJacobian) {
+      AddWrittenJacobian(point, weights, matrix);
+      if constexpr (kTermPicksElements<Term>) AddDualJacobian(point, weights, matrix);
+    } else {
+      AddDualJacobian(point, weights, matrix);
     }
   }
 
   [[gnu::flatten]] void AddDerivatives(const BatchPoint& point, const BatchDirections& directions,
                                        double* force, double* memory) const override {
+    if (!MovesForces(point, directions)) return;
     using T = Dual<kLanes>;
     ElementInput<Term, T> in = MakeInput<T>(point);
     for (std::size_t i = 0; i < Term::kParameters.size(); ++i)
@@ -148,6 +146,57 @@ class TermBatch final : public ForceBatch {
   static constexpr int kNodes = Term::kNodes;
   static constexpr bool kRemembers = Term::kMemory > 0;
 
+  struct RowSink {
+    void operator()(int a, int b, int p, const JacobianRow& row) const {
+      row.AddTo(matrix->block(index[a * kNodes + b]) + BlockSparseMatrix::kRow * p);
+    }
+    const int* index;
+    BlockSparseMatrix* matrix;
+  };
+  template <class T, class = void>
+  struct Writes : std::false_type {};
+  template <class T>
+  struct Writes<T, std::void_t<decltype(T::template AddJacobian<RowSink>)>> : std::true_type {};
+  static constexpr bool kWritesJacobian = Writes<Term>::value;
+
+  static bool IsWritten(const Element& element) {
+    if constexpr (kTermPicksElements<Term>) return Term::WritesJacobian(element);
+    return kWritesJacobian;
+  }
+
+  [[gnu::flatten]] void AddWrittenJacobian(const BatchPoint& point, const JacobianWeights& weights,
+                                           BlockSparseMatrix* matrix) const {
+    ElementInput<Term, double> in = MakeInput<double>(point);
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      if (!IsWritten(elements_[e])) continue;
+      LoadNodes(point, elements_[e], &in);
+      const RowSink sink = {&blocks_[e * kNodes * kNodes], matrix};
+      Term::template AddJacobian<RowSink>(elements_[e], in, weights, sink);
+    }
+  }
+
+  // By automatic differentiation, of the elements that the term does not write down.
+  [[gnu::flatten]] void AddDualJacobian(const BatchPoint& point, const JacobianWeights& weights,
+                                        BlockSparseMatrix* matrix) const {
+    using T = Dual<WholeRegisters(3 * kNodes)>;
+    ElementInput<Term, T> in = MakeInput<T>(point);
+    for (int n = 0; n < kNodes; ++n) {  // these derivatives are the same for all elements
+      for (int k = 0; k < 3; ++k) {
+        in.x[n][k].SetDerivative(3 * n + k, weights.x);
+        in.v[n][k].SetDerivative(3 * n + k, weights.v);
+        if constexpr (Term::kUsesAcceleration) in.a[n][k].SetDerivative(3 * n + k, weights.a);
+      }
+    }
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      if (IsWritten(elements_[e])) continue;
+      LoadNodes(point, elements_[e], &in);
+      LoadInputs(elements_[e], &in);
+      ElementOutput<Term, T> out = EmptyOutput<T>(point, e);
+      Term::template AddForce<T>(elements_[e], in, &out);
+      ScatterBlocks(out, e, matrix);
+    }
+  }
+
   template <class T>
   ElementInput<Term, T> MakeInput(const BatchPoint& point) const {
     ElementInput<Term, T> in;
@@ -184,13 +233,33 @@ class TermBatch final : public ForceBatch {
     }
   }
 
+  // Whether anything that the forces depend on moves along any direction.
+  static bool MovesForces(const BatchPoint& point, const BatchDirections& directions) {
+    const bool has_states =
+        directions.x != nullptr || directions.v != nullptr || Term::kUsesAcceleration || kRemembers;
+    if (has_states || (Term::kInputs > 0 && directions.input != nullptr)) return true;
+    const auto moves = [](const double* rows, std::size_t row) {
+      const double* first = rows + kLanes * row;
+      return std::any_of(first, first + kLanes, [](double value) { return value != 0.0; });
+    };
+    const double* all = directions.all_parameters;
+    for (std::size_t i = 0; i < Term::kParameters.size(); ++i)
+      if (moves(directions.parameter, i)) return true;
+    if (Term::kUsesDensity && moves(all, kArealDensity)) return true;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (Term::kUsesShrinkage && moves(all, kShrinkWarp + k)) return true;
+    for (std::size_t i = 0; i < Term::kReads.size(); ++i)
+      if (point.read[i] >= 0 && moves(all, static_cast<std::size_t>(point.read[i]))) return true;
+    return false;
+  }
+
   static void LoadDirections(const BatchDirections& directions, const Element& e,
                              ElementInput<Term, Dual<kLanes>>* in) {
     for (int n = 0; n < kNodes; ++n) {
       for (int k = 0; k < 3; ++k) {
         const auto row = static_cast<std::size_t>(3 * e.nodes[n] + k);
-        SetLanes(directions.x, row, &in->x[n][k]);
-        SetLanes(directions.v, row, &in->v[n][k]);
+        if (directions.x != nullptr) SetLanes(directions.x, row, &in->x[n][k]);
+        if (directions.v != nullptr) SetLanes(directions.v, row, &in->v[n][k]);
         if constexpr (Term::kUsesAcceleration) SetLanes(directions.a, row, &in->a[n][k]);
         if constexpr (kRemembers) SetLanes(directions.start, row, &in->start[n][k]);
       }
@@ -218,7 +287,7 @@ class TermBatch final : public ForceBatch {
   }
 
   template <class T>
-  void ScatterBlocks(const ElementOutput<Term, T>& out, std::size_t e, double scale,
+  void ScatterBlocks(const ElementOutput<Term, T>& out, std::size_t e,
                      BlockSparseMatrix* matrix) const {
     const int* index = &blocks_[e * kNodes * kNodes];
     for (int a = 0; a < kNodes; ++a) {
@@ -226,8 +295,8 @@ class TermBatch final : public ForceBatch {
         double row[T::kRegisters * T::kWidth];
         std::memcpy(row, out.force[a][p].v, sizeof(row));
         for (int b = 0; b < kNodes; ++b) {
-          double* target = matrix->block(index[a * kNodes + b]) + 3 * p;
-          for (int q = 0; q < 3; ++q) target[q] += scale * row[3 * b + q];
+          double* target = matrix->block(index[a * kNodes + b]) + BlockSparseMatrix::kRow * p;
+          for (int q = 0; q < 3; ++q) target[q] += row[3 * b + q];
         }
       }
     }

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "autodiff_sim/term/element_jacobian.h"
 #include "autodiff_sim/term/term.h"
 
 namespace clothfit {
@@ -31,6 +32,38 @@ Vector3<T> AirDragForce(const std::array<Vector3<T>, 3>& x, const Vector3<T>& ve
   Vector3<T> force;
   for (int i = 0; i < 3; ++i) force[i] = share * (k[2] * velocity[i] + along_normal * normal[i]);
   return force;
+}
+
+// `sign` times the derivatives of that force by the corners' places and, through the mean velocity,
+// by their velocities. With N the normal, s the speed along it and P(s) = (quadratic - k_t) s the
+// force is -(k_t |N| v + P N) / 6.
+template <class Sink>
+void AddAirDragJacobian(const std::array<Eigen::Vector3d, 3>& x, const Eigen::Vector3d& velocity,
+                        const std::array<double, 3>& k, double sign,
+                        const JacobianWeights& weights, const Sink& sink) {
+  const Eigen::Vector3d side1 = x[1] - x[0], side2 = x[2] - x[0];
+  const Eigen::Vector3d normal = side1.cross(side2);
+  const double twice_area = normal.norm();
+  const Eigen::Vector3d unit = normal / twice_area;
+  const double speed = velocity.dot(unit), share = 1.0 / (1.0 + k[1] * speed * speed);
+  const double push = (k[0] * std::abs(speed) * share - k[2]) * speed;
+  const double slope = 2.0 * k[0] * std::abs(speed) * share * share - k[2];
+  const double scale = -sign / 6.0;
+  const double by_x = scale * weights.x, by_v = scale * weights.v / 3.0;
+  const Eigen::Vector3d along = velocity - speed * unit;
+  for (int p = 0; p < 3; ++p) {
+    Eigen::Vector3d by_normal = k[2] * velocity[p] * unit + slope * unit[p] * along;
+    by_normal[p] += push;
+    by_normal *= by_x;
+    Eigen::Vector3d by_velocity = (by_v * slope * normal[p]) * unit;
+    by_velocity[p] += by_v * k[2] * twice_area;
+    const Eigen::Vector3d by_side1 = side2.cross(by_normal), by_side2 = by_normal.cross(side1);
+    const JacobianRow rows[3] = {JacobianRow(by_velocity - by_side1 - by_side2),
+                                 JacobianRow(by_velocity + by_side1), JacobianRow(by_velocity + by_side2)};
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) sink(a, b, p, rows[b]);
+    }
+  }
 }
 
 struct AirDrag : TermDefaults {
@@ -67,6 +100,12 @@ struct AirDrag : TermDefaults {
     const Vector3<T> velocity = (in.v[0] + in.v[1] + in.v[2]) * T(1.0 / 3.0);
     const Vector3<T> force = AirDragForce<T>(in.x, velocity, in.parameter);
     for (Vector3<T>& corner : out->force) corner += force;
+  }
+
+  template <class Sink>
+  static void AddJacobian(const Element&, const ElementInput<AirDrag, double>& in,
+                          const JacobianWeights& weights, const Sink& sink) {
+    AddAirDragJacobian(in.x, (in.v[0] + in.v[1] + in.v[2]) / 3.0, in.parameter, 1.0, weights, sink);
   }
 };
 

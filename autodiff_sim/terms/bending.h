@@ -10,9 +10,8 @@
 // along the warp or the weft, and k_e = 8/3 B along the bias of square cells.
 #pragma once
 
-#include <cmath>
-
 #include "autodiff_sim/term/fold_angle.h"
+#include "autodiff_sim/term/fold_jacobian.h"
 #include "autodiff_sim/term/term.h"
 
 namespace clothfit {
@@ -41,23 +40,41 @@ struct Bending : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<Bending, T>& in,
                        ElementOutput<Bending, T>* out) {
-    using std::sin;
     const Fold<T> fold = MakeFold<T>(in.x);
-    const std::array<Vector3<T>, 4> u = FlatteningMode<T>(in.x, fold);
+    const std::array<Vector3<T>, 4> u = FlatteningMode<T>(fold);
     T rate = T(0.0);
     for (int k = 0; k < 3; ++k) {
       for (int i = 0; i < 4; ++i) rate += u[i][k] * in.v[i][k];
     }
-    const T moment = in.parameter[0] * element.shape * sin(fold.angle * 0.5) -
+    const T moment = in.parameter[0] * element.shape * HalveAngle<T>(fold).sine -
                      in.parameter[1] * element.edge * rate;
+    AddFlatteningMoment<T>(moment, u, &out->force);
+  }
+
+  // f_i = m u_i with m = k sin(theta / 2) - c u.v, so that -dm = (k/2 cos(theta / 2) u + c d(u.v)).dx
+  // + c u.dv.
+  template <class Sink>
+  static void AddJacobian(const Element& element, const ElementInput<Bending, double>& in,
+                          const JacobianWeights& weights, const Sink& sink) {
+    const Fold<double> fold = MakeFold<double>(in.x);
+    const FoldJacobian::Vectors u = FlatteningMode<double>(fold);
+    const FoldJacobian jacobian(fold, u);
+    const HalfAngle<double> half = HalveAngle<double>(fold);
+    const double elastic = in.parameter[0] * element.shape;
+    const double viscous = in.parameter[1] * element.edge;
+    FoldJacobian::Vectors fall = jacobian.DerivativeOfRate(in.v);  // -dm/dx, weighted
+    double rate = 0.0;
     for (int i = 0; i < 4; ++i) {
-      for (int k = 0; k < 3; ++k) out->force[i][k] += moment * u[i][k];
+      rate += u[i].dot(in.v[i]);
+      fall[i] = (weights.x * 0.5 * elastic * half.cosine + weights.v * viscous) * u[i] +
+                weights.x * viscous * fall[i];
     }
+    jacobian.Add(weights.x * (elastic * half.sine - viscous * rate), fall, sink);
   }
 
   static double Energy(const Element& element, const ElementInput<Bending, double>& in) {
-    const double angle = MakeFold<double>(in.x).angle;
-    return 2.0 * in.parameter[0] * element.shape * (1.0 - std::cos(0.5 * angle));
+    const HalfAngle<double> half = HalveAngle<double>(MakeFold<double>(in.x));
+    return 2.0 * in.parameter[0] * element.shape * (1.0 - half.cosine);
   }
 };
 

@@ -38,14 +38,14 @@ struct BendingFriction : TermDefaults {
   static void AddForce(const Element& element, const ElementInput<BendingFriction, T>& in,
                        ElementOutput<BendingFriction, T>* out) {
     const Fold<T> fold = MakeFold<T>(in.x);
-    T turned = fold.angle - MakeFold<T>(in.start).angle;
+    T turned = FoldAngle<T>(fold) - FoldAngle<T>(MakeFold<T>(in.start));
     if (Value(turned) > M_PI) turned -= T(2.0 * M_PI);
     if (Value(turned) < -M_PI) turned += T(2.0 * M_PI);
     // Hinge::shape is |E| / (h1 + h2).
     const T slide = turned * (2.0 * element.shape / element.edge) / in.parameter[1];
     out->memory[0] = SlideFriction<T>(out->memory[0], slide);
     const T moment = in.parameter[0] * element.edge * out->memory[0];
-    AddFlatteningMoment<T>(moment, FlatteningMode<T>(in.x, fold), &out->force);
+    AddFlatteningMoment<T>(moment, FlatteningMode<T>(fold), &out->force);
   }
 };
 

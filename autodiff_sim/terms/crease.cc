@@ -16,7 +16,7 @@ std::vector<Crease::Element> Crease::Elements(const TermContext& context) {
     }
     // Minus the gradient of the angle, and a fold that rises along the normal has a negative one.
     const std::array<Eigen::Vector3d, 4> mode =
-        FlatteningMode<double>(flat, MakeFold<double>(flat));
+        FlatteningMode<double>(MakeFold<double>(flat));
     for (int i = 0; i < kNodes; ++i) element.angle_of_height[i] = -mode[i].z();
     elements.push_back(element);
   }

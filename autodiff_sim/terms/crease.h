@@ -54,6 +54,7 @@ struct Crease : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<Crease, T>& in,
                        ElementOutput<Crease, T>* out) {
+    using std::cos;
     using std::sin;
     const std::array<T, 4>& p = in.parameter;
     T rest_angle = T(0.0);
@@ -63,9 +64,12 @@ struct Crease : TermDefaults {
       rest_angle += element.angle_of_height[i] * height;
     }
     const Fold<T> fold = MakeFold<T>(in.x);
-    const T moment =
-        in.read[0] * element.shape * (sin((fold.angle - rest_angle) * 0.5) - sin(fold.angle * 0.5));
-    AddFlatteningMoment<T>(moment, FlatteningMode<T>(in.x, fold), &out->force);
+    const HalfAngle<T> half = HalveAngle<T>(fold);
+    const T rest = rest_angle * 0.5;
+    // sin((theta - rest angle) / 2) - sin(theta / 2)
+    const T difference = half.sine * (cos(rest) - 1.0) - half.cosine * sin(rest);
+    const T moment = in.read[0] * element.shape * difference;
+    AddFlatteningMoment<T>(moment, FlatteningMode<T>(fold), &out->force);
   }
 };
 

@@ -92,11 +92,10 @@ struct BendingOrthotropy : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<BendingOrthotropy, T>& in,
                        ElementOutput<BendingOrthotropy, T>* out) {
-    using std::sin;
     const T stiffness = in.read[0] * ExtraShare<T>(in.parameter[0], element.exponent);
     const Fold<T> fold = MakeFold<T>(in.x);
-    const T moment = stiffness * element.elastic.shape * sin(fold.angle * 0.5);
-    AddFlatteningMoment<T>(moment, FlatteningMode<T>(in.x, fold), &out->force);
+    const T moment = stiffness * element.elastic.shape * HalveAngle<T>(fold).sine;
+    AddFlatteningMoment<T>(moment, FlatteningMode<T>(fold), &out->force);
   }
 };
 

@@ -124,14 +124,13 @@ struct BendingRelaxation : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<BendingRelaxation, T>& in,
                        ElementOutput<BendingRelaxation, T>* out) {
-    using std::sin;
     // What bending.h resists is sin(theta / 2).
     const Fold<T> fold = MakeFold<T>(in.x);
-    const T before = sin(MakeFold<T>(in.start).angle * 0.5);
+    const T before = HalveAngle<T>(MakeFold<T>(in.start)).sine;
     out->memory[0] =
-        RelaxStrain<T>(out->memory[0], sin(fold.angle * 0.5) - before, in.step / in.parameter[1]);
+        RelaxStrain<T>(out->memory[0], HalveAngle<T>(fold).sine - before, in.step / in.parameter[1]);
     const T moment = in.parameter[0] * in.read[0] * element.shape * out->memory[0];
-    AddFlatteningMoment<T>(moment, FlatteningMode<T>(in.x, fold), &out->force);
+    AddFlatteningMoment<T>(moment, FlatteningMode<T>(fold), &out->force);
   }
 };
 

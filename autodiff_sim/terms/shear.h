@@ -48,10 +48,8 @@ struct Shear : TermDefaults {
     if (element.length == 0.0) {
       const SpringLaw<T> law = {in.parameter[0], in.parameter[1], T(0.0)};
       for (int i = 0; i < element.springs; ++i) {
-        const int a = 2 * i, b = a + 1;
-        const Vector3<T> dx = in.x[b] - in.x[a];
-        AddPull<T>(SpringPull<T>(element.bias[i], law, in.shrinkage, dx, in.v[b] - in.v[a]), dx,
-                   &out->force[a], &out->force[b]);
+        AddSpringForce<T>(element.bias[i], law, in.shrinkage, 2 * i, 2 * i + 1, in.x, in.v,
+                          &out->force);
       }
       return;
     }
@@ -79,6 +77,16 @@ struct Shear : TermDefaults {
         for (int i = 0; i < 4; ++i)
           if (weights[i] != 0.0) out->force[i][k] -= f * weights[i];
       }
+    }
+  }
+
+  static bool WritesJacobian(const Element& element) { return element.length == 0.0; }
+  template <class Sink>
+  static void AddJacobian(const Element& element, const ElementInput<Shear, double>& in,
+                          const JacobianWeights& weights, const Sink& sink) {
+    for (int i = 0; i < element.springs; ++i) {
+      AddSpringJacobian(element.bias[i], {in.parameter[0], in.parameter[1], 0.0}, in.shrinkage,
+                        2 * i, 2 * i + 1, in.x, in.v, weights, sink);
     }
   }
 

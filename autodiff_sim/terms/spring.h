@@ -10,7 +10,9 @@
 
 #include <cmath>
 
+#include "autodiff_sim/base/dual.h"
 #include "autodiff_sim/term/buckling.h"
+#include "autodiff_sim/term/element_jacobian.h"
 #include "autodiff_sim/term/term.h"
 
 namespace clothfit {
@@ -36,23 +38,22 @@ bool Buckles(const Spring& spring, const SpringLaw<T>& law) {
   return spring.buckling_length > 0.0 && Value(law.stiffness) > 0.0;
 }
 
-// N/m: the spring's tension over its length. dx (m) and dv (m/s) lead from one end to the other.
+// N/m: the spring's tension over its length. With dx (m) and dv (m/s) from one end to the other,
+// length2 is dx.dx (m^2) and rate dx.dv (m^2/s).
 template <class T>
 T SpringPull(const Spring& spring, const SpringLaw<T>& law, const std::array<T, 2>& shrinkage,
-             const Vector3<T>& dx, const Vector3<T>& dv) {
+             const T& length2, const T& rate) {
   using std::sqrt;
-  const T length2 = dx.dot(dx);
   const T length = sqrt(length2);
   const T rest_length = RestLength<T>(spring, shrinkage);
   if (!Buckles(spring, law)) {
     const T elastic = law.stiffness * ((length - rest_length) / length);
-    const T viscous = law.damping * (dx.dot(dv) / length2);
+    const T viscous = law.damping * (rate / length2);
     return (elastic + viscous) * spring.weight;
   }
   const T load = BucklingLoad<T>(law.bending, law.stiffness, spring.buckling_length);
-  const T rate = dx.dot(dv) / (length * rest_length);
-  const T tension =
-      BuckledTension<T>(law.stiffness, load, length / rest_length - 1.0, law.damping * rate);
+  const T viscous = law.damping * rate / (length * rest_length);
+  const T tension = BuckledTension<T>(law.stiffness, load, length / rest_length - 1.0, viscous);
   return tension * (rest_length * spring.weight) / length;
 }
 
@@ -65,14 +66,50 @@ void AddPull(const T& pull, const Vector3<T>& dx, Vector3<T>* force_a, Vector3<T
   }
 }
 
+// Adds the force of a spring from node a to node b of an element.
+template <class T, std::size_t kNodes>
+void AddSpringForce(const Spring& spring, const SpringLaw<T>& law,
+                    const std::array<T, 2>& shrinkage, int a, int b,
+                    const std::array<Vector3<T>, kNodes>& x,
+                    const std::array<Vector3<T>, kNodes>& v,
+                    std::array<Vector3<T>, kNodes>* force) {
+  const Vector3<T> dx = x[b] - x[a];
+  const T length2 = dx.dot(dx), rate = dx.dot(v[b] - v[a]);
+  AddPull<T>(SpringPull<T>(spring, law, shrinkage, length2, rate), dx, &(*force)[a], &(*force)[b]);
+}
+
+// Its derivatives, term/element_jacobian.h: with the pull P(dx.dx, dx.dv) of node a along dx,
+//   d(P dx) = P d(dx) + dx (2 P_1 dx + P_2 dv).d(dx) + P_2 dx dx.d(dv).
+template <std::size_t kNodes, class Sink>
+void AddSpringJacobian(const Spring& spring, const SpringLaw<double>& law,
+                       const std::array<double, 2>& shrinkage, int a, int b,
+                       const std::array<Eigen::Vector3d, kNodes>& x,
+                       const std::array<Eigen::Vector3d, kNodes>& v,
+                       const JacobianWeights& weights, const Sink& sink) {
+  using T = Dual<WholeRegisters(2)>;
+  const Eigen::Vector3d dx = x[b] - x[a], dv = v[b] - v[a];
+  T length2(dx.squaredNorm()), rate(dx.dot(dv));
+  length2.SetDerivative(0, 1.0);
+  rate.SetDerivative(1, 1.0);
+  const SpringLaw<T> constants = {T(law.stiffness), T(law.damping), T(law.bending)};
+  const T pull =
+      SpringPull<T>(spring, constants, {T(shrinkage[0]), T(shrinkage[1])}, length2, rate);
+  const double by_rate = pull.derivative(1), kept = weights.x * pull.a;
+  const JacobianRow gradient = JacobianRow(
+      (2.0 * weights.x * pull.derivative(0) + weights.v * by_rate) * dx + weights.x * by_rate * dv);
+  const JacobianRow identity[3] = {{kept, 0, 0}, {0, kept, 0}, {0, 0, kept}};
+  for (int p = 0; p < 3; ++p) AddPairRow(a, b, p, identity[p] + dx[p] * gradient, sink);
+}
+
 // Adds what a spring gains where its stiffness is multiplied by 1 + extra, without damping.
 template <class T>
 void AddExtraSpringForce(const Spring& spring, const T& stiffness, const T& extra, const T& bending,
                          const std::array<T, 2>& shrinkage, const std::array<Vector3<T>, 2>& x,
                          std::array<Vector3<T>, 2>* force) {
-  const Vector3<T> dx = x[1] - x[0], still = Vector3<T>(T(0.0), T(0.0), T(0.0));
+  const Vector3<T> dx = x[1] - x[0];
+  const T length2 = dx.dot(dx);
   const auto pull = [&](const T& k) {
-    return SpringPull<T>(spring, {k, T(0.0), bending}, shrinkage, dx, still);
+    return SpringPull<T>(spring, {k, T(0.0), bending}, shrinkage, length2, T(0.0));
   };
   const bool buckles = Buckles<T>(spring, {stiffness, T(0.0), bending});
   AddPull<T>(
@@ -115,10 +152,15 @@ struct StretchSpring : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<StretchSpring, T>& in,
                        ElementOutput<StretchSpring, T>* out) {
-    const SpringLaw<T> law = {in.parameter[0], in.parameter[1], in.read[0]};
-    const Vector3<T> dx = in.x[1] - in.x[0];
-    AddPull<T>(SpringPull<T>(element, law, in.shrinkage, dx, in.v[1] - in.v[0]), dx, &out->force[0],
-               &out->force[1]);
+    AddSpringForce<T>(element, {in.parameter[0], in.parameter[1], in.read[0]}, in.shrinkage, 0, 1,
+                      in.x, in.v, &out->force);
+  }
+
+  template <class Sink>
+  static void AddJacobian(const Element& element, const ElementInput<StretchSpring, double>& in,
+                          const JacobianWeights& weights, const Sink& sink) {
+    AddSpringJacobian(element, {in.parameter[0], in.parameter[1], in.read[0]}, in.shrinkage, 0, 1,
+                      in.x, in.v, weights, sink);
   }
 
   static double Energy(const Element& element, const ElementInput<StretchSpring, double>& in) {

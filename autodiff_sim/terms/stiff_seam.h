@@ -52,11 +52,10 @@ struct StiffSeamBending : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<StiffSeamBending, T>& in,
                        ElementOutput<StiffSeamBending, T>* out) {
-    using std::sin;
     const T stiffness = in.read[0] * StiffSeamFactor<T>(element.from_middle, in.parameter);
     const Fold<T> fold = MakeFold<T>(in.x);
-    const T moment = stiffness * element.elastic.shape * sin(fold.angle * 0.5);
-    AddFlatteningMoment<T>(moment, FlatteningMode<T>(in.x, fold), &out->force);
+    const T moment = stiffness * element.elastic.shape * HalveAngle<T>(fold).sine;
+    AddFlatteningMoment<T>(moment, FlatteningMode<T>(fold), &out->force);
   }
 };
 

@@ -44,6 +44,15 @@ struct UniformWind : TermDefaults {
         AirDragForce<T>(in.x, velocity - wind, in.read) - AirDragForce<T>(in.x, velocity, in.read);
     for (Vector3<T>& corner : out->force) corner += force;
   }
+
+  template <class Sink>
+  static void AddJacobian(const Element&, const ElementInput<UniformWind, double>& in,
+                          const JacobianWeights& weights, const Sink& sink) {
+    const Eigen::Vector3d velocity = (in.v[0] + in.v[1] + in.v[2]) / 3.0;
+    const Eigen::Vector3d wind(in.parameter[0], in.parameter[1], in.parameter[2]);
+    AddAirDragJacobian(in.x, velocity - wind, in.read, 1.0, weights, sink);
+    AddAirDragJacobian(in.x, velocity, in.read, -1.0, weights, sink);
+  }
 };
 
 }  // namespace clothfit

@@ -47,6 +47,7 @@ CholmodReference::~CholmodReference() {
 
 double CholmodReference::Factorize(const BlockSparseMatrix& a) {
   const BlockPattern& pattern = a.pattern();
+  constexpr int kRow = BlockSparseMatrix::kRow;
   double* x = static_cast<double*>(matrix_->x);
   for (int node = 0; node < pattern.num_rows(); ++node) {
     for (int q = 0; q < 3; ++q) {
@@ -54,7 +55,7 @@ double CholmodReference::Factorize(const BlockSparseMatrix& a) {
         const double* mirror = a.block(pattern.Find(pattern.column[k], node));
         for (int p = 0; p < 3; ++p) {
           if (3 * pattern.column[k] + p >= 3 * node + q)
-            *x++ = 0.5 * (a.block(k)[3 * q + p] + mirror[3 * p + q]);
+            *x++ = 0.5 * (a.block(k)[kRow * q + p] + mirror[kRow * p + q]);
         }
       }
     }

@@ -36,6 +36,8 @@ BlockPattern GridPattern(int n) {
   return MakePattern(n * n, cliques);
 }
 
+constexpr int kRow = BlockSparseMatrix::kRow;
+
 // Diagonally dominant; `asymmetry` is the size of what has no mirror image.
 BlockSparseMatrix RandomMatrix(const BlockPattern* pattern, double asymmetry, unsigned seed) {
   std::mt19937 random(seed);
@@ -46,11 +48,11 @@ BlockSparseMatrix RandomMatrix(const BlockPattern* pattern, double asymmetry, un
       double* mirror = a.block(pattern->Find(pattern->column[k], row));
       for (int e = 0; e < 9; ++e) {
         const double value = uniform(random);
-        a.block(k)[e] += value + asymmetry * uniform(random);
-        mirror[3 * (e % 3) + e / 3] += value;
+        a.block(k)[kRow * (e / 3) + e % 3] += value + asymmetry * uniform(random);
+        mirror[kRow * (e % 3) + e / 3] += value;
       }
     }
-    for (int p = 0; p < 3; ++p) a.block(pattern->diagonal[row])[4 * p] += 60.0;
+    for (int p = 0; p < 3; ++p) a.block(pattern->diagonal[row])[(kRow + 1) * p] += 60.0;
   }
   return a;
 }
@@ -61,7 +63,7 @@ Eigen::MatrixXd Dense(const BlockSparseMatrix& a) {
   for (int row = 0; row < pattern.num_rows(); ++row) {
     for (int k = pattern.row_begin[row]; k < pattern.row_begin[row + 1]; ++k) {
       for (int e = 0; e < 9; ++e)
-        dense(3 * row + e / 3, 3 * pattern.column[k] + e % 3) = a.block(k)[e];
+        dense(3 * row + e / 3, 3 * pattern.column[k] + e % 3) = a.block(k)[kRow * (e / 3) + e % 3];
     }
   }
   return dense;
@@ -137,7 +139,7 @@ TEST_P(OnGrids, TheWholeFactorRefusesWhatWantsPivoting) {
   BlockSparseMatrix a = RandomMatrix(&pattern_, 1.0, 15);
   SparseLu factor(SparseCholesky(&pattern_).supernodes());
   ASSERT_TRUE(factor.Factorize(a));
-  for (int k = 0; k < 3; ++k) a.block(pattern_.diagonal[0])[4 * k] = -5.0;
+  for (int k = 0; k < 3; ++k) a.block(pattern_.diagonal[0])[(kRow + 1) * k] = -5.0;
   EXPECT_FALSE(factor.Factorize(a));
   EXPECT_FALSE(factor.has_factor());
   a.block(0)[0] = std::numeric_limits<double>::quiet_NaN();
@@ -146,7 +148,7 @@ TEST_P(OnGrids, TheWholeFactorRefusesWhatWantsPivoting) {
 
 TEST_P(OnGrids, AnIndefiniteMatrixIsShiftedUntilItIsDefinite) {
   BlockSparseMatrix a = RandomMatrix(&pattern_, 0.0, 5);
-  for (int k = 0; k < 3; ++k) a.block(pattern_.diagonal[0])[4 * k] = -5.0;
+  for (int k = 0; k < 3; ++k) a.block(pattern_.diagonal[0])[(kRow + 1) * k] = -5.0;
   SparseCholesky factor(&pattern_);
   ASSERT_TRUE(factor.Factorize(a));
   EXPECT_GT(factor.shift(), 0.0);
