@@ -236,8 +236,9 @@ GmresReport Gmres::Solve(const SupernodalFactor* preconditioner, const Lanes<kCo
           (options.relative_tolerance * size / scale).max(kCycleReduction * norm);
       const int patience = std::min(kLongestCycle, options.max_iterations - report.iterations);
       if (patience <= 0) return report;
-      const Row<kColumns> residual = Cycle<kColumns>(rounded_, preconditioner, std::move(z), norm,
-                                                     wanted, scale, patience, &report.iterations, x);
+      const Row<kColumns> residual =
+          Cycle<kColumns>(rounded_, preconditioner, std::move(z), norm, wanted, scale, patience,
+                          &report.iterations, x);
       if (!residual.allFinite()) return report;
       // Of what was reached, as a guess may have been far too large; at least |x + P^-1 r|, so that
       // what is not small enough here is not small enough for the next cycle either.

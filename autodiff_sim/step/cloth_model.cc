@@ -183,7 +183,8 @@ std::vector<NamedEnergy> ClothModel::Energies(const ForcePoint& all) const {
 void ClothModel::AddMass(double areal_density, BlockSparseMatrix* a) const {
   for (int i = 0; i < mesh_.num_particles(); ++i) {
     double* block = a->block(pattern_.diagonal[i]);
-    for (int k = 0; k < 3; ++k) block[(BlockSparseMatrix::kRow + 1) * k] += areal_density * topology_.areas[i];
+    for (int k = 0; k < 3; ++k)
+      block[(BlockSparseMatrix::kRow + 1) * k] += areal_density * topology_.areas[i];
   }
 }
 

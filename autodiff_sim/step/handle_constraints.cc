@@ -111,7 +111,8 @@ void HandleConstraints::ReduceMatrix(BlockSparseMatrix* a) const {
         add_block(pattern.Find(share.node, pattern.column[k]), share.factor, k);
     }
     const double* diagonal = a->block(pattern.Find(held.node, held.node));
-    const double scale = std::max(1e-12, (diagonal[0] + diagonal[kNext] + diagonal[2 * kNext]) / 3.0);
+    const double scale =
+        std::max(1e-12, (diagonal[0] + diagonal[kNext] + diagonal[2 * kNext]) / 3.0);
     for (int k = begin; k < end; ++k) {
       std::fill_n(a->block(k), kNumbers, 0.0);
       std::fill_n(a->block(pattern.Find(pattern.column[k], held.node)), kNumbers, 0.0);

@@ -156,7 +156,7 @@ Eigen::VectorXd ExtrapolatedVelocity(const State& state, double h) {
 // One step of exactly h; the state is untouched unless it converges. A fresh one starts from the
 // velocities as they are, not from extrapolated ones.
 StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* state,
-                               Sensitivity* sensitivity) {
+                               Sensitivity* sensitivity, const Eigen::VectorXd* known) {
   StepReport report;
   const bool with_directions = sensitivity != nullptr;
   StepInputs inputs = drive(state->time + h, with_directions);
@@ -191,8 +191,11 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
   }
   Eigen::VectorXd v = state->v;
   if (problem.formula.before != 0.0 && !fresh) v = ExtrapolatedVelocity(*state, h);
+  if (known != nullptr) v = *known;
   StepSolver& solver = solver_->solver;
-  if (!solver.Solve(problem, &v, &report)) {
+  if (known != nullptr && !problem.keep_clear) {
+    solver.Take(problem, v);
+  } else if (!solver.Solve(problem, &v, &report)) {
     report.status = StepStatus::kDiverged;
     return report;
   }
@@ -221,8 +224,8 @@ StepReport Simulation::TryStep(double h, bool fresh, const Drive& drive, State* 
   return report;
 }
 
-StepReport Simulation::Advance(double h, const Drive& drive, State* state,
-                               Sensitivity* sensitivity) {
+StepReport Simulation::Advance(double h, const Drive& drive, State* state, Sensitivity* sensitivity,
+                               const Eigen::VectorXd* known) {
   StepReport total;
   if (sensitivity != nullptr && sensitivity->num_directions() == 0) sensitivity = nullptr;
   // The parts still to do, each as its number of halvings; a part that fails becomes two.
@@ -232,7 +235,8 @@ StepReport Simulation::Advance(double h, const Drive& drive, State* state,
   while (!parts.empty()) {
     const int halvings = parts.back();
     parts.pop_back();
-    StepReport report = TryStep(std::ldexp(h, -halvings), fresh, drive, state, sensitivity);
+    StepReport report = TryStep(std::ldexp(h, -halvings), fresh, drive, state, sensitivity,
+                                halvings == 0 && !fresh ? known : nullptr);
     if (report.status == StepStatus::kDiverged && (!fresh || halvings < options_.max_halvings)) {
       // An old factor or a bold guess may have led astray: the same again without, then shorter.
       parts.insert(parts.end(), fresh ? 2 : 1, fresh ? halvings + 1 : halvings);

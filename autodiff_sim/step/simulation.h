@@ -122,9 +122,11 @@ class Simulation {
                                  std::vector<std::string>* names = nullptr) const;
 
   // Moves the state on by h seconds, and its derivatives where `sensitivity` is given. There is no
-  // way to get a derivative of a step that did not converge.
-  StepReport Advance(double h, const Drive& drive, State* state,
-                     Sensitivity* sensitivity = nullptr);
+  // way to get a derivative of a step that did not converge. `known`: the velocities (3N, m/s) with
+  // which the same step in one part has ended before; they are not solved for again, unless there
+  // is contact.
+  StepReport Advance(double h, const Drive& drive, State* state, Sensitivity* sensitivity = nullptr,
+                     const Eigen::VectorXd* known = nullptr);
 
   // The force (N, 3N) that a handle exerts on the cloth to hold it: the last step's residual at the
   // held particles over gamma; zero elsewhere.
@@ -141,7 +143,7 @@ class Simulation {
   struct Solver;
   Simulation(std::unique_ptr<ClothModel> model, const SimulationOptions& options);
   StepReport TryStep(double h, bool fresh, const Drive& drive, State* state,
-                     Sensitivity* sensitivity);
+                     Sensitivity* sensitivity, const Eigen::VectorXd* known);
 
   bool StartsClear(const State& state);
 

@@ -52,8 +52,8 @@ ForceDirections StepSolver::DirectionsAtFixedVelocity(const StepProblem& problem
   directions.x = formula.now * lanes.x + formula.before * lanes.previous_x;
   problem.constraints->DependentVelocityDerivative(inputs, first, directions.x, formula.gamma,
                                                    &directions.v);
-  directions.a = (formula.now * lanes.v + formula.before * lanes.previous_v) *
-                 (-1.0 / formula.gamma);
+  directions.a =
+      (formula.now * lanes.v + formula.before * lanes.previous_v) * (-1.0 / formula.gamma);
   return directions;
 }
 

@@ -166,8 +166,8 @@ bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepRepor
       const double contraction = error.norm / level;
       current = false;
       // Another Jacobian costs about as much as an iteration.
-      usable = share == 1.0 &&
-               contraction * contraction * gamma * error.largest < position_tolerance_;
+      usable =
+          share == 1.0 && contraction * contraction * gamma * error.largest < position_tolerance_;
     } else if (!current) {
       usable = false;
     } else if (factor_is_current_ || !RefreshFactor(report)) {
@@ -175,9 +175,18 @@ bool StepSolver::Solve(const StepProblem& problem, Eigen::VectorXd* v, StepRepor
     }
   }
   report->error = gamma * error.largest;
-  const std::vector<bool> awake(model_->num_terms(), options_.remember_when_off);
-  model_->UpdateMemoryOfOff(StepMotion(problem, *v).Point(problem), awake, &new_memory_);
+  UpdateMemoryOfOff(problem, *v);
   return std::isfinite(report->error);
+}
+
+void StepSolver::Take(const StepProblem& problem, const Eigen::VectorXd& v) {
+  Residual(problem, v);
+  UpdateMemoryOfOff(problem, v);
+}
+
+void StepSolver::UpdateMemoryOfOff(const StepProblem& problem, const Eigen::VectorXd& v) {
+  const std::vector<bool> awake(model_->num_terms(), options_.remember_when_off);
+  model_->UpdateMemoryOfOff(StepMotion(problem, v).Point(problem), awake, &new_memory_);
 }
 
 }  // namespace clothfit

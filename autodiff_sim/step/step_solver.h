@@ -52,6 +52,9 @@ class StepSolver {
   // sec. 3.3). Returns whether it converged.
   bool Solve(const StepProblem& problem, Eigen::VectorXd* v, StepReport* report);
 
+  // As after Solve where it has come to v, without contact.
+  void Take(const StepProblem& problem, const Eigen::VectorXd& v);
+
   // Derivatives at the solved v, by the implicit function theorem: A dv = -dr at fixed v, with the
   // exact Jacobian A of the residual. Advances every lane. Returns false where a linear solve
   // fails.
@@ -83,6 +86,7 @@ class StepSolver {
   // Whether the factor's age has cost about as many linear iterations as another factor does; if
   // careful, whether it has any.
   bool FactorIsWorn(bool careful) const;
+  void UpdateMemoryOfOff(const StepProblem& problem, const Eigen::VectorXd& v);
   // Sets `estimate_`, P^-1 of the reduced residual: an estimate of the error of the velocities.
   // m/s, its norm and its largest component.
   struct Error {

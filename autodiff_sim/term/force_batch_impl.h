@@ -22,12 +22,6 @@ constexpr bool kTermHasEnergy = false;
 template <class Term>
 constexpr bool kTermHasEnergy<Term, std::void_t<decltype(&Term::Energy)>> = true;
 
-// Whether a term says for which elements it writes down the derivatives, term/element_jacobian.h.
-template <class Term, class = void>
-constexpr bool kTermPicksElements = false;
-template <class Term>
-constexpr bool kTermPicksElements<Term, std::void_t<decltype(&Term::WritesJacobian)>> = true;
-
 template <class Term>
 class TermBatch final : public ForceBatch {
  public:
@@ -98,12 +92,9 @@ class TermBatch final : public ForceBatch {
 
   void AddJacobian(const BatchPoint& point, const JacobianWeights& weights,
                    BlockSparseMatrix* matrix) const override {
-    if constexpr (kWritesJacobian) {
-      AddWrittenJacobian(point, weights, matrix);
-      if constexpr (kTermPicksElements<Term>) AddDualJacobian(point, weights, matrix);
-    } else {
+    if constexpr (kWritesJacobian<Term>) AddWrittenJacobian(point, weights, matrix);
+    if constexpr (!kWritesJacobian<Term> || kPicksElements<Term>)
       AddDualJacobian(point, weights, matrix);
-    }
   }
 
   [[gnu::flatten]] void AddDerivatives(const BatchPoint& point, const BatchDirections& directions,
@@ -153,22 +144,12 @@ class TermBatch final : public ForceBatch {
     const int* index;
     BlockSparseMatrix* matrix;
   };
-  template <class T, class = void>
-  struct Writes : std::false_type {};
-  template <class T>
-  struct Writes<T, std::void_t<decltype(T::template AddJacobian<RowSink>)>> : std::true_type {};
-  static constexpr bool kWritesJacobian = Writes<Term>::value;
-
-  static bool IsWritten(const Element& element) {
-    if constexpr (kTermPicksElements<Term>) return Term::WritesJacobian(element);
-    return kWritesJacobian;
-  }
 
   [[gnu::flatten]] void AddWrittenJacobian(const BatchPoint& point, const JacobianWeights& weights,
                                            BlockSparseMatrix* matrix) const {
     ElementInput<Term, double> in = MakeInput<double>(point);
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      if (!IsWritten(elements_[e])) continue;
+      if (!WritesJacobian<Term>(elements_[e])) continue;
       LoadNodes(point, elements_[e], &in);
       const RowSink sink = {&blocks_[e * kNodes * kNodes], matrix};
       Term::template AddJacobian<RowSink>(elements_[e], in, weights, sink);
@@ -188,7 +169,7 @@ class TermBatch final : public ForceBatch {
       }
     }
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      if (IsWritten(elements_[e])) continue;
+      if (WritesJacobian<Term>(elements_[e])) continue;
       LoadNodes(point, elements_[e], &in);
       LoadInputs(elements_[e], &in);
       ElementOutput<Term, T> out = EmptyOutput<T>(point, e);

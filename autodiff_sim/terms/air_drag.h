@@ -39,8 +39,8 @@ Vector3<T> AirDragForce(const std::array<Vector3<T>, 3>& x, const Vector3<T>& ve
 // force is -(k_t |N| v + P N) / 6.
 template <class Sink>
 void AddAirDragJacobian(const std::array<Eigen::Vector3d, 3>& x, const Eigen::Vector3d& velocity,
-                        const std::array<double, 3>& k, double sign,
-                        const JacobianWeights& weights, const Sink& sink) {
+                        const std::array<double, 3>& k, double sign, const JacobianWeights& weights,
+                        const Sink& sink) {
   const Eigen::Vector3d side1 = x[1] - x[0], side2 = x[2] - x[0];
   const Eigen::Vector3d normal = side1.cross(side2);
   const double twice_area = normal.norm();
@@ -59,7 +59,8 @@ void AddAirDragJacobian(const std::array<Eigen::Vector3d, 3>& x, const Eigen::Ve
     by_velocity[p] += by_v * k[2] * twice_area;
     const Eigen::Vector3d by_side1 = side2.cross(by_normal), by_side2 = by_normal.cross(side1);
     const JacobianRow rows[3] = {JacobianRow(by_velocity - by_side1 - by_side2),
-                                 JacobianRow(by_velocity + by_side1), JacobianRow(by_velocity + by_side2)};
+                                 JacobianRow(by_velocity + by_side1),
+                                 JacobianRow(by_velocity + by_side2)};
     for (int a = 0; a < 3; ++a) {
       for (int b = 0; b < 3; ++b) sink(a, b, p, rows[b]);
     }

@@ -51,7 +51,8 @@ struct Bending : TermDefaults {
     AddFlatteningMoment<T>(moment, u, &out->force);
   }
 
-  // f_i = m u_i with m = k sin(theta / 2) - c u.v, so that -dm = (k/2 cos(theta / 2) u + c d(u.v)).dx
+  // f_i = m u_i with m = k sin(theta / 2) - c u.v, so that -dm = (k/2 cos(theta / 2) u + c
+  // d(u.v)).dx
   // + c u.dv.
   template <class Sink>
   static void AddJacobian(const Element& element, const ElementInput<Bending, double>& in,

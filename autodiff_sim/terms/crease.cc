@@ -15,8 +15,7 @@ std::vector<Crease::Element> Crease::Elements(const TermContext& context) {
       flat[i] << element.from_middle[i], 0.0;
     }
     // Minus the gradient of the angle, and a fold that rises along the normal has a negative one.
-    const std::array<Eigen::Vector3d, 4> mode =
-        FlatteningMode<double>(MakeFold<double>(flat));
+    const std::array<Eigen::Vector3d, 4> mode = FlatteningMode<double>(MakeFold<double>(flat));
     for (int i = 0; i < kNodes; ++i) element.angle_of_height[i] = -mode[i].z();
     elements.push_back(element);
   }

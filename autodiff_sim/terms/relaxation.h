@@ -127,8 +127,8 @@ struct BendingRelaxation : TermDefaults {
     // What bending.h resists is sin(theta / 2).
     const Fold<T> fold = MakeFold<T>(in.x);
     const T before = HalveAngle<T>(MakeFold<T>(in.start)).sine;
-    out->memory[0] =
-        RelaxStrain<T>(out->memory[0], HalveAngle<T>(fold).sine - before, in.step / in.parameter[1]);
+    out->memory[0] = RelaxStrain<T>(out->memory[0], HalveAngle<T>(fold).sine - before,
+                                    in.step / in.parameter[1]);
     const T moment = in.parameter[0] * in.read[0] * element.shape * out->memory[0];
     AddFlatteningMoment<T>(moment, FlatteningMode<T>(fold), &out->force);
   }

@@ -84,8 +84,8 @@ template <std::size_t kNodes, class Sink>
 void AddSpringJacobian(const Spring& spring, const SpringLaw<double>& law,
                        const std::array<double, 2>& shrinkage, int a, int b,
                        const std::array<Eigen::Vector3d, kNodes>& x,
-                       const std::array<Eigen::Vector3d, kNodes>& v,
-                       const JacobianWeights& weights, const Sink& sink) {
+                       const std::array<Eigen::Vector3d, kNodes>& v, const JacobianWeights& weights,
+                       const Sink& sink) {
   using T = Dual<WholeRegisters(2)>;
   const Eigen::Vector3d dx = x[b] - x[a], dv = v[b] - v[a];
   T length2(dx.squaredNorm()), rate(dx.dot(dv));

@@ -101,7 +101,7 @@ struct FitConfig {
   bool other_starts = true;
   bool polish = true;  // then fit all frames at once, open loop, from where the windows ended
   // Of Levenberg-Marquardt: of the polish; of each window without one, else fewer.
-  int max_iterations = 30;
+  int max_iterations = 60;
   double function_tolerance = 1e-6;  // relative change of the cost at which to stop
 
   bool FitsMarkers() const { return use_markers && beta > 0.0; }

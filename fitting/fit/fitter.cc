@@ -13,7 +13,6 @@
 #include "fitting/fit/evaluation.h"
 #include "fitting/optimise/checked_factor.h"
 #include "fitting/optimise/levenberg_marquardt.h"
-#include "fitting/optimise/simulation_cost.h"
 
 namespace clothfit {
 namespace {
@@ -108,32 +107,32 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
                                         int first, int last, const Patience& patience,
                                         const Eigen::MatrixXd& prior, const Eigen::VectorXd& offset,
                                         const std::vector<int>& held) {
-  ceres::Problem problem;
-  double* theta = progress_.theta.data();
   const bool is_whole = simulator == &simulator_ && held.empty() && start.frame == 0 &&
                         first == 0 && last == scene_.last_fitted_frame;
   newest_ = {};
   if (!is_whole) at_best_ = {};
+  Linearisation window;
   const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
                             RowMajorMatrix* jacobian) {
     if (jacobian != nullptr && at_best_.IsAt(at)) {
-      newest_ = at_best_;
-      *residuals = newest_.residuals;
-      *jacobian = newest_.jacobian;
-      return true;
+      window = at_best_;
+    } else {
+      const Outcome outcome =
+          EvaluateWindow(simulator, observations_, start, at, first, last, WindowRows::kCompressed,
+                         &window.residuals, jacobian != nullptr ? &window.jacobian : nullptr);
+      if (outcome != Outcome::kComplete) return false;
+      window.theta = at;
+      window.steps = simulator->last_report();
     }
-    const Outcome outcome = EvaluateWindow(simulator, observations_, start, at, first, last,
-                                           WindowRows::kCompressed, residuals, jacobian);
-    if (outcome == Outcome::kComplete && jacobian != nullptr && is_whole)
-      newest_ = {at, *residuals, *jacobian, simulator->last_report()};
-    return outcome == Outcome::kComplete;
+    residuals->resize(window.residuals.size() + prior.rows());
+    *residuals << window.residuals, prior * at - offset;
+    if (jacobian == nullptr) return true;
+    jacobian->resize(residuals->size(), free_.size());
+    *jacobian << window.jacobian, prior;
+    if (is_whole) newest_ = window;
+    return true;
   };
-  problem.AddResidualBlock(new SimulationCost(free_.size() + 1, free_.size(), evaluate), nullptr,
-                           theta);
   const int rows = observations_.NumObserved(first, last);
-  problem.AddResidualBlock(new LinearCost(prior, offset), nullptr, theta);
-  SetBounds(free_.lower(), free_.upper(), theta, &problem);
-  if (!held.empty()) problem.SetManifold(theta, new ceres::SubsetManifold(free_.size(), held));
   simulator->Hold(held);
   constexpr double kRadiusNear = 10.0;  // of a minimum
   const double first_radius = is_near_ ? kRadiusNear : kCautiousRadius;
@@ -144,9 +143,10 @@ ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const Window
   IterationReporter reporter([&](const ceres::IterationSummary& s) { Report(s, rows); },
                              callbacks_.stop);
   options.callbacks.push_back(&reporter);
-  ceres::Solver::Summary summary;
   best_ = progress_.theta;
-  ceres::Solve(options, &problem, &summary);
+  const int count = free_.size() + 1 + static_cast<int>(prior.rows());
+  const ceres::Solver::Summary summary = MinimiseWithin({free_.lower(), free_.upper(), held}, count,
+                                                        evaluate, options, &progress_.theta);
   simulator->Hold({});
   progress_.theta = best_;  // Ceres takes back what it had reached when an evaluation fails
   iterations_ += NumIterations(summary);

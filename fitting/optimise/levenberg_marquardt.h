@@ -4,9 +4,12 @@
 // How Ceres' Levenberg-Marquardt is set up for simulations.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
-#include <ceres/problem.h>
 #include <ceres/solver.h>
+
+#include "fitting/optimise/simulation_cost.h"
 
 namespace clothfit {
 
@@ -16,8 +19,17 @@ inline constexpr double kCautiousRadius = 1.0;
 ceres::Solver::Options LevenbergMarquardtOptions(int max_iterations, double function_tolerance,
                                                  double first_radius = kCautiousRadius);
 
-// Keeps a block of unknowns within these bounds, as far as they are finite.
-void SetBounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, double* unknowns,
-               ceres::Problem* problem);
+// Where the unknowns may be; bounds may be infinite.
+struct Bounds {
+  Eigen::VectorXd lower, upper;
+  std::vector<int> held;  // unknowns that stay as they are
+};
+
+// Minimises half the sum of squares of the residuals. A step ends at the bounds, and an unknown at
+// a bound that its gradient leads beyond stays there for the next step.
+ceres::Solver::Summary MinimiseWithin(const Bounds& bounds, int num_residuals,
+                                      const SimulationCost::Evaluator& evaluate,
+                                      const ceres::Solver::Options& options,
+                                      Eigen::VectorXd* unknowns);
 
 }  // namespace clothfit

@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 
-#include <ceres/ceres.h>
 #include <fmt/format.h>
 #include <nlopt.hpp>
 
@@ -16,7 +15,6 @@
 #include "fitting/optimise/evaluation_counter.h"
 #include "fitting/optimise/levenberg_marquardt.h"
 #include "fitting/optimise/pattern_search.h"
-#include "fitting/optimise/simulation_cost.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -26,22 +24,23 @@ namespace {
 
 Minimum MinimiseByLevenbergMarquardt(const Objective& objective, const OptimiserOptions& options) {
   EvaluationCounter counter(objective, options);
-  const int n = static_cast<int>(objective.start.size());
+  Eigen::VectorXd tried;
   const auto evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd* residuals,
                             RowMajorMatrix* jacobian) {
     if (!counter.Spent().empty()) return false;
     const bool usable = objective.residuals(x, residuals, jacobian);
-    counter.Count(
-        x, usable ? 0.5 * residuals->squaredNorm() : std::numeric_limits<double>::infinity());
+    // What was tried and is differentiated now is the same evaluation.
+    if (jacobian == nullptr || tried.size() != x.size() || tried != x) {
+      counter.Count(
+          x, usable ? 0.5 * residuals->squaredNorm() : std::numeric_limits<double>::infinity());
+    }
+    tried = x;
     return usable;
   };
-  ceres::Problem problem;
   Eigen::VectorXd x = objective.start;
-  problem.AddResidualBlock(new SimulationCost(objective.num_residuals, n, evaluate), nullptr,
-                           x.data());
-  SetBounds(objective.lower, objective.upper, x.data(), &problem);
-  ceres::Solver::Summary summary;
-  ceres::Solve(LevenbergMarquardtOptions(1000, 1e-6), &problem, &summary);
+  const ceres::Solver::Summary summary =
+      MinimiseWithin({objective.lower, objective.upper, {}}, objective.num_residuals, evaluate,
+                     LevenbergMarquardtOptions(1000, 1e-6), &x);
   const std::string spent = counter.Spent();
   const bool converged = spent.empty() && summary.termination_type == ceres::CONVERGENCE;
   return counter.Finish(converged, spent.empty() ? summary.message : spent);

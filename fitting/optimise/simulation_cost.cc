@@ -19,12 +19,10 @@ bool SimulationCost::Evaluate(double const* const* parameters, double* residuals
   const bool is_asked = jacobians != nullptr && jacobians[0] != nullptr;
   const bool is_known = has_residuals_ && theta_ == theta;
   if (!is_known || (is_asked && !has_jacobian_)) {
-    const bool with_jacobian = is_asked || was_taken_;
     theta_ = theta;
-    has_residuals_ = evaluator_(theta_, &residuals_, with_jacobian ? &jacobian_ : nullptr);
-    has_jacobian_ = has_residuals_ && with_jacobian;
+    has_residuals_ = evaluator_(theta_, &residuals_, is_asked ? &jacobian_ : nullptr);
+    has_jacobian_ = has_residuals_ && is_asked;
   }
-  was_taken_ = is_asked;
   if (!has_residuals_) return false;
   Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = residuals_;
   if (is_asked) Eigen::Map<RowMajorMatrix>(jacobians[0], num_residuals(), columns) = jacobian_;

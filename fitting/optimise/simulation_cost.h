@@ -14,8 +14,9 @@
 namespace clothfit {
 
 // Levenberg-Marquardt asks for the residuals where it tries a step and, if it takes the step, for
-// the Jacobian there. A simulation with derivatives contains the one without, so as long as steps
-// are taken both are computed at the trial; after one that was not, residuals alone.
+// the Jacobian there. A motion that has been simulated need not be solved for again to be
+// differentiated (Simulation::Advance), so a step that is not taken costs no derivatives and one
+// that is taken costs no second simulation.
 class SimulationCost final : public ceres::CostFunction {
  public:
   // Residuals at theta and, unless null, their Jacobian. False where there are none.
@@ -33,7 +34,6 @@ class SimulationCost final : public ceres::CostFunction {
   mutable Eigen::VectorXd theta_, residuals_;
   mutable RowMajorMatrix jacobian_;
   mutable bool has_residuals_ = false, has_jacobian_ = false;
-  mutable bool was_taken_ = true;  // the last trial: its Jacobian was asked for
 };
 
 }  // namespace clothfit

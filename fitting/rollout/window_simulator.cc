@@ -87,17 +87,29 @@ WindowSimulator::Outcome WindowSimulator::Run(const WindowStart& start,
   const Drive drive = [this](double time, bool with_directions) {
     return Inputs(time, with_directions);
   };
+  const bool is_known = derivatives && !motion_.velocities.empty() &&
+                        motion_.frame == start.frame && motion_.theta == theta &&
+                        motion_.x == state.x && motion_.v == state.v;
+  if (!derivatives) motion_ = {theta, state.x, state.v, start.frame, {}};
+  std::size_t step = 0;
   observer(start.frame, state, derivatives ? &sensitivity : nullptr);
   for (int frame = start.frame + 1; frame <= last_frame; ++frame) {
     if (stop_ != nullptr && *stop_) return Outcome::kStopped;
-    for (int k = 0; k < scene_.steps_per_frame; ++k) {
-      report_ +=
-          simulation_.Advance(scene_.step, drive, &state, derivatives ? &sensitivity : nullptr);
+    for (int k = 0; k < scene_.steps_per_frame; ++k, ++step) {
+      const bool has_step = is_known && step < motion_.velocities.size() &&
+                            motion_.velocities[step].size() == state.v.size();
+      const StepReport report =
+          simulation_.Advance(scene_.step, drive, &state, derivatives ? &sensitivity : nullptr,
+                              has_step ? &motion_.velocities[step] : nullptr);
+      report_ += report;
+      if (!derivatives) {
+        motion_.velocities.push_back(report.halvings == 0 ? state.v : Eigen::VectorXd());
+      }
       if (report_.status != StepStatus::kConverged || !state.x.allFinite())
         return Outcome::kDiverged;
     }
     state.time = scene_.FrameTime(frame);
-    simulated_frames_ += 1.0;
+    if (!is_known) simulated_frames_ += 1.0;
     if (derivatives) differentiated_frames_ += sensitivity.ActiveShare();
     observer(frame, state, derivatives ? &sensitivity : nullptr);
   }

@@ -43,6 +43,7 @@ class WindowSimulator {
 
   // Simulates the frames after start.frame up to last_frame, calling observer(start.frame, ...)
   // first. `end`, where given, gets the state at last_frame to go on from (with derivatives only).
+  // A motion that was simulated last without derivatives is not solved for again with them.
   Outcome Run(const WindowStart& start, const Eigen::VectorXd& theta, int last_frame,
               bool derivatives, const Observer& observer, WindowStart* end = nullptr);
 
@@ -52,8 +53,8 @@ class WindowSimulator {
   const Simulation& simulation() const { return simulation_; }
   const ClothMesh& mesh() const { return scene_.mesh; }
   double simulated_frames() const { return simulated_frames_; }
-  // Those of them that had derivatives, each as the share of the directions that had moved
-  // anything.
+  // Those that had derivatives, each as the share of the directions that had moved anything; where
+  // the motion was known already they are not counted among the others.
   double differentiated_frames() const { return differentiated_frames_; }
   const StepReport& last_report() const { return report_; }
 
@@ -69,6 +70,13 @@ class WindowSimulator {
   std::vector<int> held_;
   double simulated_frames_ = 0.0, differentiated_frames_ = 0.0;
   StepReport report_;
+  // The last motion that was simulated without derivatives.
+  struct Motion {
+    Eigen::VectorXd theta, x, v;              // and the state that it began with
+    int frame = 0;                            // that it began with
+    std::vector<Eigen::VectorXd> velocities;  // after each step; empty where it took parts
+  };
+  Motion motion_;
 };
 
 }  // namespace clothfit

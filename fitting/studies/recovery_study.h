@@ -21,7 +21,7 @@ struct RecoveryOptions {
   int first_seed = 1;
   int num_seeds = 20;
   int num_threads = 2;  // seeds fitted at the same time; has no influence on the result
-  int max_iterations = 30;
+  int max_iterations = 60;
 };
 
 // One free parameter of one fit.

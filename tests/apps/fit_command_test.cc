@@ -64,7 +64,7 @@ CommandResult* FitCommand::result_ = nullptr;
 TEST_F(FitCommand, RecoversTheParametersThatMadeTheRecording) {
   ASSERT_EQ(result_->status, 0) << result_->err;
   // what a person who waits wants to know
-  for (const char* word : {"left", "frames", "iteration", "cost", "error", "simulations"})
+  for (const char* word : {"frames", "iteration", "cost", "error", "simulations"})
     EXPECT_THAT(result_->err, HasSubstr(word));
   const json summary = Summary("run");
   EXPECT_EQ(summary.at("status"), "converged");
@@ -74,7 +74,10 @@ TEST_F(FitCommand, RecoversTheParametersThatMadeTheRecording) {
   EXPECT_TRUE(drag.at("free"));
   EXPECT_LT(drag.at("interval")[0], drag.at("value"));
   EXPECT_GT(drag.at("interval")[1], drag.at("value"));
-  EXPECT_NEAR(summary.at("parameters").at("bending.stiffness").at("value"), 1e-4, 1e-5);
+  const json& bending = summary.at("parameters").at("bending.stiffness").at("interval");
+  EXPECT_LT(bending[0], 1e-4);
+  EXPECT_GT(bending[1], 1e-4);
+  EXPECT_LT(bending[1].get<double>() / bending[0].get<double>(), 2.0);
   EXPECT_TRUE(summary.at("parameters").at("stretch.stiffness").at("interval").is_null());
   // Distances of points whose coordinates have a noise of 0.5 mm.
   EXPECT_NEAR(summary.at("fit").at("marker_rms_m"), 0.0005 * std::sqrt(3.0), 1e-4);

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kSteps = 120;
 constexpr double kStep = 1.0 / 120.0;
+constexpr double kExactly = 1e-9, kAsInFits = 1e-7;  // SimulationOptions::tolerance
 
 // A square metre on the ground, one corner of which is lifted by 0.6 m and drawn inwards by 0.3 m.
 TestScene BenchmarkScene(int n) {
@@ -63,16 +64,18 @@ Eigen::MatrixXd Directions(const Simulation& simulation, int count) {
 }
 
 // A cotton that moves freely; these figures do not depend on clothfit's initial values.
-Simulation MakeSimulation(const TestScene& scene) {
-  Simulation simulation(scene.mesh, scene.world, scene.handles);
+Simulation MakeSimulation(const TestScene& scene, double tolerance) {
+  SimulationOptions options;
+  options.tolerance = tolerance;
+  Simulation simulation(scene.mesh, scene.world, scene.handles, options);
   UseSuppleCloth(&simulation);
   return simulation;
 }
 
 // One simulation, and the time it took.
 struct Run {
-  Run(const TestScene& scene, int num_directions)
-      : simulation(MakeSimulation(scene)),
+  Run(const TestScene& scene, int num_directions, double tolerance)
+      : simulation(MakeSimulation(scene, tolerance)),
         drive(scene.MakeDrive()),
         state(simulation.MakeState(scene.x)),
         sensitivity(state, Directions(simulation, num_directions)) {}
@@ -102,10 +105,10 @@ void ReportCounts(const StepReport& total, benchmark::State* state) {
   state->counters["halvings"] = total.halvings;
 }
 
-void RunForward(const TestScene& scene, benchmark::State* state) {
+void RunForward(const TestScene& scene, double tolerance, benchmark::State* state) {
   double seconds = 0.0, factorization = 0.0;
   for (auto _ : *state) {
-    Run run(scene, 0);
+    Run run(scene, 0, tolerance);
     BlockSparseMatrix jacobian(&run.simulation.model().pattern());
     CholmodReference reference(run.simulation.model().pattern());
     for (int step = 0; step < kSteps; ++step) {
@@ -128,19 +131,23 @@ void RunForward(const TestScene& scene, benchmark::State* state) {
 }
 
 void LiftedForward(benchmark::State& state) {
-  RunForward(BenchmarkScene(static_cast<int>(state.range(0))), &state);
+  RunForward(BenchmarkScene(static_cast<int>(state.range(0))), kExactly, &state);
+}
+
+void LiftedForwardAsInFits(benchmark::State& state) {
+  RunForward(BenchmarkScene(static_cast<int>(state.range(0))), kAsInFits, &state);
 }
 
 void HangingForward(benchmark::State& state) {
-  RunForward(HangingScene(static_cast<int>(state.range(0))), &state);
+  RunForward(HangingScene(static_cast<int>(state.range(0))), kExactly, &state);
 }
 
-void LiftedDerivatives(benchmark::State& state) {
+void RunDerivatives(double tolerance, benchmark::State& state) {
   const int directions = static_cast<int>(state.range(1));
   const TestScene scene = BenchmarkScene(static_cast<int>(state.range(0)));
   double forward = 0.0, both = 0.0, early = 0.0, late = 0.0;
   for (auto _ : state) {
-    Run plain(scene, 0), differentiated(scene, directions);
+    Run plain(scene, 0, tolerance), differentiated(scene, directions, tolerance);
     for (int step = 0; step < kSteps; ++step) {
       if (!plain.Advance() || !differentiated.Advance())
         return state.SkipWithError("a step did not converge");
@@ -160,6 +167,16 @@ void LiftedDerivatives(benchmark::State& state) {
   state.counters["growth_MB"] = late - early;  // over the last three quarters of the steps
 }
 
+void LiftedDerivatives(benchmark::State& state) { RunDerivatives(kExactly, state); }
+void LiftedDerivativesAsInFits(benchmark::State& state) { RunDerivatives(kAsInFits, state); }
+
+BENCHMARK(LiftedForwardAsInFits)->Arg(30)->Arg(60)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(LiftedDerivativesAsInFits)
+    ->Args({30, 10})
+    ->Args({30, 33})
+    ->Args({60, 33})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(LiftedForward)->Arg(30)->Arg(60)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(HangingForward)->Arg(30)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(LiftedDerivatives)

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -60,6 +61,40 @@ TEST(Simulation, DerivativesDoNotMoveTheCloth) {
   }
   EXPECT_LE((state.x - plain.x).lpNorm<Eigen::Infinity>(), 1e-8);
   EXPECT_GT(sensitivity.x().norm(), 0.0);
+}
+
+// A motion that is known is differentiated as it would be where it is solved for.
+TEST(Simulation, AKnownMotionIsNotSolvedForAgain) {
+  const TestScene scene = SwingingCloth(6, 0.3);
+  Simulation simulation = MakeSimulation(scene);
+  const Drive drive = scene.MakeDrive();
+  State plain = simulation.MakeState(scene.x);
+  std::vector<Eigen::VectorXd> velocities;
+  for (int i = 0; i < 30; ++i) {
+    ASSERT_EQ(simulation.Advance(kStep, drive, &plain).halvings, 0);
+    velocities.push_back(plain.v);
+  }
+  Eigen::MatrixXd directions = Eigen::MatrixXd::Zero(simulation.parameters().size(), 3);
+  for (int i = 0; i < 3; ++i) directions(i + 1, i) = 1.0;
+  std::vector<Eigen::MatrixXd> derivatives;
+  for (const bool is_known : {false, true}) {
+    simulation.Reset();
+    State state = simulation.MakeState(scene.x);
+    Sensitivity sensitivity(state, directions);
+    StepReport total;
+    for (const Eigen::VectorXd& v : velocities) {
+      const StepReport report =
+          simulation.Advance(kStep, drive, &state, &sensitivity, is_known ? &v : nullptr);
+      ASSERT_EQ(report.status, StepStatus::kConverged);
+      total += report;
+    }
+    derivatives.push_back(sensitivity.x());
+    if (is_known) {
+      EXPECT_EQ(state.x, plain.x);
+      EXPECT_EQ(total.newton_iterations, 0);
+    }
+  }
+  EXPECT_LE((derivatives[1] - derivatives[0]).norm(), 1e-6 * derivatives[0].norm());
 }
 
 TEST(Simulation, TimeIsThatOfTheSteps) {

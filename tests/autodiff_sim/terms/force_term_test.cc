@@ -368,5 +368,46 @@ TYPED_TEST(ForceTerm, VelocitiesAreResisted) {
   EXPECT_GE(count, 6);
 }
 
+// Adds up what a term writes down, forces x an element's positions or velocities.
+struct DenseSink {
+  void operator()(int a, int b, int p, const JacobianRow& row) const {
+    alignas(32) double values[4] = {};
+    row.AddTo(values);
+    for (int q = 0; q < 3; ++q) (*sum)(3 * a + p, 3 * b + q) += values[q];
+  }
+  Eigen::MatrixXd* sum;
+};
+
+TYPED_TEST(ForceTerm, WrittenJacobiansAreThoseOfJets) {
+  if constexpr (kWritesJacobian<TypeParam>) {
+    using Layout = TermLayout<TypeParam>;
+    int written = 0;
+    const auto check = [&](const TermScene& scene, std::size_t which,
+                           const Eigen::VectorXd& parameters) {
+      const auto element = SceneElements<TypeParam>(scene)[which];
+      if (!WritesJacobian<TypeParam>(element)) return;
+      const Eigen::VectorXd numbers = ElementNumbers<TypeParam>(element, scene, parameters);
+      const auto in = MakeElementInput<TypeParam, double>(numbers);
+      for (const int first : {Layout::kX, Layout::kV}) {
+        Eigen::MatrixXd jets(Layout::kForces, Layout::kForces);
+        for (int column = 0; column < Layout::kForces; ++column) {
+          jets.col(column) =
+              DifferentiateTerm<TypeParam>(element, numbers, first + column).head(Layout::kForces);
+        }
+        Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(Layout::kForces, Layout::kForces);
+        const bool by_x = first == Layout::kX;
+        TypeParam::template AddJacobian<DenseSink>(
+            element, in, {by_x ? 1.0 : 0.0, by_x ? 0.0 : 1.0, 0.0}, {&sum});
+        // A fold that is nearly flat knows its sine to 1e-16 of its triangles.
+        EXPECT_LE(Largest(sum - jets), 1e-8 * Largest(jets)) << "from number " << first << " on";
+        ++written;
+      }
+    };
+    ForEachSample<TypeParam>(check);
+    ForEachSample<TypeParam>(check, MakeBucklingTermScenes());
+    EXPECT_GE(written, 100);
+  }
+}
+
 }  // namespace
 }  // namespace clothfit

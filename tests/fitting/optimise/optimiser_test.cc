@@ -253,6 +253,33 @@ TEST(LevenbergMarquardt, NeedsResidualsAndFewEvaluations) {
   EXPECT_FALSE(Minimise("lm", objective, few).converged);
 }
 
+// Where an unknown is at its bound the others find the minimum of what is left, whatever the pull
+// beyond it; without derivatives where a step is not taken.
+TEST(LevenbergMarquardt, FindsTheMinimumWithinBounds) {
+  Objective objective = Over(2, -1.0, Rosenbrock);
+  objective.upper[0] = 0.5;
+  objective.num_residuals = 3;
+  int tried = 0, differentiated = 0;
+  objective.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd* residuals,
+                            RowMajorMatrix* jacobian) {
+    EXPECT_LE(x[0], 0.5);
+    ++(jacobian != nullptr ? differentiated : tried);
+    residuals->resize(3);
+    *residuals << 1.0 - x[0], 10.0 * (x[1] - x[0] * x[0]), 1e3 * (2.0 - x[0]);
+    if (jacobian != nullptr) {
+      jacobian->resize(3, 2);
+      *jacobian << -1.0, 0.0, -20.0 * x[0], 10.0, -1e3, 0.0;
+    }
+    return true;
+  };
+  const Minimum minimum = Minimise("lm", objective, Precisely());
+  EXPECT_TRUE(minimum.converged);
+  EXPECT_EQ(minimum.x[0], 0.5);
+  EXPECT_NEAR(minimum.x[1], 0.25, 1e-4);
+  EXPECT_EQ(minimum.evaluations, tried + 1);  // the start is differentiated at once
+  EXPECT_LE(differentiated, tried + 1);
+}
+
 TEST(Minimise, RefusesUnknownNamesAndMissingBounds) {
   EXPECT_THROW(Minimise("newton", Over(2, 0.0, Bowl), {}), InputError);
   Objective objective = Over(2, 0.0, Bowl);

@@ -96,8 +96,12 @@ TEST(NudgedFit, FindsWhatAPlainOneDoesNot) {
   const auto plain = FitAfresh(start, Start::kPlain, 21, FitRunner());  // as many iterations
   const auto nudged = FitAfresh(start, Start::kNudged, 5, FitRunner());
   ASSERT_TRUE(plain && nudged);
-  EXPECT_LT(nudged->fit.cost_after, 0.8 * plain->fit.cost_after);
-  EXPECT_NEAR(nudged->values.parameters.at("added_mass.normal").value, 0.26, 0.026);
+  // A plain one finds a minimum that costs less, far from the truth.
+  const auto amount = [](const FittedScene& fitted) {
+    return fitted.values.parameters.at("added_mass.normal").value;
+  };
+  EXPECT_NEAR(amount(*nudged), 0.26, 0.026);
+  EXPECT_GT(std::abs(amount(*plain) - 0.26), 2.0 * std::abs(amount(*nudged) - 0.26));
 }
 
 TEST(NudgedFit, LeavesNothingThatPulls) {
