@@ -30,12 +30,9 @@ class JacobianRow {
  public:
   JacobianRow() = default;
   JacobianRow(double a, double b, double c) {
-    if constexpr (kParts == 1) {
-      part_[0] = Part{a, b, c, 0.0};
-    } else {
-      part_[0] = Part{a, b};
-      part_[1] = Part{c, 0.0};
-    }
+    part_[0][0] = a;
+    part_[0][1] = b;
+    part_[2 / kWidth][2 % kWidth] = c;
   }
   explicit JacobianRow(const Eigen::Vector3d& p) : JacobianRow(p[0], p[1], p[2]) {}
 
@@ -65,6 +62,7 @@ class JacobianRow {
   static constexpr int kBytes = 4 * sizeof(double);
   static constexpr int kPartBytes = kVectorBytes < kBytes ? kVectorBytes : kBytes;
   static constexpr int kParts = kBytes / kPartBytes;
+  static constexpr int kWidth = kPartBytes / static_cast<int>(sizeof(double));
   typedef double Part __attribute__((vector_size(kPartBytes), may_alias));
   Part part_[kParts] = {};
 };

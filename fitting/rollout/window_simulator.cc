@@ -87,24 +87,20 @@ WindowSimulator::Outcome WindowSimulator::Run(const WindowStart& start,
   const Drive drive = [this](double time, bool with_directions) {
     return Inputs(time, with_directions);
   };
-  const bool is_known = derivatives && !motion_.velocities.empty() &&
-                        motion_.frame == start.frame && motion_.theta == theta &&
-                        motion_.x == state.x && motion_.v == state.v;
-  if (!derivatives) motion_ = {theta, state.x, state.v, start.frame, {}};
+  Eigen::VectorXd key(1 + theta.size() + 2 * state.x.size());
+  key << start.frame, theta, state.x, state.v;
+  const bool is_known = derivatives && motion_.IsOf(key);
+  if (!derivatives) motion_.Begin(key);
   std::size_t step = 0;
   observer(start.frame, state, derivatives ? &sensitivity : nullptr);
   for (int frame = start.frame + 1; frame <= last_frame; ++frame) {
     if (stop_ != nullptr && *stop_) return Outcome::kStopped;
     for (int k = 0; k < scene_.steps_per_frame; ++k, ++step) {
-      const bool has_step = is_known && step < motion_.velocities.size() &&
-                            motion_.velocities[step].size() == state.v.size();
       const StepReport report =
           simulation_.Advance(scene_.step, drive, &state, derivatives ? &sensitivity : nullptr,
-                              has_step ? &motion_.velocities[step] : nullptr);
+                              is_known ? motion_.After(step) : nullptr);
       report_ += report;
-      if (!derivatives) {
-        motion_.velocities.push_back(report.halvings == 0 ? state.v : Eigen::VectorXd());
-      }
+      if (!derivatives) motion_.Add(report, state);
       if (report_.status != StepStatus::kConverged || !state.x.allFinite())
         return Outcome::kDiverged;
     }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 
+#include "autodiff_sim/step/known_motion.h"
 #include "autodiff_sim/step/simulation.h"
 #include "fitting/rollout/attraction_targets.h"
 #include "fitting/rollout/free_parameters.h"
@@ -70,13 +71,7 @@ class WindowSimulator {
   std::vector<int> held_;
   double simulated_frames_ = 0.0, differentiated_frames_ = 0.0;
   StepReport report_;
-  // The last motion that was simulated without derivatives.
-  struct Motion {
-    Eigen::VectorXd theta, x, v;              // and the state that it began with
-    int frame = 0;                            // that it began with
-    std::vector<Eigen::VectorXd> velocities;  // after each step; empty where it took parts
-  };
-  Motion motion_;
+  KnownMotion motion_;  // simulated last without derivatives
 };
 
 }  // namespace clothfit

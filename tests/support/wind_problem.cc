@@ -10,6 +10,7 @@
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 
+#include "autodiff_sim/step/known_motion.h"
 #include "autodiff_sim/term/force_batch_impl.h"
 #include "autodiff_sim/terms/terms.h"
 #include "fitting/fit/uncertainty.h"
@@ -151,20 +152,17 @@ class WindMotion {
     const Drive drive = [this](double, bool) { return held_; };
     positions->resize(num_residuals());
     if (jacobian != nullptr) jacobian->resize(num_residuals(), count);
-    const bool is_known = jacobian != nullptr && !known_.empty() && known_parameters_ == parameters;
-    if (!is_known) known_.clear();
+    const bool is_known = jacobian != nullptr && motion_.IsOf(parameters);
+    if (!is_known) motion_.Begin(parameters);
     for (int s = 0; s < problem_.steps; ++s) {
-      const auto k = static_cast<std::size_t>(s);
-      const bool has_step = is_known && k < known_.size() && known_[k].size() > 0;
-      const StepReport report = simulation_.Advance(problem_.step, drive, &state,
-                                                    jacobian != nullptr ? &sensitivity : nullptr,
-                                                    has_step ? &known_[k] : nullptr);
+      const StepReport report = simulation_.Advance(
+          problem_.step, drive, &state, jacobian != nullptr ? &sensitivity : nullptr,
+          is_known ? motion_.After(static_cast<std::size_t>(s)) : nullptr);
       if (report.status != StepStatus::kConverged) return false;
-      if (!is_known) known_.push_back(report.halvings == 0 ? state.v : Eigen::VectorXd());
+      if (!is_known) motion_.Add(report, state);
       positions->segment(s * x_.size(), x_.size()) = state.x;
       if (jacobian != nullptr) jacobian->middleRows(s * x_.size(), x_.size()) = sensitivity.x();
     }
-    known_parameters_ = parameters;
     return true;
   }
 
@@ -173,9 +171,7 @@ class WindMotion {
   Simulation simulation_;
   Eigen::VectorXd x_, truth_;
   StepInputs held_;
-  // The motion that was simulated last, as velocities after each step; empty where one took parts.
-  Eigen::VectorXd known_parameters_;
-  std::vector<Eigen::VectorXd> known_;
+  KnownMotion motion_;  // simulated last
 };
 
 // What the motion leaves open, from the Jacobian at the result; the priors have unit variance.

@@ -7,10 +7,35 @@
 #include <utility>
 
 #include <Eigen/Geometry>
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 namespace clothfit {
 namespace {
+
+// Embree 4 takes what Embree 3 calls a context as an option.
+void Intersect(RTCScene scene, RTCRayHit* hit) {
+#if RTC_VERSION_MAJOR >= 4
+  rtcIntersect1(scene, hit);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, hit);
+#endif
+}
+
+void FindOccluder(RTCScene scene, RTCRay* ray) {
+#if RTC_VERSION_MAJOR >= 4
+  rtcOccluded1(scene, ray);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, ray);
+#endif
+}
 
 RTCRay MakeRay(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double near,
                double far) {
@@ -88,13 +113,11 @@ std::optional<SurfaceHit> SurfaceRays::First(const Eigen::Vector3d& origin,
                                              const Eigen::Vector3d& direction, double near) const {
   if (scene_->geometry == nullptr) return std::nullopt;
   const Eigen::Vector3d unit = direction.normalized();
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit hit;
   hit.ray = MakeRay(origin, unit, near, std::numeric_limits<double>::infinity());
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_->scene, &context, &hit);
+  Intersect(scene_->scene, &hit);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   SurfaceHit result;
   result.triangle = static_cast<int>(hit.hit.primID);
@@ -124,10 +147,8 @@ bool SurfaceRays::IsBlocked(const Eigen::Vector3d& from, const Eigen::Vector3d& 
   const Eigen::Vector3d way = to - from;
   const double length = way.norm();
   if (length <= margin) return false;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRay ray = MakeRay(from, way / length, 0.0, length - margin);
-  rtcOccluded1(scene_->scene, &context, &ray);
+  FindOccluder(scene_->scene, &ray);
   return ray.tfar < 0.0F;
 }
 

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/step/known_motion.h"
 #include "tests/autodiff_sim/step/motion.h"
 #include "tests/support/scenes.h"
 
@@ -69,11 +70,11 @@ TEST(Simulation, AKnownMotionIsNotSolvedForAgain) {
   Simulation simulation = MakeSimulation(scene);
   const Drive drive = scene.MakeDrive();
   State plain = simulation.MakeState(scene.x);
-  std::vector<Eigen::VectorXd> velocities;
-  for (int i = 0; i < 30; ++i) {
-    ASSERT_EQ(simulation.Advance(kStep, drive, &plain).halvings, 0);
-    velocities.push_back(plain.v);
-  }
+  KnownMotion motion;
+  motion.Begin(plain.x);
+  for (int i = 0; i < 30; ++i) motion.Add(simulation.Advance(kStep, drive, &plain), plain);
+  EXPECT_TRUE(motion.IsOf(scene.x));
+  EXPECT_FALSE(motion.IsOf(plain.x));
   Eigen::MatrixXd directions = Eigen::MatrixXd::Zero(simulation.parameters().size(), 3);
   for (int i = 0; i < 3; ++i) directions(i + 1, i) = 1.0;
   std::vector<Eigen::MatrixXd> derivatives;
@@ -82,12 +83,13 @@ TEST(Simulation, AKnownMotionIsNotSolvedForAgain) {
     State state = simulation.MakeState(scene.x);
     Sensitivity sensitivity(state, directions);
     StepReport total;
-    for (const Eigen::VectorXd& v : velocities) {
-      const StepReport report =
-          simulation.Advance(kStep, drive, &state, &sensitivity, is_known ? &v : nullptr);
-      ASSERT_EQ(report.status, StepStatus::kConverged);
-      total += report;
+    for (std::size_t i = 0; i < 30; ++i) {
+      const Eigen::VectorXd* v = motion.After(i);
+      ASSERT_NE(v, nullptr);
+      total += simulation.Advance(kStep, drive, &state, &sensitivity, is_known ? v : nullptr);
     }
+    ASSERT_EQ(total.status, StepStatus::kConverged);
+    EXPECT_EQ(motion.After(30), nullptr);
     derivatives.push_back(sensitivity.x());
     if (is_known) {
       EXPECT_EQ(state.x, plain.x);
