@@ -17,12 +17,12 @@ namespace clothfit {
 namespace {
 
 struct MotiveOptions {
-  std::string file, output, layout, save_layout;
+  std::string file, output, layout;
   std::string up = "y";
   std::vector<double> size;
   std::vector<int> resolution;
   TakeOptions take;
-  bool no_grid = false, force = false;
+  bool no_grid = false, skip_bad_rows = false, force = false;
 };
 
 TakeOptions TakeOptionsOf(const MotiveOptions& options) {
@@ -41,24 +41,27 @@ TakeOptions TakeOptionsOf(const MotiveOptions& options) {
 
 int RunImportMotive(const MotiveOptions& options) {
   const Overwrite overwrite = OverwriteIf(options.force);
-  if (!options.save_layout.empty()) CheckMayWrite(options.save_layout, overwrite);
   OutputFolder output = OpenRecording(options.output, "import motive", overwrite);
   output.CheckMayWrite("recording.yaml");
-  const UpAxis up = options.up == "y" ? UpAxis::kY : UpAxis::kZ;
-  ImportedTake imported =
-      MakeTakeRecording(ReadMotiveTake(options.file, up), TakeOptionsOf(options));
+  MotiveFileOptions reading;
+  reading.up = options.up == "y" ? UpAxis::kY : UpAxis::kZ;
+  reading.skip_bad_rows = options.skip_bad_rows;
+  std::vector<std::string> notes;
+  const MarkerTake take = ReadMotiveTake(options.file, reading, &notes);
+  ImportedTake imported = MakeTakeRecording(take, TakeOptionsOf(options));
+  notes.insert(notes.end(), imported.notes.begin(), imported.notes.end());
   Recording& recording = imported.recording;
   recording.name = NameOfFolder(options.output);
-  const std::map<std::string, std::string> files = FilesOf(recording);
+  std::map<std::string, std::string> files = FilesOf(recording);
+  const std::string layout = LayoutAsCsv(imported.marker_names, imported.uv);
+  files["layout.csv"] = layout;
   output.Begin(NamesOf(files));
   output.WriteAll(files);
-  const std::string layout = LayoutAsCsv(imported.marker_names, imported.uv);
-  if (!options.save_layout.empty()) WriteOutputFile(options.save_layout, layout, overwrite);
   fmt::print("{}: {} frames at {} Hz, {} markers, {} handles, cloth of {:.4f} x {:.4f} m\n",
              options.output, recording.frame_count, recording.frame_rate,
              imported.uv.size() - recording.handles.size(), recording.handles.size(),
              recording.cloth.size.x(), recording.cloth.size.y());
-  for (const std::string& note : imported.notes) fmt::print("{}\n", note);
+  for (const std::string& note : notes) fmt::print("{}\n", note);
   fmt::print("{}", layout);
   return kExitSuccess;
 }
@@ -79,6 +82,12 @@ void AddClothOptions(CLI::App* command, MotiveOptions* options) {
       ->expected(2);
   command->add_option("--density", take.areal_density, "of the cloth, kg/m^2, where it is known")
       ->type_name("KG/M2");
+  command
+      ->add_option("--obstacle", take.obstacles,
+                   "what a rigid body stands for: none, capsule[:radius=M,length=M] or "
+                   "box[:thickness=M,margin=M]; else as its markers suggest")
+      ->type_name("BODY=SHAPE")
+      ->allow_extra_args(false);
   command->add_option("--ground", take.ground_height, "height of a ground, m")->type_name("M");
 }
 
@@ -86,7 +95,8 @@ void AddMarkerOptions(CLI::App* command, MotiveOptions* options) {
   TakeOptions& take = options->take;
   command
       ->add_option("--handle,--handles", take.handles,
-                   "markers that something holds, separated by commas; NAME= renames")
+                   "markers that something holds, separated by commas, or none; NAME= renames; "
+                   "else found")
       ->type_name("[NAME=]MARKER")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -101,13 +111,15 @@ void AddMarkerOptions(CLI::App* command, MotiveOptions* options) {
       ->capture_default_str();
   command
       ->add_option("--layout", options->layout,
-                   "table name,u,v (m) of every marker; else found from their distances")
-      ->type_name("FILE");
-  command->add_option("--save-layout", options->save_layout, "write the layout as such a table")
+                   "table name,u,v (m) of every marker, such as layout.csv of another import; else "
+                   "found from their distances")
       ->type_name("FILE");
   command->add_flag("--no-grid", options->no_grid, "do not look for a regular grid");
-  command->add_option("--sigma", take.marker_sigma, "of the markers, m; else from their jitter")
+  command
+      ->add_option("--sigma", take.marker_sigma,
+                   "of the markers, m; else from their jitter and layout")
       ->type_name("M");
+  command->add_option("--every", take.every, "keep one frame of so many")->type_name("N");
   command->add_option("--held-out", take.held_out_share, "share of the frames, at the end")
       ->type_name("SHARE");
 }
@@ -125,14 +137,17 @@ void AddImportMotive(CLI::App* import, Action* action) {
   command->add_option("--up", options->up, "axis of FILE that points up")
       ->check(CLI::IsMember({"y", "z"}))
       ->capture_default_str();
+  command->add_flag("--skip-bad-rows", options->skip_bad_rows,
+                    "leave out rows that cannot be read");
   AddMarkerOptions(command, options.get());
   AddClothOptions(command, options.get());
   command->add_flag("--force", options->force,
                     "replace what was imported before; cameras and videos stay");
   command->footer(
       "Example:\n"
+      "  clothfit import motive take.csv -o take --every 4 --held-out 0.33\n"
       "  clothfit import motive take.csv -o take --handle 'left=Unlabeled 1022' "
-      "--handle 'right=Unlabeled 1023'");
+      "--obstacle Bar=capsule:radius=0.02");
   command->callback(
       [options, action] { *action = [options] { return RunImportMotive(*options); }; });
 }

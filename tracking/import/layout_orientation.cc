@@ -45,24 +45,6 @@ Points TurnedTo(const Eigen::Vector2d& direction, const Points& points) {
   return turned;
 }
 
-// The direction of a side of the smallest rectangle around the points, of which one goes through
-// two of them.
-Eigen::Vector2d SideOfSmallestRectangle(const Points& points) {
-  Eigen::Vector2d best = Eigen::Vector2d::UnitX();
-  double smallest = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < points.size(); ++i) {
-    for (size_t j = 0; j < i; ++j) {
-      const Eigen::Vector2d side = points[i] - points[j];
-      if (side.norm() < 1e-9) continue;
-      const double area = Extent(TurnedTo(side, points)).prod();
-      if (area >= smallest) continue;
-      smallest = area;
-      best = side.normalized();
-    }
-  }
-  return best;
-}
-
 // Column and row of each point, if there are so many of either.
 std::vector<Eigen::Vector2d> PlacesOnGrid(const Points& points, size_t columns, size_t rows) {
   std::vector<size_t> order(points.size());
@@ -150,6 +132,22 @@ Eigen::Vector2d DirectionOfU(const std::vector<size_t>& handles, bool may_turn, 
 }
 
 }  // namespace
+
+Eigen::Vector2d SideOfSmallestRectangle(const Points& points) {
+  Eigen::Vector2d best = Eigen::Vector2d::UnitX();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < points.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      const Eigen::Vector2d side = points[i] - points[j];
+      if (side.norm() < 1e-9) continue;
+      const double area = Extent(TurnedTo(side, points)).prod();
+      if (area >= smallest) continue;
+      smallest = area;
+      best = side.normalized();
+    }
+  }
+  return best;
+}
 
 std::optional<MarkerGrid> SnapToGrid(const std::vector<size_t>& members, Points* uv) {
   constexpr double kTolerance = 0.05;  // rms, of the smaller spacing; further off it is no grid

@@ -91,6 +91,22 @@ std::vector<Eigen::Vector2d> ClassicalScaling(const Eigen::MatrixXd& distances) 
   return uv;
 }
 
+// Without one of the markers.
+Eigen::MatrixXd DistancesWithout(size_t marker, const Eigen::MatrixXd& distances) {
+  const auto left_out = static_cast<Eigen::Index>(marker);
+  const auto old_index = [&](Eigen::Index i) { return i < left_out ? i : i + 1; };
+  const Eigen::Index n = distances.rows() - 1;
+  Eigen::MatrixXd others(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) others(i, j) = distances(old_index(i), old_index(j));
+  }
+  return others;
+}
+
+double RmsOfFlatLayout(const Eigen::MatrixXd& distances) {
+  return CompareLayout(FindFlatLayout(distances), distances).rms;
+}
+
 }  // namespace
 
 Eigen::MatrixXd LargestDistances(const std::vector<HandleDescription::Path>& paths) {
@@ -144,6 +160,22 @@ std::vector<Eigen::Vector2d> FindFlatLayout(const Eigen::MatrixXd& distances) {
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   return uv;
+}
+
+std::optional<size_t> FindLooseMarker(const Eigen::MatrixXd& distances) {
+  constexpr Eigen::Index kLeast = 6;
+  if (distances.rows() < kLeast) return std::nullopt;
+  const double rms = RmsOfFlatLayout(distances);
+  if (rms < kLooseRms) return std::nullopt;
+  double best = rms / kLooseGain;
+  std::optional<size_t> loose;
+  for (size_t i = 0; i < static_cast<size_t>(distances.rows()); ++i) {
+    const double without = RmsOfFlatLayout(DistancesWithout(i, distances));
+    if (without >= best) continue;
+    best = without;
+    loose = i;
+  }
+  return loose;
 }
 
 }  // namespace clothfit

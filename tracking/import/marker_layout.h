@@ -34,6 +34,17 @@ LayoutFit CompareLayout(const std::vector<Eigen::Vector2d>& uv, const Eigen::Mat
 // position, orientation and handedness are arbitrary.
 std::vector<Eigen::Vector2d> FindFlatLayout(const Eigen::MatrixXd& distances);
 
+// A marker that came off the cloth, or is no part of it: without it the others fit a flat layout
+// kLooseGain times better than with it, which is off by kLooseRms or more. Empty where there is
+// none, or fewer than six markers (the rest would fit whatever they do).
+inline constexpr double kLooseRms = 0.01;  // m; of cloth without one it is 1 to 3.5 mm
+inline constexpr double kLooseGain = 3.0;
+std::optional<size_t> FindLooseMarker(const Eigen::MatrixXd& distances);
+
+// The direction of a side of the smallest rectangle around the points, of which one goes through
+// two of them.
+Eigen::Vector2d SideOfSmallestRectangle(const std::vector<Eigen::Vector2d>& points);
+
 // A regular grid that markers sit on.
 struct MarkerGrid {
   Eigen::Vector2i count;    // markers along the two sides

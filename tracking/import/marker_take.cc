@@ -30,6 +30,14 @@ std::vector<std::string> MissingAt(const MarkerTake& take, size_t frame) {
   return missing;
 }
 
+template <class Change>
+void ChangePaths(MarkerTake* take, Change change) {
+  for (MarkerPath& marker : take->markers) change(&marker.positions);
+  for (RigidBody& body : take->bodies) {
+    for (MarkerPath& marker : body.markers) change(&marker.positions);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> NamesOf(const MarkerTake& take) {
@@ -67,13 +75,15 @@ std::string LayoutAsCsv(const std::vector<std::string>& names,
   return text;
 }
 
-void RemoveMarkers(const std::vector<std::string>& ignored, double least_seen,
-                   const std::vector<std::string>& kept, MarkerTake* take,
-                   std::vector<std::string>* notes) {
+void RemoveIgnored(const std::vector<std::string>& ignored, MarkerTake* take) {
   for (const std::string& name : ignored) {
     const size_t place = MarkerNamed(*take, name, "--ignore");
     take->markers.erase(take->markers.begin() + static_cast<std::ptrdiff_t>(place));
   }
+}
+
+void RemoveRare(double least_seen, const std::vector<std::string>& kept, MarkerTake* take,
+                std::vector<std::string>* notes) {
   std::vector<std::string> removed;
   const auto is_rare = [&](const MarkerPath& marker) {
     const double share = static_cast<double>(NumSeen(marker)) / double(marker.positions.size());
@@ -104,10 +114,9 @@ void TrimStart(MarkerTake* take, std::vector<std::string>* notes) {
         fmt::format("the first {} frames are left out: before that one marker or "
                     "another is not seen ({} at the first)",
                     frame, JoinNames(MissingAt(*take, 0))));
-    for (MarkerPath& marker : take->markers) {
-      marker.positions.erase(marker.positions.begin(),
-                             marker.positions.begin() + static_cast<std::ptrdiff_t>(frame));
-    }
+    ChangePaths(take, [&](HandleDescription::Path* path) {
+      path->erase(path->begin(), path->begin() + static_cast<std::ptrdiff_t>(frame));
+    });
     return;
   }
   throw InputError(
@@ -115,6 +124,17 @@ void TrimStart(MarkerTake* take, std::vector<std::string>* notes) {
       fmt::format("expected a frame that has all {} markers; the fullest, {}, lacks "
                   "{}; leave some out with --ignore",
                   take->markers.size(), fullest, JoinNames(MissingAt(*take, fullest))));
+}
+
+void ThinFrames(int every, MarkerTake* take) {
+  take->frame_rate /= every;
+  ChangePaths(take, [&](HandleDescription::Path* path) {
+    HandleDescription::Path thinned;
+    for (size_t frame = 0; frame < path->size(); frame += static_cast<size_t>(every)) {
+      thinned.push_back((*path)[frame]);
+    }
+    *path = thinned;
+  });
 }
 
 std::optional<double> MarkerJitter(const std::vector<MarkerPath>& markers) {

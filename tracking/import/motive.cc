@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/base/error.h"
 #include "tracking/import/motive_header.h"
+#include "tracking/import/rigid_body.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -32,7 +34,8 @@ std::optional<Eigen::Vector3d> PositionIn(const std::vector<std::string>& fields
     if (field.empty()) continue;
     const std::optional<double> value = ParseNumber(field);
     if (!value) {
-      lines.Fail(fmt::format("{} {}: expected a finite number or nothing, found '{}'", marker.name,
+      lines.Fail(*marker.axes[axis],
+                 fmt::format("{} {}: expected a finite number or nothing, found '{}'", marker.name,
                              "XYZ"[axis], field));
     }
     position[static_cast<Eigen::Index>(axis)] = *value;
@@ -78,16 +81,32 @@ void CountFrames(const MotiveHeader& header, const MotiveLines& lines, std::vect
   }
 }
 
-std::vector<Row> ReadRows(const MotiveHeader& header, MotiveLines* lines) {
+// The row, which comes after these.
+Row ReadNext(const std::vector<std::string>& fields, const MotiveHeader& header,
+             const std::vector<Row>& rows, const MotiveLines& lines) {
+  Row row = ReadRow(fields, header, lines);
+  if (!rows.empty() && row.number <= rows.back().number) {
+    lines.Fail(
+        fmt::format("Frame: expected more than {}, found {}", rows.back().number, row.number));
+  }
+  return row;
+}
+
+std::vector<Row> ReadRows(const MotiveHeader& header, bool skip_bad_rows, MotiveLines* lines,
+                          std::vector<std::string>* notes) {
   std::vector<Row> rows;
-  std::vector<std::string> fields;
+  std::vector<std::string> fields, problems;
   while (lines->Next(&fields)) {
-    Row row = ReadRow(fields, header, *lines);
-    if (!rows.empty() && row.number <= rows.back().number) {
-      lines->Fail(
-          fmt::format("Frame: expected more than {}, found {}", rows.back().number, row.number));
+    try {
+      rows.push_back(ReadNext(fields, header, rows, *lines));
+    } catch (const InputError& error) {
+      if (!skip_bad_rows) throw;
+      problems.emplace_back(error.what());
     }
-    rows.push_back(std::move(row));
+  }
+  if (!problems.empty()) {
+    notes->push_back(
+        fmt::format("{} rows are skipped, the first: {}", problems.size(), problems.front()));
   }
   if (rows.empty()) lines->Fail("expected rows of data after the header, found none");
   CountFrames(header, *lines, &rows);
@@ -96,24 +115,28 @@ std::vector<Row> ReadRows(const MotiveHeader& header, MotiveLines* lines) {
 
 }  // namespace
 
-MarkerTake ReadMotiveTake(const std::filesystem::path& file, UpAxis up) {
+MarkerTake ReadMotiveTake(const std::filesystem::path& file, const MotiveFileOptions& options,
+                          std::vector<std::string>* notes) {
   MotiveLines lines(file);
   const MotiveHeader header = ReadMotiveHeader(&lines);
-  const std::vector<Row> rows = ReadRows(header, &lines);
+  const std::vector<Row> rows = ReadRows(header, options.skip_bad_rows, &lines, notes);
   Eigen::Matrix3d world_from_file = Eigen::Matrix3d::Identity();
-  if (up == UpAxis::kY) world_from_file << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  if (options.up == UpAxis::kY) world_from_file << 1, 0, 0, 0, 0, -1, 0, 1, 0;
   MarkerTake take;
   take.file = file;
   take.frame_rate = header.frame_rate;
+  std::vector<MarkerPath> expected;
   for (size_t i = 0; i < header.markers.size(); ++i) {
     MarkerPath path{header.markers[i].name, HandleDescription::Path(rows.back().frame + 1)};
     for (const Row& row : rows) {
       if (!row.positions[i]) continue;
       path.positions[row.frame] = header.metres_per_unit * (world_from_file * *row.positions[i]);
     }
-    take.markers.push_back(std::move(path));
+    (header.markers[i].is_expected ? expected : take.markers).push_back(std::move(path));
   }
-  return take;
+  TakeOutBodies(header.bodies, expected, &take);
+  if (!take.markers.empty()) return take;
+  throw InputError(file.string(), "expected markers of a cloth, found those of rigid bodies alone");
 }
 
 }  // namespace clothfit

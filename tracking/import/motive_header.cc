@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -92,13 +93,14 @@ std::map<std::string, Fields> ReadColumnRows(MotiveLines* lines) {
 
 void CheckMarkers(const std::vector<MarkerColumns>& markers, const std::set<std::string>& types,
                   const MotiveLines& lines) {
-  if (markers.empty()) {
+  if (std::all_of(markers.begin(), markers.end(),
+                  [](const auto& one) { return one.is_expected; })) {
     const std::string found = JoinNames({types.begin(), types.end()});
     lines.Fail("expected columns of type Marker, found " + (found.empty() ? "none" : found));
   }
-  std::set<std::string> names;
+  std::set<std::pair<std::string, bool>> names;
   for (const MarkerColumns& marker : markers) {
-    if (!names.insert(marker.name).second)
+    if (!names.emplace(marker.name, marker.is_expected).second)
       lines.Fail("two markers are named '" + marker.name + "'");
     for (size_t axis = 0; axis < 3; ++axis) {
       if (marker.axes.at(axis)) continue;
@@ -131,6 +133,11 @@ void MotiveLines::Fail(const std::string& problem) const {
   throw InputError(fmt::format("{}: line {}", file_.string(), number_), problem);
 }
 
+void MotiveLines::Fail(size_t column, const std::string& problem) const {
+  throw InputError(fmt::format("{}: line {}, column {}", file_.string(), number_, column + 1),
+                   problem);
+}
+
 MotiveHeader ReadMotiveHeader(MotiveLines* lines) {
   MotiveHeader header;
   Fields fields = {""};
@@ -145,15 +152,19 @@ MotiveHeader ReadMotiveHeader(MotiveLines* lines) {
     if (!type.empty()) types.insert(type);
     const std::string& axis = rows["axis"][column];
     const std::string& quantity = rows["quantity"][column];
-    const bool is_axis = axis == "X" || axis == "Y" || axis == "Z";
-    if (type != "Marker" || !is_axis || (!quantity.empty() && quantity != "Position")) continue;
     const std::string& name = rows["Name"][column];
+    const bool is_expected = type == "Rigid Body Marker";
+    const bool is_axis = axis == "X" || axis == "Y" || axis == "Z";
+    if (type == "Rigid Body") header.bodies.insert(name);
+    if ((type != "Marker" && !is_expected) || !is_axis) continue;
+    if (!quantity.empty() && quantity != "Position") continue;
     const std::string& id = rows["ID"][column];
     const auto known = std::find_if(markers.begin(), markers.end(), [&](const MarkerColumns& one) {
-      return one.name == name && one.id == id;
+      return one.name == name && one.id == id && one.is_expected == is_expected;
     });
-    MarkerColumns& marker =
-        known == markers.end() ? markers.emplace_back(MarkerColumns{name, id, {}}) : *known;
+    MarkerColumns& marker = known == markers.end()
+                                ? markers.emplace_back(MarkerColumns{name, id, is_expected, {}})
+                                : *known;
     marker.axes.at(static_cast<size_t>(axis[0] - 'X')) = column;
   }
   CheckMarkers(markers, types, *lines);

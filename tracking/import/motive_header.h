@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +24,9 @@ class MotiveLines {
   // The fields of the next line that is not empty; false at the end.
   bool Next(std::vector<std::string>* fields);
 
-  // An InputError at the line last read.
+  // An InputError at the line last read, and at one of its fields, counted from 0.
   [[noreturn]] void Fail(const std::string& problem) const;
+  [[noreturn]] void Fail(size_t column, const std::string& problem) const;
 
  private:
   std::filesystem::path file_;
@@ -36,6 +38,7 @@ class MotiveLines {
 // Where a marker's coordinates stand in a row.
 struct MarkerColumns {
   std::string name, id;
+  bool is_expected = false;  // where a rigid body that was found has it; not measured
   std::array<std::optional<size_t>, 3> axes;  // X, Y, Z; all there once the header was read
 };
 
@@ -43,7 +46,8 @@ struct MotiveHeader {
   double frame_rate = 0.0;  // Hz
   double metres_per_unit = 1.0;
   size_t num_columns = 0;
-  std::vector<MarkerColumns> markers;  // columns of type Marker; at least one
+  std::vector<MarkerColumns> markers;  // of type Marker, at least one, and Rigid Body Marker
+  std::set<std::string> bodies;        // names in columns of type Rigid Body
 };
 
 // Reads up to the row "Frame,Time (Seconds),...", after which the data begin.

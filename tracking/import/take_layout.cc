@@ -98,6 +98,7 @@ LayoutOfTake MakeLayout(const MarkerTake& take, const std::vector<size_t>& held,
   layout.uv = options.layout ? GivenLayout(take, options)
                              : FoundLayout(take, held, distances, options, notes);
   const LayoutFit fit = CompareLayout(layout.uv, distances);
+  layout.rms = fit.rms;
   notes->push_back(
       fmt::format("layout: rms {:.1f} mm against the largest distances of {} "
                   "markers; they exceed it by at most {:.1f} %",

@@ -14,6 +14,7 @@ namespace clothfit {
 struct LayoutOfTake {
   std::vector<Eigen::Vector2d> uv;  // m, one a marker
   Eigen::Vector2d size;             // m, of the cloth
+  double rms = 0.0;                 // m, of flat distances against the largest that were measured
 };
 
 // The take begins with a frame that has every marker; the distances are those of LargestDistances,

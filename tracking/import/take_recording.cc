@@ -8,8 +8,11 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "tracking/import/held_markers.h"
+#include "tracking/import/joined_tracks.h"
 #include "tracking/import/marker_layout.h"
 #include "tracking/import/take_layout.h"
+#include "tracking/import/take_obstacles.h"
 
 namespace clothfit {
 namespace {
@@ -34,8 +37,39 @@ std::vector<std::string> NamesToKeep(const TakeOptions& options) {
   return names;
 }
 
-std::vector<HandleChoice> FindHandles(const MarkerTake& take, const TakeOptions& options) {
+std::vector<HandleChoice> ProposeHandles(const MarkerTake& take, std::vector<std::string>* notes) {
+  const std::vector<double> support = SupportAtStart(take);
   std::vector<HandleChoice> handles;
+  std::vector<std::string> texts;
+  double highest_other = 0.0;
+  const std::vector<size_t> held = FindHeldMarkers(support, take);
+  for (size_t i = 0; i < support.size(); ++i) {
+    if (std::count(held.begin(), held.end(), i) == 0) {
+      highest_other = std::max(highest_other, support[i]);
+      continue;
+    }
+    handles.push_back({take.markers[i].name, i});
+    texts.push_back(fmt::format("{} ({:.2f} g)", take.markers[i].name, support[i]));
+  }
+  if (handles.empty()) {
+    notes->push_back(fmt::format(
+        "no handles: at first no marker is above the lowest and carried by something else than the "
+        "cloth (at most {:.2f} g, {:g} g would do); --handle names those that are held",
+        highest_other, kHeldSupport));
+  } else {
+    notes->push_back(
+        fmt::format("handles: {}: at first the cloth does not carry them; of others it "
+                    "leaves at most {:.2f} g; --handle overrides",
+                    JoinNames(texts), highest_other));
+  }
+  return handles;
+}
+
+std::vector<HandleChoice> FindHandles(const MarkerTake& take, const TakeOptions& options,
+                                      std::vector<std::string>* notes) {
+  if (options.handles.empty()) return ProposeHandles(take, notes);
+  std::vector<HandleChoice> handles;
+  if (options.handles == std::vector<std::string>{"none"}) return handles;
   for (const std::string& text : options.handles) {
     const std::string marker = MarkerOfHandle(text);
     handles.push_back({text.substr(0, text.find('=')), MarkerNamed(take, marker, "--handle")});
@@ -45,6 +79,25 @@ std::vector<HandleChoice> FindHandles(const MarkerTake& take, const TakeOptions&
     }
   }
   return handles;
+}
+
+Eigen::MatrixXd DistancesIn(const MarkerTake& take) {
+  std::vector<HandleDescription::Path> paths;
+  for (const MarkerPath& marker : take.markers) paths.push_back(marker.positions);
+  return LargestDistances(paths);
+}
+
+void RemoveLoose(const std::vector<std::string>& kept, MarkerTake* take,
+                 std::vector<std::string>* notes) {
+  while (const std::optional<size_t> loose = FindLooseMarker(DistancesIn(*take))) {
+    const std::string name = take->markers[*loose].name;
+    if (std::count(kept.begin(), kept.end(), name) > 0) return;
+    notes->push_back(
+        fmt::format("{} is left out: it does not keep its place on the cloth, and "
+                    "without it the layout fits {:g} times better or more",
+                    name, kLooseGain));
+    take->markers.erase(take->markers.begin() + static_cast<std::ptrdiff_t>(*loose));
+  }
 }
 
 void AddMarkersAndHandles(const std::vector<HandleChoice>& handles, const MarkerTake& take,
@@ -76,14 +129,19 @@ void AddMarkersAndHandles(const std::vector<HandleChoice>& handles, const Marker
 }
 
 // Of one coordinate of a marker (m), and of a handle's path.
-double SigmaOf(const MarkerTake& take, const TakeOptions& options,
+double SigmaOf(const MarkerTake& take, double layout_rms, const TakeOptions& options,
                std::vector<std::string>* notes) {
   constexpr double kRounding = 1e6;  // steps a metre; one is the least, as no sigma is zero
   const std::optional<double> jitter = MarkerJitter(take.markers);
-  if (jitter) notes->push_back(fmt::format("markers jitter by {:.3f} mm", 1e3 * *jitter));
   if (options.marker_sigma) return *options.marker_sigma;
-  if (!jitter) return kDefaultMarkerSigma;
-  return std::max(std::round(*jitter * kRounding), 1.0) / kRounding;
+  const double sigma =
+      jitter ? std::max(std::round(std::hypot(*jitter, layout_rms) * kRounding), 1.0) / kRounding
+             : kDefaultMarkerSigma;
+  notes->push_back(
+      fmt::format("sigma of the markers: {:.2f} mm, of {:.3f} mm jitter and {:.2f} mm "
+                  "layout; --sigma sets another",
+                  1e3 * sigma, 1e3 * jitter.value_or(0.0), 1e3 * layout_rms));
+  return sigma;
 }
 
 // About square cells, 21 particles along the longer side.
@@ -109,6 +167,7 @@ void CheckOptions(const TakeOptions& options) {
         "0 to less than 1", options.held_out_share);
   check(options.least_seen >= 0.0 && options.least_seen <= 1.0, "--least-seen", "0 to 1",
         options.least_seen);
+  check(options.every >= 1, "--every", "1 or more", options.every);
   check(options.margin.value_or(0.0) >= 0.0, "--margin", "0 m or more",
         options.margin.value_or(0.0));
   if (options.margin && options.size) {
@@ -121,17 +180,21 @@ void CheckOptions(const TakeOptions& options) {
 ImportedTake MakeTakeRecording(MarkerTake take, const TakeOptions& options) {
   CheckOptions(options);
   ImportedTake result;
-  RemoveMarkers(options.ignored, options.least_seen, NamesToKeep(options), &take, &result.notes);
-  const std::vector<HandleChoice> handles = FindHandles(take, options);
-  std::vector<HandleDescription::Path> paths;
-  for (const MarkerPath& marker : take.markers) paths.push_back(marker.positions);
-  const Eigen::MatrixXd distances = LargestDistances(paths);  // before frames are left out
+  const std::vector<std::string> kept = NamesToKeep(options);
+  RemoveIgnored(options.ignored, &take);
+  JoinTracks(kept, &take, &result.notes);
+  RemoveRare(options.least_seen, kept, &take, &result.notes);
+  if (!options.layout) RemoveLoose(kept, &take, &result.notes);
+  const Eigen::MatrixXd distances = DistancesIn(take);  // before frames are left out
   TrimStart(&take, &result.notes);
+  const std::vector<HandleChoice> handles = FindHandles(take, options, &result.notes);
   result.marker_names = NamesOf(take);
   std::vector<size_t> held;
   for (const HandleChoice& handle : handles) held.push_back(handle.marker);
   const LayoutOfTake layout = MakeLayout(take, held, distances, options, &result.notes);
   result.uv = layout.uv;
+  const double sigma = SigmaOf(take, layout.rms, options, &result.notes);
+  ThinFrames(options.every, &take);
   Recording& recording = result.recording;
   recording.frame_rate = take.frame_rate;
   recording.frame_count = int(take.num_frames());
@@ -139,7 +202,7 @@ ImportedTake MakeTakeRecording(MarkerTake take, const TakeOptions& options) {
   recording.cloth.size = layout.size;
   recording.cloth.resolution = options.resolution.value_or(DefaultResolution(recording.cloth.size));
   recording.cloth.areal_density = options.areal_density;
-  const double sigma = SigmaOf(take, options, &result.notes);
+  recording.obstacles = MakeObstacles(take, options.obstacles, &result.notes);
   recording.noise.marker = sigma;
   AddMarkersAndHandles(handles, take, result.uv, sigma, &recording);
   HoldOut(options.held_out_share, &recording);

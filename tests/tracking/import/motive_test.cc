@@ -33,19 +33,26 @@ const char* const kExport =
 
 class MotiveFile : public testing::Test {
  protected:
-  MarkerTake Read(const std::string& text, UpAxis up = UpAxis::kY) const {
-    return ReadMotiveTake(folder_.Write("take.csv", text), up);
+  MarkerTake Read(const std::string& text, const MotiveFileOptions& options = {}) {
+    notes_.clear();
+    return ReadMotiveTake(folder_.Write("take.csv", text), options, &notes_);
   }
 
   // The error after one replacement in the file above.
-  std::string ErrorWith(const std::string& from, const std::string& to) const {
+  std::string ErrorWith(const std::string& from, const std::string& to) {
+    const std::string text = With(from, to);
+    return InputErrorOf([&] { Read(text); });
+  }
+
+  static std::string With(const std::string& from, const std::string& to) {
     std::string text = kExport;
     const size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
-    return InputErrorOf([&] { Read(text.replace(at, from.size(), to)); });
+    return text.replace(at, from.size(), to);
   }
 
   TestFolder folder_;
+  std::vector<std::string> notes_;
 };
 
 TEST_F(MotiveFile, GivesItsMarkersInMetresWithZUp) {
@@ -64,7 +71,9 @@ TEST_F(MotiveFile, GivesItsMarkersInMetresWithZUp) {
 }
 
 TEST_F(MotiveFile, MayHaveZUp) {
-  const MarkerTake take = Read(kExport, UpAxis::kZ);
+  MotiveFileOptions options;
+  options.up = UpAxis::kZ;
+  const MarkerTake take = Read(kExport, options);
   EXPECT_LT((*take.markers[0].positions[0] - Eigen::Vector3d(0.1, 0.2, 0.3)).norm(), 1e-15);
 }
 
@@ -85,11 +94,32 @@ TEST_F(MotiveFile, UnitsAreHonoured) {
   EXPECT_THAT(ErrorWith("Length Units", "Units"), HasSubstr("'Length Units' is missing"));
 }
 
+TEST_F(MotiveFile, MarkersOfRigidBodiesAreNoCloth) {
+  const MarkerTake take = Read(kExport);
+  ASSERT_EQ(take.bodies.size(), 1u);  // one marker a prefix, such as Cloth:a, is no body
+  EXPECT_EQ(take.bodies[0].name, "Hand");
+  ASSERT_EQ(take.bodies[0].markers.size(), 1u);
+  EXPECT_EQ(take.bodies[0].markers[0].name, "Hand:Marker 001");
+  EXPECT_LT((*take.bodies[0].markers[0].positions[0] - Eigen::Vector3d(4e-3, -6e-3, 5e-3)).norm(),
+            1e-15);
+}
+
+TEST_F(MotiveFile, BadRowsAreSkippedWhereThatIsAskedFor) {
+  MotiveFileOptions options;
+  options.skip_bad_rows = true;
+  const MarkerTake take = Read(With(",-1001,1501,21", ",-1001,15`1,21"), options);
+  EXPECT_EQ(take.num_frames(), 2u);
+  ASSERT_EQ(notes_.size(), 1u);
+  EXPECT_THAT(notes_[0], HasSubstr("1 rows are skipped, the first: "));
+  EXPECT_THAT(notes_[0], HasSubstr("take.csv: line 11, column 14: Unlabeled 1020 Y: expected"));
+}
+
 TEST_F(MotiveFile, RefusesWrongHeaders) {
   EXPECT_THAT(InputErrorOf([&] { Read("frame,x,y,z\n"); }),
               HasSubstr("expected 'Format Version,...' as Motive exports it"));
   EXPECT_THAT(InputErrorOf([&] { Read(""); }), HasSubstr("take.csv"));
-  EXPECT_THAT(InputErrorOf([] { ReadMotiveTake("gone.csv"); }), HasSubstr("gone.csv: no such"));
+  EXPECT_THAT(InputErrorOf([&] { ReadMotiveTake("gone.csv", {}, &notes_); }),
+              HasSubstr("gone.csv: no such"));
   EXPECT_THAT(ErrorWith("Export Frame Rate,120.000000", "Export Frame Rate,fast"),
               HasSubstr("Export Frame Rate: expected a number above 0, found 'fast'"));
   EXPECT_THAT(ErrorWith("Frame,Time", "Frames,Time"), HasSubstr("expected a row 'Frame,Time"));
@@ -110,8 +140,9 @@ TEST_F(MotiveFile, RefusesFilesWithoutMarkers) {
 TEST_F(MotiveFile, RefusesWrongRows) {
   EXPECT_THAT(ErrorWith(",-1001,1501,21", ",-1001,1501"),
               HasSubstr("take.csv: line 11: expected 15 fields, found 14"));
-  EXPECT_THAT(ErrorWith(",201,301", ",nan,301"),
-              HasSubstr("line 10: Cloth:a Y: expected a finite number or nothing, found 'nan'"));
+  EXPECT_THAT(
+      ErrorWith(",201,301", ",nan,301"),
+      HasSubstr("line 10, column 11: Cloth:a Y: expected a finite number or nothing, found 'nan'"));
   EXPECT_THAT(ErrorWith(",201,301", ",,301"),
               HasSubstr("line 10: Cloth:a: expected X, Y and Z or none of them"));
   EXPECT_THAT(ErrorWith("\n12,", "\n10,"), HasSubstr("Frame: expected more than 10, found 10"));
