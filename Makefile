@@ -12,7 +12,7 @@ BUILD := build/$(PRESET)
 export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-deep build bench format format-check tidy clean packages configure \
+.PHONY: help demo portable test test-deep build bench format format-check tidy clean packages configure \
         report-assets
 
 help: ## Show this list
@@ -24,6 +24,9 @@ demo: configure ## Build the command and fit a cloth to the pictures in data/lif
 	$(BUILD)/apps/clothfit evaluate build/demo-run --truth data/lift
 	$(BUILD)/apps/clothfit draw build/demo-run -o build/demo.png --force
 	$(BUILD)/apps/clothfit report build/demo-run -o build/demo.html --force
+
+portable: packages ## Build a program for every x86-64 processor into build/portable/clothfit
+	JOBS=$(JOBS) tools/portable build/portable/clothfit
 
 test: build ## Build everything and run all tests and source checks
 	ctest --preset $(PRESET)

@@ -32,7 +32,10 @@ int Fail(std::string problem, int status) {
 
 void DeclareCommands(CLI::App* app, Action* action) {
   app->require_subcommand(1);
-  app->set_version_flag("--version", "clothfit " + Version());
+  const std::string instruction_set = CLOTHFIT_INSTRUCTION_SET;
+  app->set_version_flag(
+      "--version",
+      "clothfit " + Version() + (instruction_set.empty() ? "" : " (" + instruction_set + ")"));
   app->set_help_flag("-h,--help", "show this help");
   app->footer(
       "Examples:\n"

@@ -10,15 +10,13 @@ target_compile_options(clothfit_options INTERFACE
   -Wno-maybe-uninitialized -Wno-array-bounds
   # Square roots and the like set no errno here, so they may be inlined. Nothing else of fast-math.
   -fno-math-errno)
-if(CLOTHFIT_NATIVE)
-  target_compile_options(clothfit_options INTERFACE -march=native)
+if(CLOTHFIT_MARCH)
+  target_compile_options(clothfit_options INTERFACE -march=${CLOTHFIT_MARCH})
 endif()
-# Ceres was compiled for the baseline instruction set and shares Eigen's templates with us. Two
-# versions of one template must never meet in a link: half of a matrix product from each writes past
-# its buffers. So ours live in a namespace of another name; and where the two do meet, in Ceres'
-# headers, they align alike.
-target_compile_definitions(clothfit_options INTERFACE
-  Eigen=clothfit_eigen EIGEN_MAX_ALIGN_BYTES=16)
+# What is hidden is bound within this program, see shared_ceres.cmake. Where our Eigen and Ceres' do
+# meet, in Ceres' headers, they align alike.
+target_compile_options(clothfit_options INTERFACE -fvisibility=hidden -fvisibility-inlines-hidden)
+target_compile_definitions(clothfit_options INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 if(CLOTHFIT_SANITIZE)
   target_compile_options(clothfit_options INTERFACE -fsanitize=${CLOTHFIT_SANITIZE}
                                                     -fno-sanitize-recover=all)
