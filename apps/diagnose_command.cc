@@ -24,7 +24,7 @@ struct DiagnoseOptions {
   ConfigOptions config;
   DiagnosisOptions diagnosis;
   std::string output;
-  bool no_projection = false, table_null = false, no_proof = false, no_guide = false;
+  bool no_projection = false, table_null = false, no_guide = false;
   bool force = false, resume = false, quiet = false;
 };
 
@@ -38,7 +38,6 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   if (!options.quiet) PrintWarnings(recording);
   options.diagnosis.project = !options.no_projection;
   options.diagnosis.simulate_null = !options.table_null;
-  options.diagnosis.validate = !options.no_proof;
   options.diagnosis.nudge = !options.no_guide;
   options.diagnosis.stop = StopOnInterrupt();
   options.diagnosis.kept_fits = folder.KeptFits();
@@ -80,13 +79,14 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
       ->capture_default_str();
   command
       ->add_option("--max-models", options->diagnosis.max_models,
-                   "candidates to fit for each effect; as many more where these leave much")
+                   "physical candidates to fit for each effect")
       ->type_name("N")
       ->check(CLI::Range(1, 40))
       ->capture_default_str();
   command
-      ->add_option("--finest", options->diagnosis.finest_side,
-                   "particles a side of the mesh, at most; more tell more and take longer")
+      ->add_option(
+          "--finest", options->diagnosis.finest_side,
+          "particles a side of the mesh that decides, at most; more tell more and take longer")
       ->type_name("N")
       ->check(CLI::Range(3, 100))
       ->capture_default_str();
@@ -97,8 +97,6 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
                     "ablation: score candidates without taking out what others can do");
   command->add_flag("--table-null", options->table_null,
                     "ablation: noise alone instead of the null that is simulated again");
-  command->add_flag("--no-proof", options->no_proof,
-                    "ablation: keep what fits, held-out frames or not");
   command->add_flag("--no-guide", options->no_guide,
                     "ablation: score along the free motion only, not along a nudged one, too");
   CLI::Option* const force = command->add_flag(

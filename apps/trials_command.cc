@@ -36,7 +36,7 @@ struct TrialsOptions {
   TrialPlanOptions size;
   JobOptions jobs;
   int finest_side = DiagnosisOptions().finest_side;
-  bool no_projection = false, table_null = false, no_proof = false, no_guide = false;
+  bool no_projection = false, table_null = false, no_guide = false;
   bool no_true_model = false;
   bool keep_recordings = false, keep_diagnoses = false;
   bool list = false, effects = false;
@@ -52,12 +52,12 @@ std::string Conditions(const TrialsOptions& options, const std::string& commitme
       "[{}]\nframes: {}\n"
       "resolution: {}\nfinest: {}\nsame_generator: {}\nfinite_elements: {}\nproject: "
       "{}\nsimulate_null: {}\n"
-      "prove: {}\nguide: {}\ntrue_model: {}\ncommitments: {}\n",
+      "guide: {}\ntrue_model: {}\ncommitments: {}\n",
       Version(), options.plan, options.size.match, options.size.sample, options.size.first_seed,
       options.size.num_seeds, only, options.size.frame_count, options.size.resolution,
       options.finest_side, flag(options.size.same_generator), flag(options.size.finite_elements),
-      flag(!options.no_projection), flag(!options.table_null), flag(!options.no_proof),
-      flag(!options.no_guide), flag(!options.no_true_model), Sha256(commitments));
+      flag(!options.no_projection), flag(!options.table_null), flag(!options.no_guide),
+      flag(!options.no_true_model), Sha256(commitments));
 }
 
 // Makes the folder and writes down what is to be found in it.
@@ -87,7 +87,6 @@ TrialRunOptions HowToRun(const TrialsOptions& options) {
   run.diagnosis.finest_side = options.finest_side;
   run.diagnosis.project = !options.no_projection;
   run.diagnosis.simulate_null = !options.table_null;
-  run.diagnosis.validate = !options.no_proof;
   run.diagnosis.nudge = !options.no_guide;
   run.folder = folder / "recordings";
   run.keep_recordings = options.keep_recordings;
@@ -212,7 +211,6 @@ void AddRunOptions(CLI::App* command, TrialsOptions* options) {
                     "candidates do not compete with the baseline and the faults");
   command->add_flag("--table-null", options->table_null,
                     "chi-squared tables instead of a re-simulated null");
-  command->add_flag("--no-proof", options->no_proof, "keep effects without a held-out validation");
   command->add_flag("--no-guide", options->no_guide, "score candidates along the free motion only");
   command->add_flag("--no-true-model", options->no_true_model,
                     "do not find what the true model would predict, which costs a fit a trial");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/fit/fit.h"
 
+#include "fitting/fit/fitter.h"
 #include "fitting/fit/staged_fit.h"
 
 namespace clothfit {
@@ -23,6 +24,12 @@ std::string ToString(FitStatus status) {
 FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
                  const FitCheckpoint* resume) {
   return StagedFit(scene, config, callbacks).Run(resume);
+}
+
+FitResult AppraiseFit(const Scene& scene, const FitConfig& config, const Eigen::VectorXd& theta) {
+  Fitter fitter(scene, config, {});
+  fitter.TellMisfit();
+  return fitter.At(theta);
 }
 
 int SimulateFrames(const Scene& scene, const FitConfig& config, const FreeParameters& free,

@@ -102,7 +102,8 @@ struct FitResult {
   // Plain statements on what the data leave open, one a line.
   std::vector<std::string> statements;
   double noise_factor = 1.0;  // residuals over their stated sigmas; above 1 it widens the intervals
-  std::optional<Misfit> misfit;  // of markers and tracks; of whole fits alone, see FitByStrategy
+  std::optional<Misfit>
+      misfit;  // of markers and tracks; of whole fits (FitByStrategy, AppraiseFit) alone
   FitStarts starts;
   StepReport steps;  // halvings and the like, summed over the last simulation
 };
@@ -110,6 +111,10 @@ struct FitResult {
 // Runs the fit. `resume` goes on from a checkpoint of the same scene and config.
 FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks = {},
                  const FitCheckpoint* resume = nullptr);
+
+// What a whole fit would say of theta, without any fitting: errors, intervals with what mesh and
+// step do to them, and the misfit of markers and tracks.
+FitResult AppraiseFit(const Scene& scene, const FitConfig& config, const Eigen::VectorXd& theta);
 
 // One open-loop simulation of frames 0 to last_frame. observer(frame, state) is called for every
 // frame. Returns the number of frames reached, last_frame + 1 where all went well.

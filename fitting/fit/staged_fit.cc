@@ -133,11 +133,7 @@ void StagedFit::AddOthers(const Scene& scene, const FitConfig& config, int most_
 }
 
 void StagedFit::Race(const Stage& stage, Chains* chains) {
-  if (chains->size() > 1) {
-    LetSpeak(stage, chains->front().get());
-    Advance(*chains, std::min(kFirstIterations, config_.max_iterations));
-    KeepBest(chains);
-  }
+  // To the end, side by side: after a few iterations the one that ends lower may be behind.
   LetSpeak(stage, chains->front().get());
   Advance(*chains, config_.max_iterations);
 }

@@ -32,7 +32,7 @@ Model MakeModel(const FitConfig& config) {
   model.config = config;
   model.parameters = {{"wind.x", "m/s", 1.0, 0.5, 1.5}};
   model.explained = 0.8;
-  model.validation = {0.02, 0.01, 0.008, 0.0017, 0.003, true, false, false, {}, {}};
+  model.validation = {0.02, 0.01, 0.008, 0.0017, 0.003, true, false, false};
   model.is_kept = true;
   return model;
 }

@@ -31,7 +31,8 @@ struct Model {
   FitConfig config;                         // an ordinary config: simulate, fit and predict take it
   std::vector<EffectParameter> parameters;  // the effects'
   double cost = 0.0;                        // half the sum of squares, of fitted frames
-  double explained = 0.0;                   // share of the excess cost of the baseline that is gone
+  double log_evidence = 0.0;  // for the newest effect against the fit without it (LogEvidence)
+  double explained = 0.0;     // share of the excess cost of the baseline that is gone
   HeldOutValidation validation;
   bool is_kept = false;
 };
@@ -64,16 +65,14 @@ struct Diagnosis {
   FitConfig baseline;
   FitResult baseline_fit;
   double residual_rms = 0.0;        // of the baseline's fit, in sigmas
-  double discretisation_rms = 0.0;  // that mesh and step leave, in sigmas
+  double discretisation_rms = 0.0;  // that mesh and step make, in sigmas
+  std::optional<Misfit> misfit;     // of the baseline's markers and tracks
   double gate_p_value = 1.0;        // of the whole residual against the null
   // What is left when the observation's faults have taken their part, in sigmas: of the recording,
   // and of every draw of the null.
   double left_rms = 0.0;
   std::vector<double> null_left_rms;
   double promised = 0.0;  // share of the cost that a full step of the baseline's fit would take
-  // Particles a side of a mesh that would show more, where the finest that was allowed
-  // (`DiagnosisOptions::finest_side`) leaves more than noise does; 0: none.
-  int finer_side = 0;
   std::optional<Discrepancy> discrepancy;
   std::optional<DiscrepancyClass> discrepancy_class;
   std::optional<DiscrepancyPictures> discrepancy_pictures;

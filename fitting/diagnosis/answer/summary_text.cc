@@ -44,8 +44,10 @@ std::string NameEffects(const Diagnosis& diagnosis) {
   for (const EffectParameter& p : answer.parameters)
     estimates += (estimates.empty() ? "" : "; ") + Estimate(p);
   if (!estimates.empty()) words += " " + estimates + ".";
-  return words + fmt::format(" It explains {:.0f} % of what the baseline cannot.",
-                             100.0 * answer.explained);
+  return words + fmt::format(
+                     " It explains {:.0f} % of what the baseline cannot; the natural "
+                     "logarithm of the odds for it is {:.3g}.",
+                     100.0 * answer.explained, answer.log_evidence);
 }
 
 std::string SayValidation(const Model& answer) {
@@ -54,13 +56,6 @@ std::string SayValidation(const Model& answer) {
   std::string words = "With it, the error on the held-out frames falls";
   if (validation.is_against_others)
     words = "With it put right, how far it is on the held-out frames from what all else saw falls";
-  if (validation.earlier) {
-    words = fmt::format(
-        "The held-out frames tell nothing of it; but fitted to the frames before {} alone, the "
-        "error "
-        "on those from there to {} falls",
-        validation.earlier->first, validation.earlier->last);
-  }
   words += fmt::format(" from {} to {}", Length(validation.before, is_px),
                        Length(validation.after, is_px));
   words +=
@@ -72,12 +67,6 @@ std::string SayValidation(const Model& answer) {
   if (by_mesh > kWorthSaying * squared) {
     words += fmt::format(" Mesh and step alone might make it fall to {}.",
                          Length(std::sqrt(std::max(0.0, squared - by_mesh)), is_px));
-  }
-  if (validation.gain_of_null) {
-    words += fmt::format(
-        " On recordings of the baseline itself, made on a finer mesh, it explains at most {:.0f} % "
-        "as much.",
-        100.0 * std::max(0.0, *validation.gain_of_null));
   }
   return words;
 }
@@ -120,14 +109,11 @@ OrderedJson AsJson(const Candidate& c) {
 }
 
 OrderedJson AsJson(const Model& m) {
-  OrderedJson earlier;
-  OrderedJson gain_of_null;
-  if (m.validation.gain_of_null) gain_of_null = OrNull(*m.validation.gain_of_null);
-  if (m.validation.earlier) earlier = {m.validation.earlier->first, m.validation.earlier->last};
   return {{"effects", m.effects},
           {"parameters", AsJson(m.parameters)},
           {"cost", OrNull(m.cost)},
           {"explained", OrNull(m.explained)},
+          {"log_evidence", OrNull(m.log_evidence)},
           {"held_out",
            {{"before", OrNull(m.validation.before)},
             {"after", OrNull(m.validation.after)},
@@ -135,9 +121,7 @@ OrderedJson AsJson(const Model& m) {
             {"noise", OrNull(m.validation.noise)},
             {"floor", OrNull(m.validation.irreducible)},
             {"unit", m.validation.is_in_pixels ? "px" : "m"},
-            {"earlier_frames", std::move(earlier)},
             {"against_others", m.validation.is_against_others},
-            {"gain_of_null", std::move(gain_of_null)},
             {"proven", m.validation.is_validated}}},
           {"kept", m.is_kept}};
 }
@@ -191,31 +175,18 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
   if (diagnosis.verdict == Verdict::kInterrupted) sentences.push_back("Interrupted; so far:");
   if (diagnosis.verdict == Verdict::kNothingMissing) {
     sentences.push_back(fmt::format(
-        "Nothing is missing that this recording could show: the baseline leaves {:.2g} sigmas, of "
-        "which mesh and time step make {:.2g}, and a recording of nothing but the baseline would "
-        "leave as much with a probability of {:.2g}.",
-        diagnosis.residual_rms, diagnosis.discretisation_rms, diagnosis.gate_p_value));
+        "Nothing is missing that this recording could show: the baseline leaves {:.3g} sigmas, "
+        "where noise alone leaves 1.",
+        diagnosis.residual_rms));
   }
   if (diagnosis.verdict == Verdict::kUndecided) {
-    const std::string why =
-        diagnosis.promised < kAtMinimum
-            ? fmt::format("mesh and time step make {:.2g} of them", diagnosis.discretisation_rms)
-            : fmt::format(
-                  "its fit has come to no minimum, as a full step still promises {:.0f} % less",
-                  100.0 * diagnosis.promised);
     sentences.push_back(fmt::format(
-        "Undecided: the baseline leaves {:.2g} sigmas, but {}. What it leaves is no evidence of "
+        "Undecided: the baseline leaves {:.2g} sigmas, but its fit has come to no minimum, as a "
+        "full "
+        "step still promises {:.0f} % less. What it leaves is no evidence of "
         "missing physics, nor that nothing is missing. A shorter or gentler recording, or material "
         "parameters that are known, would help.",
-        diagnosis.residual_rms, why));
-  }
-  const bool is_open =
-      diagnosis.verdict == Verdict::kNothingMissing || diagnosis.verdict == Verdict::kUndecided;
-  if (is_open && diagnosis.finer_side > 0) {
-    sentences.push_back(
-        fmt::format("Mesh and time step err by more than noise; a finer mesh (--finest {}) would "
-                    "show more, and takes some three times as long.",
-                    diagnosis.finer_side));
+        diagnosis.residual_rms, 100.0 * diagnosis.promised));
   }
   // What is named says itself where it acts; the map of what the baseline cannot take for anything
   // else is for what has no name.
@@ -226,6 +197,8 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
   }
   if (diagnosis.law) {
     const Model& model = diagnosis.law->model;
+    if (!diagnosis.effects.empty())
+      sentences.push_back("Put right in the observation: " + JoinNames(diagnosis.effects) + ".");
     sentences.push_back(fmt::format(
         "Something is missing that no effect of the catalogue explains. A law learned from it "
         "explains {:.0f} %: {}.",
@@ -246,8 +219,8 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
     sentences.push_back(
         diagnosis.answer ? "No effect in the catalogue explains all of what is missing: what comes "
                            "nearest may only stand for it."
-                         : "Something is missing, and no effect in the catalogue predicts "
-                           "unseen frames better.");
+                         : "Something is missing, and the recording speaks for no effect in "
+                           "the catalogue.");
   }
   std::string words;
   for (const std::string& sentence : sentences) {
@@ -272,13 +245,13 @@ std::string DiagnosisAsMarkdown(const Diagnosis& diagnosis) {
             : c.why_not);
   }
   text +=
-      "\n## Models\n\n| effects | cost | explains | held out before | after | improvement, at "
-      "least | |\n|---|---:|---:|---:|---:|---:|---|\n";
+      "\n## Models\n\n| effects | cost | explains | log evidence | held out before | after | "
+      "improvement, at least | |\n|---|---:|---:|---:|---:|---:|---:|---|\n";
   for (const Model& m : diagnosis.models) {
-    text +=
-        fmt::format("| {} | {:.6g} | {:.0f} % | {:.4g} | {:.4g} | {:.3g} | {} |\n",
-                    JoinNames(m.effects), m.cost, 100.0 * m.explained, m.validation.before,
-                    m.validation.after, m.validation.improvement_lower95, m.is_kept ? "kept" : "");
+    text += fmt::format("| {} | {:.6g} | {:.0f} % | {:.4g} | {:.4g} | {:.4g} | {:.3g} | {} |\n",
+                        JoinNames(m.effects), m.cost, 100.0 * m.explained, m.log_evidence,
+                        m.validation.before, m.validation.after, m.validation.improvement_lower95,
+                        m.is_kept ? "kept" : "");
   }
   text += "\n## Time\n\n";
   for (const auto& [stage, seconds] : diagnosis.seconds)
@@ -298,8 +271,11 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
                   {"left_rms_sigmas", OrNull(diagnosis.left_rms)},
                   {"null_left_rms_sigmas", diagnosis.null_left_rms},
                   {"promised_decrease", OrNull(diagnosis.promised)}};
-  json["finer_mesh"] =
-      diagnosis.finer_side > 0 ? OrderedJson(diagnosis.finer_side) : OrderedJson(nullptr);
+  if (const std::optional<Misfit>& misfit = diagnosis.misfit) {
+    json["gate"]["chi_square"] = OrNull(misfit->chi_square);
+    json["gate"]["chi_square_limit"] = OrNull(misfit->limit);
+    json["gate"]["correlation"] = OrNull(misfit->correlation);
+  }
   const std::optional<Splits::FrameRange>& held_out = diagnosis.motions.held_out;
   json["held_out_frames"] =
       held_out ? OrderedJson({held_out->first, held_out->last}) : OrderedJson(nullptr);

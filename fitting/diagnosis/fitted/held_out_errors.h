@@ -11,9 +11,6 @@
 
 namespace clothfit {
 
-// Times a held-out error: no worse than that.
-inline constexpr double kAsGood = 1.05;
-
 // Mean squared errors of single held-out frames: of markers (m^2) where there are any, else of
 // tracks (px^2), else pixels in which silhouettes differ, squared.
 struct HeldOutErrors {

@@ -19,10 +19,10 @@ struct DiagnosisOptions {
   // Terms that are not looked for, whatever the recording has.
   std::vector<std::string> excluded;
   int max_effects = 3;  // that are added one after the other
-  int max_models = 4;   // candidates that are fitted in earnest, each time
-  // Particles along a side, at most. Finer meshes take longer and have less discretisation error,
-  // which looks like a draught. A finer mesh of the recording is made coarser.
-  int finest_side = 13;
+  int max_models = 5;   // physical candidates that are fitted, each time
+  // Particles along a side of the mesh that decisions fall on, at most. Finer meshes take longer
+  // and have less discretisation error, which looks like a draught.
+  int finest_side = 31;
   int num_nulls = 400;            // residuals drawn of the re-simulated null
   double false_discovery = 0.05;  // expected share of false ones among those short-listed
   double least_share = 0.1;  // of the unexplained residual; below it a candidate is no explanation
@@ -32,7 +32,6 @@ struct DiagnosisOptions {
   // Ablations.
   bool project = true;  // candidates compete after the baseline and the faults took their part
   bool simulate_null = true;  // false: chi-squared tables
-  bool validate = true;       // false: keep what fits better, held-out frames or not
   bool nudge = true;          // false: no scores along a nudged motion
   std::function<void(const std::string& stage, double fraction)> progress;
   std::function<void(const std::string&)> log;

@@ -76,11 +76,11 @@ double Inside(double value, const ParameterSetting& setting) {
   return std::clamp(value, setting.lower, setting.upper);
 }
 
-FitConfig QuickConfig(FitConfig config, int most_iterations) {
+FitConfig QuickConfig(FitConfig config, int most_iterations, double tolerance) {
   config.coarse_resolution = 0;
   config.window = 0.0;
   config.max_iterations = std::min(config.max_iterations, most_iterations);
-  config.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
+  config.function_tolerance = std::max(config.function_tolerance, tolerance);
   return config;
 }
 
@@ -150,7 +150,7 @@ ModelStart WithMaterialOf(const FitConfig& given, ModelStart start) {
 
 std::optional<FittedScene> FitNudged(const ModelStart& start, double damping,
                                      const FitRunner& runner) {
-  FitConfig next = QuickConfig(start.config, kNudgedIterations);
+  FitConfig next = QuickConfig(start.config, kNudgedIterations, kEnoughForDiagnosis);
   next.attract = true;
   next = OnNudgedMesh(next, MakeScene(start.recording, next).mesh);
   const Scene scene = MakeScene(start.recording, next);
@@ -168,7 +168,7 @@ std::optional<FittedScene> FitNudged(const ModelStart& start, double damping,
 
 std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
                                      const FitRunner& runner) {
-  const FitConfig quick = QuickConfig(start.config, most_iterations);
+  const FitConfig quick = QuickConfig(start.config, most_iterations, kEnoughForDiagnosis);
   FitConfig last = quick;
   std::optional<FitResult> before;
   if (how == Start::kNudged) {
@@ -183,8 +183,9 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
 }
 
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
-                                    int most_iterations, const FitRunner& runner) {
-  const FitConfig config = QuickConfig(start.config, most_iterations);
+                                    int most_iterations, const FitRunner& runner,
+                                    double tolerance) {
+  const FitConfig config = QuickConfig(start.config, most_iterations, tolerance);
   Scene scene = MakeScene(start.recording, config, &fitted.scene);
   // Handles and initial state go on from where they were; they follow the parameters.
   const FreeParameters free(config, scene, MakeParameterTable());

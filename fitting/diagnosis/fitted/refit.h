@@ -23,18 +23,20 @@ struct ModelStart {
 // Keeps an estimate inside, off the bounds themselves so that a logarithm can move it.
 double Inside(double value, const ParameterSetting& setting);
 
+// Change of the cost, relative to it, at which a fit ends: of the size of noise. What is left of
+// the way is linear, and the projection goes it.
+inline constexpr double kEnoughForDiagnosis = 1e-4;
+// The same where costs of models are compared.
+inline constexpr double kEnoughToDecide = 1e-5;
+
 // A few iterations of all frames at once: it begins near, or is nudged.
-FitConfig QuickConfig(FitConfig config, int most_iterations);
+FitConfig QuickConfig(FitConfig config, int most_iterations, double tolerance);
 
 // A fitted model, to be fitted further.
 ModelStart GoOn(const FittedScene& model);
 
 // The same without some of its parameters (full names): off, and not fitted.
 ModelStart GoOnWithout(const FittedScene& model, const std::vector<std::string>& names);
-
-// Change of the cost, relative to it, at which a fit ends: of the size of noise. What is left of
-// the way is linear, and the projection goes it.
-inline constexpr double kEnoughForDiagnosis = 1e-4;
 
 // The same scene without the model's effect, begun from what the model found for everything else.
 ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model);
@@ -74,7 +76,8 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
 
 // Fits it, from the handles' paths and initial state of `fitted`. Empty where the fit fails.
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
-                                    int most_iterations, const FitRunner& runner);
+                                    int most_iterations, const FitRunner& runner,
+                                    double tolerance = kEnoughForDiagnosis);
 
 // Of two fits of the same model the one that costs less; empty where both are.
 std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<FittedScene> b);

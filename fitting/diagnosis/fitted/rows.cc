@@ -148,14 +148,6 @@ std::optional<Rows> EvaluateRows(
   return usable ? std::optional<Rows>(std::move(rows)) : std::nullopt;
 }
 
-std::optional<LinearisedFit> Linearise(const FittedScene& fitted) {
-  const ObservationResiduals observations(fitted.scene, fitted.config);
-  const RowFrames frames(fitted.scene, observations, kMostRows);
-  std::optional<Rows> rows = EvaluateRows(fitted, BaselinePass(fitted), frames, {});
-  if (!rows) return {};
-  return LinearisedFit{frames, std::move(*rows)};
-}
-
 std::optional<Eigen::VectorXd> ResidualsOfOtherSteps(const FittedScene& fine,
                                                      const FittedScene& coarse,
                                                      const RowFrames& frames) {

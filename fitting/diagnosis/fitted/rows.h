@@ -86,13 +86,6 @@ std::optional<Rows> EvaluateRows(
 // Beyond so many rows not every frame is looked at.
 inline constexpr int kMostRows = 20000;
 
-// A fit's own rows with their Jacobian by all that it had free. Empty where the simulation fails.
-struct LinearisedFit {
-  RowFrames frames;
-  Rows rows;
-};
-std::optional<LinearisedFit> Linearise(const FittedScene& fitted);
-
 // Residuals (rows of `frames`) when what is simulated is `fine` and what predicts has the mesh of
 // `coarse`: between the two lies what mesh and step leave out. Both must be of one recording.
 std::optional<Eigen::VectorXd> ResidualsOfOtherSteps(const FittedScene& fine,

@@ -83,7 +83,8 @@ FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
   FitConfig config = baseline;
   // Nobody lays out a cloth exactly.
   config.initial_order = std::max(config.initial_order, 1);
-  config.resolution = WorkingResolution(recording, config, options.finest_side);
+  config.resolution =
+      WorkingResolution(recording, config, std::min(options.finest_side, kCoarseSide));
   Scene scene = MakeScene(recording, config);
   FitConfig quick = config;
   quick.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);

@@ -29,7 +29,7 @@ constexpr double kOfDifference = 1.0 / (1.0 - 1.0 / (kFinerMesh * kFinerMesh));
 constexpr double kFinerStep = 0.5;
 
 // Streams of one seed.
-constexpr std::uint64_t kNearFit = 101, kTwin = 102, kNull = 103;
+constexpr std::uint64_t kNearFit = 101, kNull = 103;
 
 // The fit with its free vector moved.
 FittedScene Moved(const FittedScene& fitted, const std::vector<FreeEntry>& entries,
@@ -172,8 +172,6 @@ FittedScene Finer(const FittedScene& fitted, bool mesh, bool step) {
                         step ? kFinerStep * fitted.scene.step : fitted.config.max_step);
 }
 
-double OfDifference() { return kOfDifference; }
-
 std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& baseline, int count,
                                      std::uint64_t seed) {
   constexpr double kOfPosterior = 0.5;  // sigmas
@@ -189,66 +187,6 @@ std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& base
     scenes.push_back(Moved(fitted, baseline.entries, root * unit));
   }
   return scenes;
-}
-
-std::vector<DiscretisationShift> MeasureShifts(const FittedScene& fitted,
-                                               const LinearisedFit& linear, int draws,
-                                               std::uint64_t seed) {
-  const std::vector<FittedScene> scenes = DrawNearFit(fitted, linear.rows, draws, seed);
-  const Eigen::VectorXd nowhere =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(linear.rows.entries.size()));
-  std::vector<std::optional<Refit>> refits(scenes.size());
-  ParallelFor(static_cast<int>(scenes.size()), NumThreads(0), [&](int i, int) {
-    const auto k = static_cast<std::size_t>(i);
-    const std::optional<Eigen::VectorXd> fine =
-        ResidualsOfOtherSteps(Finer(scenes[k], true, true), scenes[k], linear.frames);
-    if (fine) refits[k] = FitAgain(scenes[k], linear.frames, linear.rows, *fine, nowhere);
-  });
-  std::vector<DiscretisationShift> shifts;
-  for (const std::optional<Refit>& refit : refits) {
-    if (!refit) continue;
-    const double left = kOfDifference * refit->left.norm();
-    shifts.push_back({kOfDifference * refit->by, left * left});
-  }
-  return shifts;
-}
-
-std::optional<Recording> TwinRecording(const FittedScene& scene, std::uint64_t seed) {
-  const FittedScene finer = Finer(scene, true, true);
-  Recording twin = finer.scene.recording;
-  twin.markers.clear();
-  twin.tracks.clear();
-  NormalNumbers normal(seed, kTwin);
-  const auto at = [](const auto& observed, const State& state) {
-    return Eigen::Vector3d(observed.on_cloth.At(state.x));
-  };
-  std::map<std::pair<int, int>, Eigen::Vector2d> uv_of_marker;
-  std::map<std::tuple<int, int, int>, Eigen::Vector2d> uv_of_track;
-  for (const Marker& m : finer.scene.recording.markers) uv_of_marker[{m.frame, m.id}] = m.uv;
-  for (const Track& t : finer.scene.recording.tracks) uv_of_track[{t.frame, t.camera, t.id}] = t.uv;
-  const FreeParameters free(finer.values, finer.scene, MakeParameterTable());
-  const int last = twin.frame_count - 1;
-  const auto observe = [&](int frame, const State& state) {
-    for (const MarkerObservation& m : finer.scene.markers) {
-      if (m.frame != frame) continue;
-      const Eigen::Vector3d noise = normal.NextVector<3>();
-      twin.markers.push_back({frame, m.id, uv_of_marker.at({frame, m.id}),
-                              at(m, state) + finer.scene.marker_sigma * noise});
-    }
-    for (const TrackObservation& t : finer.scene.tracks) {
-      if (t.frame != frame) continue;
-      const Camera& camera = twin.cameras[static_cast<std::size_t>(t.camera)];
-      const Eigen::Vector3d place = at(t, state);
-      if (!IsInFront(camera, place)) continue;
-      const Eigen::Vector2d noise = normal.NextVector<2>();
-      twin.tracks.push_back({frame, t.camera, t.id, uv_of_track.at({frame, t.camera, t.id}),
-                             ProjectPoint(camera, place) + finer.scene.track_sigma * noise});
-    }
-  };
-  const int reached = SimulateFrames(finer.scene, finer.values, free,
-                                     ThetaOfPass(free, finer.unknown), last, observe);
-  if (reached != last + 1) return {};
-  return twin;
 }
 
 DiscretisationErrors MeasureDiscretisationErrors(const FittedScene& fitted, const RowFrames& frames,

@@ -41,29 +41,10 @@ DiscretisationErrors MeasureDiscretisationErrors(const FittedScene& fitted, cons
 // The finer mesh and step that stand for the truth.
 FittedScene Finer(const FittedScene& fitted, bool mesh, bool step);
 
-// A finer mesh has an error of its own: that of the fit's is this much more than the difference
-// between both.
-double OfDifference();
-
 // The fit with its free vector drawn around where it ended, so near that what is simulated with it
 // still looks like the recording.
 std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& baseline, int count,
                                      std::uint64_t seed);
-
-// What mesh and step do to a fit: a scene that is drawn near it, simulated finer and fitted again.
-struct DiscretisationShift {
-  Eigen::VectorXd by;         // how far the free vector ends from where it should; own scale
-  double left_squared = 0.0;  // sum of squares of what the fit leaves, in sigmas
-};
-// Fewer than so many draws where a fit fails.
-std::vector<DiscretisationShift> MeasureShifts(const FittedScene& fitted,
-                                               const LinearisedFit& linear, int draws,
-                                               std::uint64_t seed);
-
-// The recording with its markers and tracks where the scene has them, simulated finer, with their
-// noise; masks are left out. Nothing is missing in it that the scene does not lack. Empty where it
-// cannot be simulated.
-std::optional<Recording> TwinRecording(const FittedScene& scene, std::uint64_t seed);
 
 // A null residual, by its products with all columns of a Gram matrix and with itself.
 struct NullResidual {

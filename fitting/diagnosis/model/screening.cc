@@ -13,7 +13,6 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/baseline_fit.h"
-#include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/model/explained_share.h"
 #include "fitting/diagnosis/model/fault_estimate.h"
 #include "fitting/diagnosis/model/force_matching.h"
@@ -23,9 +22,10 @@
 namespace clothfit {
 namespace {
 
-constexpr int kMostContinuations = 3;  // of the best, until it converges
-constexpr double kAlike = 0.3;         // of the squares of a force
+constexpr double kAlike = 0.3;  // of the squares of a force
 constexpr std::size_t kMostCompetitors = 3;
+constexpr int kMostFaults = 2;
+constexpr double kNearBest = 0.9;       // of what the best gains: it may come first yet
 constexpr int kProbes = 24;             // of what matches its force
 constexpr double kPromotedShare = 0.5;  // of what the best has gained by then
 
@@ -114,45 +114,32 @@ std::optional<FittedScene> ModelScreening::FirstNudgedFit(const FittedScene& cur
   return model;
 }
 
-// Short-listed candidates first; far off, where a linear score says little, those too that the null
-// does not do as much as, until there are enough, and besides them default terms, each by
-// itself and all of it together.
-std::vector<RankedCandidate> ModelScreening::FirstCandidates(const Ranking& ranking,
-                                                             double least_score) const {
-  std::vector<RankedCandidate> screened;
-  const auto enter = [&](const auto& is_asked) {
-    for (const RankedCandidate& candidate : ranking.candidates) {
-      if (static_cast<int>(screened.size()) >= options_.max_models) return;
-      if (is_asked(candidate.summary)) screened.push_back(candidate);
-    }
-  };
-  enter([&](const Candidate& c) { return c.is_short_listed && c.score >= least_score; });
-  if (ranking.residual_rms < kLargeResidual) return screened;
-  if (ranking.gate_p_value < kGate) {
-    enter([&](const Candidate& c) {
-      return !c.is_short_listed && c.kind == CandidateKind::kPhysics &&
-             c.q_value <= options_.false_discovery;
-    });
-  }
-  for (const RankedCandidate& candidate : ranking.candidates) {
-    if (!IsAmong(screened, candidate.summary.name) && IsDefaultTerm(candidate))
-      screened.push_back(candidate);
-  }
-  if (const std::optional<RankedCandidate> all = AllDefaultTerms(ranking)) screened.push_back(*all);
-  return screened;
-}
-
-std::vector<RankedCandidate> ModelScreening::NextCandidates(
-    const Ranking& ranking, double least_score,
-    const std::vector<RankedCandidate>& screened) const {
-  std::vector<RankedCandidate> next;
+// Physics by its score, whatever the null does as well: mesh and step are the deciding mesh's
+// business. (Of outlines alone, whose residuals hang together along them, what is short-listed.)
+// Faults that are larger than in well-made recordings beside it. Far off, where a linear score says
+// little, default terms too, each by itself and all of it together.
+std::vector<RankedCandidate> ModelScreening::Entrants(const FittedScene& current,
+                                                      const Ranking& ranking) const {
+  std::vector<RankedCandidate> entrants;
+  int num_physics = 0, num_faults = 0;
+  const bool by_score = HasPoints(current.scene);
   for (const RankedCandidate& candidate : ranking.candidates) {
     const Candidate& c = candidate.summary;
-    if (static_cast<int>(next.size()) >= options_.max_models) break;
-    if (c.is_short_listed && c.score >= least_score && !IsAmong(screened, c.name))
-      next.push_back(candidate);
+    const bool is_physics = c.kind == CandidateKind::kPhysics;
+    const bool is_worth_it =
+        c.is_short_listed || (is_physics && by_score && c.share >= options_.least_share);
+    int& count = is_physics ? num_physics : num_faults;
+    if (!is_worth_it || count >= (is_physics ? options_.max_models : kMostFaults)) continue;
+    ++count;
+    entrants.push_back(candidate);
   }
-  return next;
+  if (ranking.residual_rms < kLargeResidual) return entrants;
+  for (const RankedCandidate& candidate : ranking.candidates) {
+    if (!IsAmong(entrants, candidate.summary.name) && IsDefaultTerm(candidate))
+      entrants.push_back(candidate);
+  }
+  if (const std::optional<RankedCandidate> all = AllDefaultTerms(ranking)) entrants.push_back(*all);
+  return entrants;
 }
 
 std::vector<FittedModel> ModelScreening::RunAll(const std::vector<RankedCandidate>& screened,
@@ -168,7 +155,7 @@ std::vector<FittedModel> ModelScreening::RunAll(const std::vector<RankedCandidat
   std::vector<FittedModel> models;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     if (fits[i]) {
-      models.push_back({screened[i], std::move(*fits[i]), {}});
+      models.push_back({screened[i], std::move(*fits[i])});
     } else if (!Stopped()) {
       Log(names[i] + ": the fit with it fails");
     }
@@ -203,39 +190,28 @@ void ModelScreening::ScreenNudged(const FittedScene& current, const Ranking& ran
 }
 
 std::vector<FittedModel> ModelScreening::Run(const FittedScene& current,
-                                             const HeldOutErrors& errors, double least_score,
                                              const RankAlongNudged& nudge,
                                              Ranking* open_ranking) const {
-  const std::vector<RankedCandidate> screened = FirstCandidates(*open_ranking, least_score);
-  std::vector<FittedModel> models = Screen(current, *open_ranking, screened);
-  if (nudge && !ExplainsMost(current, *open_ranking, models) && !Stopped()) {
-    nudge(open_ranking);
+  std::vector<FittedModel> models =
+      Screen(current, *open_ranking, Entrants(current, *open_ranking));
+  if (!ExplainsMost(current, *open_ranking, models) && !Stopped()) {
+    if (nudge) nudge(open_ranking);
     ScreenNudged(current, *open_ranking, &models);
   }
   const Ranking& ranking = *open_ranking;
-  // A linear score says little of what changes much: a seam that bends 37 times as hard as the
-  // cloth came seventh. Where none of the first explains most of it, the next may.
-  if (ranking.residual_rms < kUnusableResidual && !ExplainsMost(current, ranking, models) &&
-      !Stopped()) {
-    Merge(Screen(current, ranking, NextCandidates(ranking, least_score, screened)), &models);
-    // Nor do the first iterations: with that seam they gain a fifth of what it gains in the end.
-    if (!ExplainsMost(current, ranking, models)) FinishModels(current, 0.0, &models);
-  }
-  BeginAnew(current, ranking, &models);
-  if (ExplainsMost(current, ranking, models) && models.front().candidate.faults.empty())
+  BeginAnew(ranking, &models);
+  if (!models.empty() && models.front().candidate.faults.empty())
     Merge(FitCompetitors(current, ranking, models), &models);
-  ForAll(models.size(), [&](std::size_t i) { models[i].errors = MeasureHeldOut(models[i].scene); });
   for (const FittedModel& model : models) {
     Log(fmt::format("with {}: cost {:.6g} -> {:.6g}", model.candidate.summary.name,
                     current.fit.cost_after, model.scene.fit.cost_after));
   }
-  PutBestFirst(current.fit.cost_after, errors, ranking, &models);
   if (!models.empty()) TakeOutIdleParts(current, ranking, &models.front());
   return models;
 }
 
-// Of a model that stands for several effects: those without which it explains and predicts about as
-// much are taken out of it, one after the other.
+// Of a model that stands for several effects: those without which it explains about as much are
+// taken out of it, one after the other.
 void ModelScreening::TakeOutIdleParts(const FittedScene& current, const Ranking& ranking,
                                       FittedModel* model) const {
   while (model->candidate.parts.size() > 1 && !Stopped()) {
@@ -248,9 +224,7 @@ void ModelScreening::TakeOutIdleParts(const FittedScene& current, const Ranking&
       std::optional<FittedScene> scene =
           FitModel(model->scene, GoOnWithout(model->scene, Together(ranking, {parts[i]}).names),
                    kModelIterations, runner_);
-      if (!scene) return;
-      HeldOutErrors errors = MeasureHeldOut(*scene);
-      without[i] = FittedModel{Together(ranking, others), std::move(*scene), std::move(errors)};
+      if (scene) without[i] = FittedModel{Together(ranking, others), std::move(*scene)};
     });
     const double cost = model->scene.fit.cost_after;
     double highest = cost + kIdle * (current.fit.cost_after - cost);
@@ -258,9 +232,8 @@ void ModelScreening::TakeOutIdleParts(const FittedScene& current, const Ranking&
     for (std::size_t i = 0; i < without.size(); ++i) {
       if (!without[i]) continue;
       const double left = without[i]->scene.fit.cost_after;
-      Log(fmt::format("without {}: cost {:.6g} -> {:.6g}, held out {:.4g} -> {:.4g}", parts[i],
-                      cost, left, model->errors.Rms(), without[i]->errors.Rms()));
-      if (left > highest || without[i]->errors.Rms() > kAsGood * model->errors.Rms()) continue;
+      Log(fmt::format("without {}: cost {:.6g} -> {:.6g}", parts[i], cost, left));
+      if (left > highest) continue;
       highest = left;
       idle = &*without[i];
     }
@@ -294,43 +267,27 @@ void ModelScreening::FinishModels(const FittedScene& current, double promoted_sh
   const double near = current.fit.cost_after - kNearBest * (current.fit.cost_after - least);
   go_on(near);
   std::stable_sort(models->begin(), models->end(), IsCheaper);
-  for (int k = 1; k < kMostContinuations; ++k) GoOnWith(&models->front());
 }
 
-// The best once more with what was found of their effects, but from the config's own material
+// The best once more with what was found of its effect, but from the config's own material
 // parameters: the baseline's had to stand for what was missing, and a model that goes on from it
-// may keep some of that. Where the best leaves more than the null only.
-void ModelScreening::BeginAnew(const FittedScene& current, const Ranking& ranking,
-                               std::vector<FittedModel>* models) const {
+// may keep some of that. Where it leaves more than the null only.
+void ModelScreening::BeginAnew(const Ranking& ranking, std::vector<FittedModel>* models) const {
   if (models->empty() || Stopped()) return;
-  // Far off, every model has begun anew already, before anything was known of its effect.
-  const std::size_t most = ranking.residual_rms < kLargeResidual ? 2 : 1;
-  const double before = current.fit.cost_after, best = models->front().scene.fit.cost_after;
-  if (best <= 0.5 * ranking.null_mean) return;
-  std::vector<FittedModel*> near;
-  for (FittedModel& model : *models) {
-    const bool is_near = model.scene.fit.cost_after <= before - kNearBest * (before - best);
-    if (is_near && model.candidate.faults.empty() && near.size() < most) near.push_back(&model);
-  }
-  Say("fitting those from other material parameters", 0.62);
-  constexpr Start kStarts[] = {Start::kPlain, Start::kNudged};
-  std::vector<std::optional<FittedScene>> others(near.size() * std::size(kStarts));
-  ForAll(others.size(), [&](std::size_t i) {
-    const FittedModel& model = *near[i / std::size(kStarts)];
-    if (Stopped()) return;
-    others[i] = FitAfresh(WithMaterialOf(baseline_, GoOn(model.scene)),
-                          kStarts[i % std::size(kStarts)], 2 * kModelIterations, runner_);
-  });
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    FittedModel& model = *near[i / std::size(kStarts)];
-    const double cost = model.scene.fit.cost_after;
-    if (!others[i] || !(others[i]->fit.cost_after < cost)) continue;
-    Log(fmt::format("with {} from other material parameters: cost {:.6g} -> {:.6g}",
-                    model.candidate.summary.name, cost, others[i]->fit.cost_after));
-    model.scene = std::move(*others[i]);
-  }
-  std::stable_sort(models->begin(), models->end(), IsCheaper);
-  GoOnWith(&models->front());
+  FittedModel& best = models->front();
+  const double cost = best.scene.fit.cost_after;
+  // A fault moves no cloth, and far off every model has begun anew already.
+  if (cost <= 0.5 * ranking.null_mean || !best.candidate.faults.empty() ||
+      ranking.residual_rms >= kLargeResidual)
+    return;
+  Say("fitting the best from other material parameters", 0.62);
+  std::optional<FittedScene> other = FitAfresh(WithMaterialOf(baseline_, GoOn(best.scene)),
+                                               Start::kPlain, 2 * kModelIterations, runner_);
+  if (!other || !(other->fit.cost_after < cost)) return;
+  Log(fmt::format("with {} from other material parameters: cost {:.6g} -> {:.6g}",
+                  best.candidate.summary.name, cost, other->fit.cost_after));
+  best.scene = std::move(*other);
+  GoOnWith(&best);
 }
 
 // The best three of those that could make most of the force that the first model makes and are not
@@ -407,17 +364,9 @@ std::vector<FittedModel> ModelScreening::FitCompetitors(
       });
   const double before = current.fit.cost_after;
   const double gain = before - best.fit.cost_after;
-  const double most = before - kPromotedShare * gain, near = before - kNearBest * gain;
+  const double most = before - kPromotedShare * gain;
   ForAll(competitors.size(), [&](std::size_t i) {
-    FittedScene& competitor = competitors[i].scene;
-    if (competitor.fit.cost_after > most) return;
-    GoOnWith(&competitors[i]);
-    // Wind whose drag is free is slow to leave the material parameters of a tilted gravity.
-    if (competitor.fit.cost_after > near || Stopped()) return;
-    std::optional<FittedScene> other = FitAfresh(WithMaterialOf(material, GoOn(competitor)),
-                                                 Start::kNudged, 2 * kModelIterations, runner_);
-    if (other && other->fit.cost_after < competitor.fit.cost_after) competitor = std::move(*other);
-    GoOnWith(&competitors[i]);
+    if (competitors[i].scene.fit.cost_after <= most) GoOnWith(&competitors[i]);
   });
   return competitors;
 }

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/diagnosis/fitted/held_out_errors.h"
-#include "fitting/diagnosis/model/order.h"
+#include "fitting/diagnosis/model/fitted_model.h"
 #include "fitting/diagnosis/model/switch_on.h"
 
 namespace clothfit {
@@ -28,28 +27,21 @@ class ModelScreening {
   ModelScreening(const FitConfig& baseline, const DiagnosisOptions& options)
       : baseline_(baseline), options_(options), runner_(options) {}
 
-  // The best first: of those that explain nearly all that the lowest cost does, the one that
-  // predicts the held-out frames best (of several that do, the one with the fewest unknowns), and
-  // then by cost. `errors`: those of `current`; least_score: sum of squares that a
-  // short-listed candidate has to promise. `nudge` is asked for nudged starts where the first
-  // entrants leave much unexplained; none: they are not sought.
+  // The cheapest first. `nudge` is asked for nudged starts where the first entrants leave much
+  // unexplained; none: they are not sought.
   using RankAlongNudged = std::function<void(Ranking*)>;
-  std::vector<FittedModel> Run(const FittedScene& current, const HeldOutErrors& errors,
-                               double least_score, const RankAlongNudged& nudge,
+  std::vector<FittedModel> Run(const FittedScene& current, const RankAlongNudged& nudge,
                                Ranking* ranking) const;
 
   // What could make much of the force of the first of the models, and may so explain as much
-  // itself: fitted in its place, without held-out errors. Left out is what one of the models is
+  // itself: fitted in its place. Left out is what one of the models is
   // already and explains nearly as much. `current`: the fit without that force; `ranking`: of any
   // fit of the recording, for its candidates and faults.
   std::vector<FittedModel> FitCompetitors(const FittedScene& current, const Ranking& ranking,
                                           const std::vector<FittedModel>& models) const;
 
  private:
-  std::vector<RankedCandidate> FirstCandidates(const Ranking& ranking, double least_score) const;
-  // Those that come next: short-listed, and not among the entrants.
-  std::vector<RankedCandidate> NextCandidates(const Ranking& ranking, double least_score,
-                                              const std::vector<RankedCandidate>& screened) const;
+  std::vector<RankedCandidate> Entrants(const FittedScene& current, const Ranking& ranking) const;
   // Fits each of them, and those further that may come first.
   std::vector<FittedModel> Screen(const FittedScene& current, const Ranking& ranking,
                                   const std::vector<RankedCandidate>& screened) const;
@@ -66,8 +58,7 @@ class ModelScreening {
                                             const Ranking& ranking) const;
   void FinishModels(const FittedScene& current, double promoted_share,
                     std::vector<FittedModel>* models) const;
-  void BeginAnew(const FittedScene& current, const Ranking& ranking,
-                 std::vector<FittedModel>* models) const;
+  void BeginAnew(const Ranking& ranking, std::vector<FittedModel>* models) const;
   std::vector<RankedCandidate> MatchingCandidates(const FittedScene& current,
                                                   const Ranking& ranking,
                                                   const std::vector<FittedModel>& models) const;

@@ -28,9 +28,21 @@ void FreeShapes(const Probe& probe, FitConfig* config) {
   }
 }
 
+// A candidate's settings, as a model has fitted them; a fault has none.
+void TakeOver(const RankedCandidate& candidate, const FittedScene& model, FitConfig* config) {
+  if (candidate.summary.kind == CandidateKind::kObservation) return;
+  std::vector<std::string> names = candidate.names;
+  for (const auto& [name, value] : candidate.probe) names.push_back(name);
+  for (const std::string& name : names) {
+    ParameterSetting& setting = config->parameters.at(name);
+    setting = model.config.parameters.at(name);
+    setting.value = Inside(model.values.parameters.at(name).value, setting);
+  }
+}
+
 // Of a start as FitModel begins it, without derivatives; infinite where the simulation fails.
 double CostOf(const FittedScene& fitted, const ModelStart& start) {
-  const FitConfig config = QuickConfig(start.config, 0);
+  const FitConfig config = QuickConfig(start.config, 0, kEnoughForDiagnosis);
   const Scene scene = MakeScene(start.recording, config, &fitted.scene);
   const FreeParameters free(config, scene, MakeParameterTable());
   double least = std::numeric_limits<double>::infinity();
@@ -79,13 +91,14 @@ ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
 ModelStart WithOnly(const FittedScene& before, const FittedScene& model,
                     const RankedCandidate& candidate) {
   ModelStart start = WithoutEffect(before, model);
-  std::vector<std::string> names = candidate.names;
-  for (const auto& [name, value] : candidate.probe) names.push_back(name);
-  for (const std::string& name : names) {
-    ParameterSetting& setting = start.config.parameters.at(name);
-    setting = model.config.parameters.at(name);
-    setting.value = Inside(model.values.parameters.at(name).value, setting);
-  }
+  TakeOver(candidate, model, &start.config);
+  return start;
+}
+
+ModelStart WithEffectOf(const FittedScene& model, const RankedCandidate& candidate,
+                        const FittedScene& fitted) {
+  ModelStart start = GoOn(fitted);
+  TakeOver(candidate, model, &start.config);
   return start;
 }
 

@@ -22,6 +22,10 @@ ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
 ModelStart WithOnly(const FittedScene& before, const FittedScene& model,
                     const RankedCandidate& candidate);
 
+// A fitted scene with one candidate of another model besides, as that has fitted it.
+ModelStart WithEffectOf(const FittedScene& model, const RankedCandidate& candidate,
+                        const FittedScene& fitted);
+
 // From the material parameters that a config was given, where that is free, and with a candidate's
 // amounts where a fit of its term begins: an estimate that was made far off may be anything.
 ModelStart FromNothing(const FitConfig& given, ModelStart start, const RankedCandidate& candidate);

@@ -1,53 +1,40 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The steps of a diagnosis, one after the other.
+// The rounds of a diagnosis: each finds one effect.
 #include "fitting/diagnosis/pipeline/diagnose.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/answer/parameter_intervals.h"
 #include "fitting/diagnosis/classify/discrepancy_class.h"
+#include "fitting/diagnosis/compare/separating_motion.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/locate/discrepancy_pictures.h"
 #include "fitting/diagnosis/locate/locate_missing_force.h"
-#include "fitting/diagnosis/model/explained_share.h"
 #include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/diagnosis/pipeline/diagnoser.h"
 #include "fitting/diagnosis/rank/nudged_ranking.h"
+#include "fitting/diagnosis/validate/model_validation.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
 
-constexpr int kCoarsestSide = 9;     // on coarser meshes amounts come out a tenth wrong
-constexpr double kFineEnough = 0.7;  // share of the unexplained that the mesh may make
-constexpr double kCatchesUp = 0.3;   // of what a model gains, the same without its effect
-constexpr int kMostRestarts = 2;     // of a diagnosis
-
-// Would anything be held against the physics?
-bool IsSuspicious(const Ranking& ranking) {
-  return ranking.gate_p_value < kGate ||
-         std::any_of(
-             ranking.candidates.begin(), ranking.candidates.end(), [](const RankedCandidate& c) {
-               return c.summary.is_short_listed && c.summary.kind == CandidateKind::kPhysics;
-             });
-}
-
-// Does one candidate stand so far out that an error of the mesh cannot be mistaken for it?
-bool IsObvious(const Ranking& ranking) {
-  constexpr double kFarOut = 3.0;  // detection limits
-  return std::any_of(
-      ranking.candidates.begin(), ranking.candidates.end(), [&](const RankedCandidate& c) {
-        return c.summary.is_short_listed && c.summary.share >= 0.5 && c.Exceeds(kFarOut);
-      });
-}
+constexpr std::size_t kMostJudged = 3;  // that are fitted on the deciding mesh
+constexpr double kMayWin = 0.5;         // of what the best gains on the coarse one
+constexpr double kCatchesUp = 0.3;      // of what a model gains, the same without its effect
+constexpr int kMostRestarts = 2;        // of a diagnosis
 
 // May the fit be somewhere else than the recorded cloth? (Beyond any mesh, what is ordinary comes
 // first.)
@@ -61,19 +48,6 @@ bool Tells(const LocatedForce& found) {
   constexpr double kFollows = 0.5;  // share of the sum of squares
   const Discrepancy& m = found.location.discrepancy;
   return found.missing.explained >= kFollows && (!m.is_significant || m.peak > m.peak_sigma);
-}
-
-// Do mesh and step make much of what is left?
-bool MeshMatters(const Ranking& ranking) {
-  const double left = std::sqrt(ranking.unexplained / std::max(1, ranking.num_rows));
-  return ranking.discretisation_rms > kFineEnough * left;
-}
-
-// 0 where the mesh may be made finer already, or makes less than noise.
-int SideThatShowsMore(const ClothMesh& mesh, const Ranking& ranking, int finest_side) {
-  const int side = std::max(mesh.grid[0], mesh.grid[1]);
-  const bool is_finest = mesh.is_grid() && side >= finest_side;
-  return is_finest && ranking.discretisation_rms > 1.0 ? FinerSide(side) : 0;
 }
 
 }  // namespace
@@ -112,169 +86,10 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
       break;
     }
     Log(name);
-    diagnosis_.effects.push_back(name);
+    swaps_.push_back(name);
     fitted = std::move(*again);
   }
   return fitted;
-}
-
-bool Diagnoser::CatchesUp(const FittedModel& model, FittedScene* current, HeldOutErrors* errors) {
-  if (restarts_ == kMostRestarts || Stopped()) return false;
-  Say("fitting without " + model.candidate.summary.name, 0.7);
-  std::optional<FittedScene> again =
-      FitModel(model.scene, WithoutEffect(*current, model.scene), 2 * kModelIterations, runner_);
-  Spend("fitting without what was found");
-  if (!again) return false;
-  const double before = current->fit.cost_after, after = again->fit.cost_after;
-  Log(fmt::format("without {}, from where it ended: cost {:.6g} -> {:.6g}",
-                  model.candidate.summary.name, before, after));
-  if (before - after < kCatchesUp * (before - model.scene.fit.cost_after)) return false;
-  ++restarts_;
-  *current = std::move(*again);
-  *errors = MeasureHeldOut(*current);
-  return true;
-}
-
-void Diagnoser::BeginAgain(std::size_t first_model, const FittedScene& better,
-                           const HeldOutErrors& errors) {
-  diagnosis_.models.resize(first_model);
-  if (kept_) {  // its fit has become a better one; the baseline is what it was
-    diagnosis_.answer =
-        Describe({kept_->candidate, better, errors}, kept_->before, kept_->before_errors);
-    diagnosis_.answer->is_kept = true;
-    diagnosis_.models[kept_->model] = *diagnosis_.answer;
-    return;
-  }
-  baseline_cost_ = better.fit.cost_after;
-  diagnosis_.baseline = better.config;
-  diagnosis_.baseline_fit = better.fit;
-  diagnosis_.ranking.clear();
-  diagnosis_.discrepancy.reset();
-  diagnosis_.discrepancy_class.reset();
-  diagnosis_.discrepancy_pictures.reset();
-  missing_.reset();
-}
-
-Model Diagnoser::Describe(const FittedModel& model, const FittedScene& before,
-                          const HeldOutErrors& errors) {
-  Model described;
-  described.effects = diagnosis_.effects;
-  for (const std::string& newest : model.candidate.Effects()) {
-    const bool is_again =  // a fault that is put right once more
-        std::find(described.effects.begin(), described.effects.end(), newest) !=
-        described.effects.end();
-    if (!is_again) described.effects.push_back(newest);
-  }
-  described.config = model.scene.values;
-  described.cost = model.scene.fit.cost_after;
-  const bool is_fault = !model.candidate.faults.empty();  // held to no share of the whole
-  const double score = model.candidate.summary.score;
-  const double explainable = is_fault ? score : std::max(score, last_ranking_.explainable);
-  described.explained = ShareExplained(before.fit.cost_after, described.cost,
-                                       0.5 * last_ranking_.null_mean, 0.5 * explainable);
-  std::vector<std::string> names = kept_parameters_;
-  if (model.candidate.faults.empty()) {
-    names.insert(names.end(), model.candidate.names.begin(), model.candidate.names.end());
-    for (const auto& [name, value] : model.candidate.probe) names.push_back(name);
-  } else {
-    described.parameters = model.candidate.summary.parameters;
-  }
-  const std::vector<EffectParameter> estimates = EstimatesOf(model.scene, names);
-  described.parameters.insert(described.parameters.end(), estimates.begin(), estimates.end());
-  described.validation = ValidateOnHeldOut(model, {before, errors, last_ranking_, options_});
-  return described;
-}
-
-// Where the best of a round is worth it and not validated, the held-out frames may not be able to
-// tell.
-void Diagnoser::ValidateOtherwiseToo(const FittedModel& model, std::size_t index,
-                                     const ValidationStart& start) {
-  if (Stopped()) return;
-  const std::optional<HeldOutValidation> validation = ValidateOtherwise(model, start);
-  Spend("proof by other means");
-  if (validation) diagnosis_.models[index].validation = *validation;
-}
-
-void Diagnoser::KeepCompetitors(const std::vector<FittedModel>& models, std::size_t winner) {
-  competitors_.clear();
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const RankedCandidate& candidate = models[i].candidate;
-    const std::vector<std::string>& set = diagnosis_.confidence_set;
-    const bool is_in = std::find(set.begin(), set.end(), candidate.summary.name) != set.end();
-    if (i != winner && is_in && candidate.faults.empty()) competitors_.push_back(models[i]);
-  }
-}
-
-// What else it could be, and what to record to know.
-void Diagnoser::TellApart(const ConfidenceSet& confidence_set) {
-  diagnosis_.confidence_set = confidence_set.names;
-  if (confidence_set.fitted.empty()) return;
-  diagnosis_.separating = FindSeparatingMotion(confidence_set.fitted);
-  Spend("separating motion");
-}
-
-std::optional<FittedScene> Diagnoser::FitNudgedOnFineMesh(const FittedScene& fitted) {
-  Say("baseline, nudged on a finer mesh", 0.27);
-  const ModelStart start = WithMaterialOf(baseline_, GoOn(fitted));
-  std::optional<FittedScene> nudged =
-      FitAfresh(start, Start::kNudged, baseline_.max_iterations, runner_);
-  if (!nudged) return {};
-  Log(fmt::format("nudged on that mesh: cost {:.6g} where {:.6g} was come to",
-                  nudged->fit.cost_after, fitted.fit.cost_after));
-  nudged->config = fitted.config;  // it begins where it is told to, not where this one did
-  return nudged;
-}
-
-Ranking Diagnoser::RankOnFineMesh(FittedScene* current, HeldOutErrors* errors) {
-  for (;;) {
-    std::array<int, 2> grid = current->scene.mesh.grid;
-    const bool can_be_finer =
-        current->scene.mesh.is_grid() && std::max(grid[0], grid[1]) < options_.finest_side;
-    RankingStart start;
-    // Far off, it will be ranked again on a finer mesh, or a candidate is obvious.
-    if (can_be_finer && HasLargeResidual(current->scene, current->config, current->fit))
-      start.draws = 1;
-    Ranking ranking = RankCandidates(*current, options_, start);
-    SpendOn(ranking);
-    Log(fmt::format("residuals of {:.3g} sigmas, mesh and step leave {:.3g}; p = {:.2g}",
-                    ranking.residual_rms, ranking.discretisation_rms, ranking.gate_p_value));
-    if (ranking.errors->num_elsewhere > 0) {
-      Log(fmt::format(
-          "{} of the simulations with other steps or meshes go elsewhere altogether, and "
-          "are left out of the null",
-          ranking.errors->num_elsewhere));
-    }
-    const double off = ranking.residual_rms;
-    const bool may_be_mesh =
-        off < kUnusableResidual && (MeshMatters(ranking) || off > kLargeResidual);
-    const bool is_coarse = std::max(grid[0], grid[1]) < kCoarsestSide;
-    const bool may_be_all = ranking.gate_p_value >= kGate;  // of what is left
-    const bool is_worth_it = is_coarse || (may_be_mesh && (may_be_all || !IsObvious(ranking)));
-    // A floor above all that is left says that the mesh is too coarse to tell. (Who tells fewer
-    // particles than any answer needs wants it quick.)
-    const bool tells_nothing = !is_coarse && ranking.discretisation_rms > ranking.residual_rms;
-    const bool is_open =
-        IsSuspicious(ranking) || ranking.residual_rms > kLargeResidual || tells_nothing;
-    if (!is_worth_it || !is_open || !can_be_finer || Stopped()) return ranking;
-    ModelStart finer = GoOn(*current);
-    for (int& n : grid) n = std::min(options_.finest_side, FinerSide(n));
-    finer.config.resolution = grid;
-    Log(fmt::format("the mesh matters: {} x {} particles", grid[0], grid[1]));
-    Say(fmt::format("baseline, {} x {} particles", grid[0], grid[1]), 0.25);
-    std::optional<FittedScene> refined =
-        FitModel(*current, finer, baseline_.max_iterations, runner_);
-    if (refined && MayBeLocalMinimum(refined->scene, refined->config, refined->fit) && !Stopped()) {
-      std::optional<FittedScene> nudged = FitNudgedOnFineMesh(*refined);
-      refined = Cheaper(std::move(refined), std::move(nudged));
-    }
-    if (!refined) return ranking;
-    *current = std::move(*refined);
-    Spend("baseline on a finer mesh");
-    *errors = MeasureHeldOut(*current);
-    baseline_cost_ = current->fit.cost_after;
-    diagnosis_.baseline = current->config;
-    diagnosis_.baseline_fit = current->fit;
-  }
 }
 
 const FittedScene* Diagnoser::Nudged(const FittedScene& fitted, const Ranking& ranking) {
@@ -318,146 +133,393 @@ void Diagnoser::LocateDiscrepancy(const FittedScene& fitted, const Ranking& rank
         ClassifyDiscrepancy(scene, found->missing, found->location).discrepancy_class;
   }
   missing_.emplace(found->missing);
+  pushes_ = StrongestPushes(scene.mesh, found->missing);
   diagnosis_.discrepancy_pictures = {DrawForceMap(scene, found->missing, found->location),
                                      DrawForceArrows(scene, found->missing, found->location)};
 }
 
-// A baseline that had to follow a wrong camera may be in a local minimum, and begins anew.
-void Diagnoser::FitAgainWithoutFault(FittedScene* current, HeldOutErrors* errors) {
-  if (Stopped() || !HasLargeResidual(current->scene, current->config, current->fit)) return;
-  FitConfig baseline = baseline_;
-  baseline.resolution = current->config.resolution;
-  for (const std::string& name : kept_parameters_) {
-    const auto kept = current->config.parameters.find(name);
-    if (kept != current->config.parameters.end()) baseline.parameters[name] = kept->second;
-  }
-  FittedScene again = FitBaseline(current->scene.recording, baseline, options_);
-  Log(fmt::format("without the fault, begun anew: cost {:.6g} -> {:.6g}", current->fit.cost_after,
-                  again.fit.cost_after));
-  Spend("baseline without the fault");
-  if (!(again.fit.cost_after < current->fit.cost_after)) return;
-  *current = std::move(again);
-  *errors = MeasureHeldOut(*current);
+void Diagnoser::TellOfBaseline(const Ranking& ranking) {
+  diagnosis_.gate_p_value = ranking.gate_p_value;
+  diagnosis_.left_rms = ranking.left_rms;
+  diagnosis_.null_left_rms = ranking.null_left_rms;
+  diagnosis_.residual_rms = std::sqrt(quality_->scale.chi_square);
+  diagnosis_.discretisation_rms =
+      quality_->result.misfit ? quality_->mesh : ranking.discretisation_rms;
+  diagnosis_.misfit = quality_->result.misfit;
+  diagnosis_.promised = ranking.promised;
+  diagnosis_.baseline = now_.fine.config;
+  diagnosis_.baseline_fit = quality_->result;
+  diagnosis_.motions.baseline = SimulateFitted(now_.fine);
+  diagnosis_.motions.resolution = now_.fine.scene.mesh.grid;
+  baseline_quality_ = quality_;
 }
 
-void Diagnoser::TakeForAnswer(Kept kept) {
-  Model& model = diagnosis_.models[kept.model];
-  model.is_kept = true;
-  diagnosis_.answer = model;
-  diagnosis_.effects = model.effects;
-  for (const EffectParameter& p : model.parameters) kept_parameters_.push_back(p.name);
-  kept_ = std::move(kept);
+// Of points, on the deciding mesh; outlines alone are held to simulated recordings of the baseline.
+bool Diagnoser::IsExplained(const Ranking& ranking) const {
+  if (quality_->result.misfit) return quality_->is_explained;
+  return ranking.gate_p_value >= kGate;
 }
 
-bool Diagnoser::AddEffect(FittedScene* current, HeldOutErrors* errors) {
-  Say("ranking what could be missing", 0.3);
-  nudged_.reset();
-  const bool is_first = diagnosis_.ranking.empty();
-  Ranking ranking = is_first ? RankOnFineMesh(current, errors)
-                             : RankCandidates(*current, options_, {last_ranking_.errors});
-  if (!is_first) SpendOn(ranking);
-  if (is_first) {
-    diagnosis_.gate_p_value = ranking.gate_p_value;
-    diagnosis_.left_rms = ranking.left_rms;
-    diagnosis_.null_left_rms = ranking.null_left_rms;
-    diagnosis_.residual_rms = ranking.residual_rms;
-    diagnosis_.discretisation_rms = ranking.discretisation_rms;
-    diagnosis_.promised = ranking.promised;
-    diagnosis_.finer_side = SideThatShowsMore(current->scene.mesh, ranking, options_.finest_side);
-    first_unexplained_ = ranking.unexplained;
-    is_above_discretisation_ = !MeshMatters(ranking);
-    first_scene_ = *current;
-    first_ranking_ = ranking;
-    first_errors_ = *errors;
+void Diagnoser::AddContactStarts(Ranking* ranking) const {
+  const Eigen::Vector3d& gravity = now_.coarse.scene.world.gravity;
+  for (const ContactStart& start : ContactStarts(pushes_, gravity)) {
+    for (RankedCandidate& candidate : ranking->candidates) {
+      if (candidate.summary.name != start.term) continue;
+      const double stiffness = ParameterNamed(candidate.names.front()).prior_factor;
+      candidate.nudged_starts.push_back({start.probe, Eigen::VectorXd::Constant(1, stiffness)});
+      std::string words;
+      for (const auto& [name, value] : start.probe) words += fmt::format(" {} {:.3g}", name, value);
+      Log("the missing force pushes as from" + words);
+    }
   }
-  last_ranking_ = ranking;
-  if (is_first && IsSuspicious(ranking)) LocateDiscrepancy(*current, ranking);
+}
+
+std::vector<FittedModel> Diagnoser::Screen(Ranking* ranking) {
   ModelScreening::RankAlongNudged nudge;
-  if (options_.nudge && IsWorthNudging(*current, ranking)) {
+  if (options_.nudge && IsWorthNudging(now_.coarse, *ranking)) {
     nudge = [&](Ranking* open) {
       Spend("fitting models");
       Say("ranking along a nudged motion", 0.6);
-      if (const FittedScene* const held = Nudged(*current, ranking))
+      if (const FittedScene* const held = Nudged(now_.coarse, *ranking))
         RankNudged(*held, options_, open);
       Spend("ranking along a nudged motion");
     };
   }
-  const ModelScreening race(baseline_, options_);
   std::vector<FittedModel> models =
-      race.Run(*current, *errors, options_.least_share * first_unexplained_, nudge, &ranking);
+      ModelScreening(baseline_, options_).Run(now_.coarse, nudge, ranking);
   Spend("fitting models");
-  if (is_first) {
+  return models;
+}
+
+// Its effect is put on the baseline there, from whose material it goes on; far off, where that had
+// to stand for what was missing, from its own.
+std::optional<BothMeshes> Diagnoser::RefineModel(const FittedModel& model) const {
+  const FittedScene& fine = now_.fine;
+  const bool is_one_mesh = fine.scene.mesh.grid == model.scene.scene.mesh.grid;
+  if (is_one_mesh || HasLargeResidual(fine.scene, fine.config, fine.fit))
+    return meshes_.Refine(model.scene, 2 * kModelIterations);
+  ModelStart start = WithEffectOf(model.scene, model.candidate, fine);
+  start.recording = model.scene.scene.recording;
+  std::optional<FittedScene> fitted =
+      FitModel(fine, start, 2 * kModelIterations, runner_, kEnoughToDecide);
+  if (!fitted) return {};
+  return BothMeshes{model.scene, std::move(*fitted)};
+}
+
+std::vector<JudgedModel> Diagnoser::Decide(const std::vector<FittedModel>& models) {
+  std::vector<const FittedModel*> chosen;
+  const double before = now_.coarse.fit.cost_after;
+  for (const FittedModel& model : models) {
+    const double best = models.front().scene.fit.cost_after;
+    const bool may_win = model.scene.fit.cost_after <= before - kMayWin * (before - best);
+    if (may_win && chosen.size() < kMostJudged) chosen.push_back(&model);
+  }
+  Say("fitting the best on the deciding mesh", 0.65);
+  std::vector<std::optional<BothMeshes>> fits(chosen.size());
+  ParallelFor(static_cast<int>(chosen.size()), NumThreads(0), [&](int i, int) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!Stopped()) fits[k] = RefineModel(*chosen[k]);
+  });
+  std::vector<JudgedModel> judged;
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    if (fits[k]) judged.push_back({chosen[k]->candidate, std::move(*fits[k])});
+  std::stable_sort(judged.begin(), judged.end(), [](const JudgedModel& a, const JudgedModel& b) {
+    return a.model.Cost() < b.model.Cost();
+  });
+  Spend("deciding mesh");
+  return judged;
+}
+
+void Diagnoser::Judge(const BothMeshes& before, std::vector<JudgedModel>* judged) const {
+  if (judged->empty()) return;
+  const auto best = std::min_element(
+      judged->begin(), judged->end(),
+      [](const JudgedModel& a, const JudgedModel& b) { return a.model.Cost() < b.model.Cost(); });
+  const ResidualScale scale = AppraiseQuality(best->model.fine).scale;
+  for (JudgedModel& one : *judged) {
+    one.log_evidence = LogEvidence(before.Cost(), one.model.Cost(),
+                                   static_cast<double>(one.candidate.NumUnknowns()), scale);
+  }
+  std::stable_sort(judged->begin(), judged->end(), [](const JudgedModel& a, const JudgedModel& b) {
+    return a.log_evidence > b.log_evidence;
+  });
+  for (const JudgedModel& one : *judged) {
+    Log(fmt::format("with {}: cost {:.6g} -> {:.6g} on {} particles, log evidence {:.4g}",
+                    one.candidate.summary.name, before.Cost(), one.model.Cost(),
+                    one.model.fine.scene.mesh.num_particles(), one.log_evidence));
+  }
+}
+
+bool Diagnoser::CatchesUp(std::vector<JudgedModel>* judged) {
+  const JudgedModel& best = judged->front();
+  if (restarts_ == kMostRestarts || Stopped() || best.log_evidence < kStrongEvidence) return false;
+  Say("fitting without " + best.candidate.summary.name, 0.7);
+  std::optional<FittedScene> again =
+      FitModel(best.model.fine, WithoutEffect(now_.fine, best.model.fine), kModelIterations,
+               runner_, kEnoughToDecide);
+  Spend("fitting without what was found");
+  const double before = now_.Cost();
+  if (!again || !(again->fit.cost_after < before)) return false;
+  Log(fmt::format("without {}, begun where that has ended: cost {:.6g}, not {:.6g}",
+                  best.candidate.summary.name, again->fit.cost_after, before));
+  const bool is_elsewhere =
+      before - again->fit.cost_after >= kCatchesUp * (before - best.model.Cost());
+  if (!is_elsewhere) {
+    now_.fine = std::move(*again);
+    Judge(now_, judged);
+    return false;
+  }
+  std::optional<BothMeshes> both = meshes_.Coarsen(*again, kModelIterations);
+  if (!both) return false;
+  ++restarts_;
+  now_ = std::move(*both);
+  return true;
+}
+
+HeldOutValidation Diagnoser::ValidateOn(const BothMeshes& model, const BothMeshes& before,
+                                        const Kept* fault) const {
+  std::optional<int> source;
+  if (fault != nullptr) source = FaultySource(fault->candidate, fault->ranking);
+  return ValidateOnHeldOut(model.fine, before.fine, source, last_ranking_.PredictionError(),
+                           options_.seed);
+}
+
+std::vector<std::string> Diagnoser::EffectsSoFar() const {
+  std::vector<std::string> effects = swaps_;
+  for (const Kept& kept : kept_) {
+    for (const std::string& effect : kept.candidate.Effects()) {
+      const bool is_again =  // a fault that is put right once more
+          std::find(effects.begin(), effects.end(), effect) != effects.end();
+      if (!is_again) effects.push_back(effect);
+    }
+  }
+  return effects;
+}
+
+std::vector<std::string> Diagnoser::ParametersSoFar() const {
+  std::vector<std::string> names;
+  for (const Kept& kept : kept_) {
+    if (!kept.IsPhysics()) continue;
+    names.insert(names.end(), kept.candidate.names.begin(), kept.candidate.names.end());
+    for (const auto& [name, value] : kept.candidate.probe) names.push_back(name);
+  }
+  return names;
+}
+
+// Beside what was kept.
+Model Diagnoser::Describe(const JudgedModel& one, const BothMeshes& before) const {
+  Model described;
+  described.effects = EffectsSoFar();
+  for (const std::string& effect : one.candidate.Effects()) described.effects.push_back(effect);
+  const FittedScene& fine = one.model.fine;
+  described.config = fine.values;
+  described.cost = fine.fit.cost_after;
+  described.log_evidence = one.log_evidence;
+  described.explained = Explained(fine);
+  std::vector<std::string> names = ParametersSoFar();
+  if (one.candidate.faults.empty()) {
+    names.insert(names.end(), one.candidate.names.begin(), one.candidate.names.end());
+    for (const auto& [name, value] : one.candidate.probe) names.push_back(name);
+  } else {
+    described.parameters = one.candidate.summary.parameters;
+  }
+  const std::vector<EffectParameter> estimates = EstimatesOf(fine.fit, fine.config, names);
+  described.parameters.insert(described.parameters.end(), estimates.begin(), estimates.end());
+  const Kept as_kept{one.candidate, before, last_ranking_, {}};
+  described.validation = ValidateOn(one.model, before, as_kept.IsPhysics() ? nullptr : &as_kept);
+  return described;
+}
+
+void Diagnoser::TellApart(const std::vector<JudgedModel>& judged) {
+  diagnosis_.confidence_set.clear();
+  diagnosis_.separating.reset();
+  std::vector<const FittedScene*> fitted;
+  for (const JudgedModel& c : judged) {
+    if (c.log_evidence < judged.front().log_evidence - kStrongEvidence) continue;
+    diagnosis_.confidence_set.push_back(c.candidate.summary.name);
+    // What is put right in the observation moves no cloth.
+    if (c.candidate.faults.empty()) fitted.push_back(&c.model.fine);
+  }
+  if (fitted.size() < 2) return;
+  diagnosis_.separating = FindSeparatingMotion(fitted);
+  Spend("separating motion");
+}
+
+bool Diagnoser::HasPhysics() const {
+  return std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.IsPhysics(); });
+}
+
+void Diagnoser::Keep(std::vector<JudgedModel> judged, Ranking ranking) {
+  const bool is_physics = judged.front().candidate.faults.empty();
+  const bool is_first = !HasPhysics();
+  if (is_first) TellApart(judged);
+  BothMeshes before = std::move(now_);
+  now_ = judged.front().model;
+  RankedCandidate candidate = judged.front().candidate;
+  kept_.push_back({std::move(candidate), std::move(before), std::move(ranking), std::move(judged)});
+  if (!is_physics) FitAgainWithoutFault();
+  if (is_physics && !is_first) LookBack();
+}
+
+// A baseline that had to follow a wrong camera may be in a local minimum, and begins anew.
+void Diagnoser::FitAgainWithoutFault() {
+  const FittedScene& coarse = now_.coarse;
+  if (Stopped() || !HasLargeResidual(coarse.scene, coarse.config, coarse.fit)) return;
+  FitConfig baseline = baseline_;
+  baseline.resolution = coarse.config.resolution;
+  for (const std::string& name : ParametersSoFar())
+    baseline.parameters[name] = coarse.config.parameters.at(name);
+  const FittedScene again = FitBaseline(coarse.scene.recording, baseline, options_);
+  Log(fmt::format("without the fault, begun anew: cost {:.6g} -> {:.6g}", coarse.fit.cost_after,
+                  again.fit.cost_after));
+  if (again.fit.cost_after < coarse.fit.cost_after) {
+    std::optional<BothMeshes> both = meshes_.Refine(again, baseline_.max_iterations);
+    if (both && both->Cost() < now_.Cost()) now_ = std::move(*both);
+  }
+  Spend("baseline without the fault");
+}
+
+// Backward elimination: a stiff patch that was kept for a stiff seam has nothing left to stand for
+// once the seam has been found. Exchange: wind and a heavy patch look like a tilted gravity while
+// the patch is not known, and like nothing but wind beside it.
+void Diagnoser::LookBack() {
+  if (Stopped()) return;
+  const auto first_physics =
+      std::find_if(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.IsPhysics(); });
+  const auto first = static_cast<std::size_t>(first_physics - kept_.begin());
+  const RankedCandidate second = kept_.back().candidate;
+  const BothMeshes& before = first_physics->before;
+  Say("fitting without " + first_physics->candidate.summary.name, 0.7);
+  std::optional<FittedScene> alone =
+      FitModel(now_.fine, WithOnly(before.fine, now_.fine, second), 2 * kModelIterations, runner_);
+  Spend("fitting without what was found");
+  if (!alone) return;
+  std::vector<JudgedModel> both = {{first_physics->candidate, now_}};
+  for (const JudgedModel& rival : first_physics->rivals) {
+    const bool is_other = rival.candidate.summary.name != first_physics->candidate.summary.name &&
+                          rival.candidate.summary.name != second.summary.name;
+    if (!is_other || !rival.candidate.faults.empty() || Stopped()) continue;
+    std::optional<FittedScene> beside =
+        FitModel(rival.model.fine, WithEffectOf(now_.fine, second, rival.model.fine),
+                 kModelIterations, runner_);
+    if (beside) both.push_back({rival.candidate, {rival.model.coarse, std::move(*beside)}});
+  }
+  Spend("another effect in its place");
+  BothMeshes without{now_.coarse, std::move(*alone)};
+  Judge(without, &both);
+  if (both.front().log_evidence < kStrongEvidence) {
+    Log(fmt::format("{} is dropped: {} does without it", first_physics->candidate.summary.name,
+                    second.summary.name));
+    std::optional<BothMeshes> meshes = meshes_.Coarsen(without.fine, kModelIterations);
+    if (!meshes) return;
+    Kept last = std::move(kept_.back());
+    last.before = before;
+    kept_.pop_back();
+    kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(first));
+    kept_.push_back(std::move(last));
+    now_ = std::move(*meshes);
+    diagnosis_.confidence_set = {second.summary.name};
+    diagnosis_.separating.reset();
+    ++rounds_left_;  // one effect more may be added than if it had been found at once
+    return;
+  }
+  PutInPlaceOf(first, std::move(both));
+}
+
+// both: of models that have the newest effect besides.
+void Diagnoser::PutInPlaceOf(std::size_t first, std::vector<JudgedModel> both) {
+  Kept& kept = kept_[first];
+  const JudgedModel& best = both.front();
+  if (best.candidate.summary.name != kept.candidate.summary.name) {
+    std::optional<BothMeshes> meshes = meshes_.Coarsen(best.model.fine, kModelIterations);
+    if (!meshes) return;
+    Log(fmt::format("{} takes the place of {}", best.candidate.summary.name,
+                    kept.candidate.summary.name));
+    kept.candidate = best.candidate;
+    now_ = std::move(*meshes);
+  }
+  TellApart(both);
+}
+
+bool Diagnoser::AddEffect() {
+  Say("ranking what could be missing", 0.3);
+  nudged_.reset();
+  Ranking ranking = RankCandidates(now_.coarse, options_, {last_ranking_.errors});
+  SpendOn(ranking);
+  if (!quality_) {
+    quality_ = AppraiseQuality(now_.fine);
+    Spend("test of fit");
+  }
+  Log(
+      fmt::format("residuals of {:.3g} sigmas on {} particles; on {} of {:.3g}, of which mesh and "
+                  "step leave {:.3g}; p = {:.2g}",
+                  std::sqrt(quality_->scale.chi_square), now_.fine.scene.mesh.num_particles(),
+                  now_.coarse.scene.mesh.num_particles(), ranking.residual_rms,
+                  ranking.discretisation_rms, ranking.gate_p_value));
+  const bool is_first = kept_.empty();
+  last_ranking_ = ranking;
+  const auto tell_candidates = [&] {
+    if (!is_first) return;
+    diagnosis_.ranking.clear();
     for (const RankedCandidate& candidate : ranking.candidates)
       diagnosis_.ranking.push_back(candidate.summary);
+  };
+  if (is_first) TellOfBaseline(ranking);
+  tell_candidates();
+  if (IsExplained(ranking)) return false;
+  if (is_first) LocateDiscrepancy(now_.coarse, ranking);
+  if (!HasPhysics()) AddContactStarts(&ranking);
+  const std::vector<FittedModel> models = Screen(&ranking);
+  tell_candidates();
+  if (models.empty() || Stopped()) return false;
+  std::vector<JudgedModel> judged = Decide(models);
+  if (judged.empty()) return false;
+  Judge(now_, &judged);
+  if (CatchesUp(&judged)) {
+    quality_.reset();
+    return AddEffect();
   }
-  if (models.empty()) return false;
-  const std::size_t first_model = diagnosis_.models.size();
-  for (const FittedModel& model : models)
-    diagnosis_.models.push_back(Describe(model, *current, *errors));
-  const ChoiceRules rules = RulesOf(*current);
-  if (FirstDeservesAnotherTest(diagnosis_.models, first_model, rules))
-    ValidateOtherwiseToo(models.front(), first_model, {*current, *errors, ranking, options_});
-  const std::optional<Choice> choice = ChooseModel(diagnosis_.models, first_model, rules);
-  if (!choice) return false;
-  FittedModel& model = models[choice->model - first_model];
-  // Before a validation by other means, which takes many fits.
-  if (CatchesUp(model, current, errors)) {
-    BeginAgain(first_model, *current, *errors);
-    return AddEffect(current, errors);
-  }
-  if (!choice->is_kept) {
-    ValidateOtherwiseToo(model, choice->model, {*current, *errors, ranking, options_});
-    if (!ChooseModel(diagnosis_.models, first_model, rules)->is_kept) return false;
-  }
-  if (!diagnosis_.answer) {
-    const std::size_t winner = choice->model - first_model;
-    TellApart(FindConfidenceSet(ranking, models, winner, current->fit.cost_after));
-    KeepCompetitors(models, winner);
-  }
-  const bool is_physics = model.candidate.faults.empty();
-  const bool is_first_physics = is_physics && (!kept_ || !kept_->candidate.faults.empty());
-  if (is_first_physics) {
-    first_kept_ = {{choice->model, model.candidate, *current, *errors},
-                   ranking,
-                   models,
-                   diagnosis_.effects,
-                   kept_parameters_};
-  }
-  kept_score_ = std::max(kept_score_, model.candidate.summary.score);
-  TakeForAnswer({choice->model, model.candidate, std::move(*current), std::move(*errors)});
-  *errors = std::move(model.errors);
-  *current = std::move(model.scene);
-  if (!is_physics) FitAgainWithoutFault(current, errors);
-  if (is_physics && !is_first_physics) LookBackAtFirst(current, errors);
+  for (const JudgedModel& one : judged) diagnosis_.models.push_back(Describe(one, now_));
+  if (judged.front().log_evidence < kStrongEvidence) return false;
+  diagnosis_.models[diagnosis_.models.size() - judged.size()].is_kept = true;
+  Keep(std::move(judged), std::move(ranking));
+  quality_.reset();
   return true;
+}
+
+// From where the coarse mesh has ended and from the start: either may lead into a local minimum.
+BothMeshes Diagnoser::FitBaselineOnBoth(const FittedScene& coarse) const {
+  std::optional<FittedScene> gone_on, own;
+  ParallelFor(2, NumThreads(0), [&](int i, int) {
+    if (i == 1) {
+      own = meshes_.FitFromItsOwnStart(coarse, 2 * kModelIterations);
+    } else if (std::optional<BothMeshes> both = meshes_.Refine(coarse, 2 * kModelIterations)) {
+      gone_on = std::move(both->fine);
+    }
+  });
+  if (gone_on && own) {
+    Log(fmt::format("baseline on {} particles: cost {:.6g}, from its own start {:.6g}",
+                    own->scene.mesh.num_particles(), gone_on->fit.cost_after, own->fit.cost_after));
+  }
+  const bool is_elsewhere = own && (!gone_on || own->fit.cost_after < gone_on->fit.cost_after);
+  if (!is_elsewhere) return {coarse, gone_on ? std::move(*gone_on) : coarse};
+  std::optional<BothMeshes> both = meshes_.Coarsen(*own, kModelIterations);
+  const bool is_better = both && both->coarse.fit.cost_after < coarse.fit.cost_after;
+  return {is_better ? std::move(both->coarse) : coarse, std::move(*own)};
 }
 
 Diagnosis Diagnoser::Run() {
   Say("fitting the baseline", 0.0);
-  FittedScene fitted = FitBaseline(recording_, baseline_, options_);
-  diagnosis_.baseline = fitted.config;
-  diagnosis_.baseline_fit = fitted.fit;
-  FittedScene current = UndoSwaps(std::move(fitted));
-  baseline_cost_ = current.fit.cost_after;
+  const FittedScene coarse = UndoSwaps(FitBaseline(recording_, baseline_, options_));
   Spend("baseline");
-  HeldOutErrors errors = MeasureHeldOut(current);
+  Say("baseline on the deciding mesh", 0.25);
+  meshes_.Set(coarse, DecidingSide(recording_, baseline_, options_.finest_side));
+  now_ = FitBaselineOnBoth(coarse);
+  Spend("baseline on the deciding mesh");
   for (rounds_left_ = options_.max_effects; rounds_left_ > 0 && !Stopped(); --rounds_left_) {
-    if (!AddEffect(&current, &errors)) break;
+    if (!AddEffect()) break;
   }
-  MeasureAnswer(current);
-  WithdrawWhatMayBeNothing(&current);
-  LearnInstead(&current);
-  RefineAnswer(&current, &errors);
-  WidenIntervals(current);
-  TakeOutUndetermined(&current, errors);
-  const ClothMesh& mesh = current.scene.mesh;
-  diagnosis_.motions.resolution = mesh.grid;
-  if (first_scene_) diagnosis_.motions.baseline = SimulateFitted(*first_scene_);
-  if (missing_) diagnosis_.motions.missing_force = ForceOnParticles(mesh, *missing_);
-  diagnosis_.motions.held_out = recording_.splits.held_out_frames;
-  if (diagnosis_.answer || !diagnosis_.effects.empty())
-    diagnosis_.motions.answer = SimulateFitted(current);
-  Conclude(current);
+  Conclude();
   return diagnosis_;
 }
 

@@ -34,8 +34,9 @@ void RankNudged(const FittedScene& held, const DiagnosisOptions& options, Rankin
     if (own == ranking->candidates.end()) continue;
     ++num_nudged;
     own->summary.nudged_p_value = summary.p_value;
-    own->nudged_starts = candidate.other_starts;
-    own->nudged_starts.insert(own->nudged_starts.begin(), {candidate.probe, candidate.amounts});
+    std::vector<RankedCandidate::Start>& starts = own->nudged_starts;
+    starts.insert(starts.begin(), candidate.other_starts.begin(), candidate.other_starts.end());
+    starts.insert(starts.begin(), {candidate.probe, candidate.amounts});
     if (options.log)
       options.log(fmt::format("nudged: {} promises {:.4g}, p = {:.2g}", summary.name, summary.score,
                               summary.p_value));

@@ -34,7 +34,9 @@ struct RankedCandidate {
     Eigen::VectorXd amounts;
   };
   std::vector<Start> other_starts;
-  std::vector<Start> nudged_starts;  // estimated along a nudged motion, see nudged_ranking.h
+  // Of fits that begin nudged: estimated along a nudged motion (nudged_ranking.h), or from where a
+  // missing force pushes (contact_shapes.h).
+  std::vector<Start> nudged_starts;
 
   // Is there so many times more of it than the null passes for?
   bool Exceeds(double detection_limits) const {

@@ -24,13 +24,6 @@ struct HeldOutValidation {
   // Of a fault of one source: the errors are its own alone, along a motion that follows whatever
   // else was seen in those frames, not a prediction's.
   bool is_against_others = false;
-  // Where those frames tell nothing: the second half of the fitted ones, predicted after fits to
-  // the first half.
-  std::optional<Splits::FrameRange> earlier;
-  // Where mesh and step may err by more than the improvement: the most that such a model gains in
-  // fitted frames of recordings of the baseline alone, of what it gains in these. `floor` holds
-  // what it gains in the prediction of those recordings then.
-  std::optional<double> gain_of_null;
 };
 
 // Errors that no model of the physics takes away, in the unit of the errors.

@@ -453,11 +453,11 @@ TEST(RunTrials, GivesSignsOfLifeWhileItDiagnoses) {
 
 TEST(RunTrials, PassesTheAblationsOn) {
   TrialRunOptions options = WithoutTruth();
-  options.diagnosis.project = options.diagnosis.validate = options.diagnosis.simulate_null = false;
+  options.diagnosis.project = options.diagnosis.simulate_null = false;
   int calls = 0;
   const DiagnoseFunction checking = [&](const Recording&, const FitConfig&,
                                         const DiagnosisOptions& of) {
-    EXPECT_FALSE(of.project || of.validate || of.simulate_null);
+    EXPECT_FALSE(of.project || of.simulate_null);
     ++calls;
     return Diagnosis();
   };

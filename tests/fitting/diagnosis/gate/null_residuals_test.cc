@@ -34,7 +34,7 @@ TEST(DrawnNulls, HoldDiscretisationErrorsOfEitherSign) {
   EXPECT_NEAR(squares / 400.0, 100.0 + 1.09 * kAmount * kAmount, 60.0);
 }
 
-class Twins : public testing::Test {
+class NearFit : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     SyntheticOptions options;
@@ -53,43 +53,18 @@ class Twins : public testing::Test {
     config.parameters.at("air_drag.normal").free = true;
     fitted_ = FitAfresh({recording, config}, Start::kPlain, 6, FitRunner());
     ASSERT_TRUE(fitted_);
-    linear_ = Linearise(*fitted_);
-    ASSERT_TRUE(linear_);
+    const RowFrames frames(fitted_->scene, ObservationResiduals(fitted_->scene, fitted_->config),
+                           kMostRows);
+    rows_ = EvaluateRows(*fitted_, BaselinePass(*fitted_), frames, {});
+    ASSERT_TRUE(rows_);
   }
 
   static inline std::optional<FittedScene> fitted_;
-  static inline std::optional<LinearisedFit> linear_;
+  static inline std::optional<Rows> rows_;
 };
 
-TEST_F(Twins, ShowTheSamePointsOfTheClothWhereTheFitHasThemWithNoise) {
-  const std::optional<Recording> twin = TwinRecording(*fitted_, 3);
-  ASSERT_TRUE(twin);
-  const Recording& own = fitted_->scene.recording;
-  ASSERT_EQ(twin->markers.size(), own.markers.size());
-  ASSERT_EQ(twin->tracks.size(), own.tracks.size());
-  EXPECT_EQ(twin->splits.held_out_frames->first, own.splits.held_out_frames->first);
-  const auto uv_of = [](const Recording& recording, int frame, int id) {
-    const auto found =
-        std::find_if(recording.markers.begin(), recording.markers.end(),
-                     [&](const Marker& m) { return m.frame == frame && m.id == id; });
-    return found->uv;
-  };
-  for (const Marker& m : twin->markers) EXPECT_EQ(m.uv, uv_of(own, m.frame, m.id));
-  // Two of other noise differ by it alone, each by the noise of one and of the other.
-  const std::optional<Recording> other = TwinRecording(*fitted_, 4);
-  double squares = 0.0;
-  for (std::size_t i = 0; i < twin->markers.size(); ++i)
-    squares += (twin->markers[i].position - other->markers[i].position).squaredNorm();
-  const double rms = std::sqrt(squares / static_cast<double>(3 * twin->markers.size()));
-  EXPECT_NEAR(rms, std::sqrt(2.0) * fitted_->scene.marker_sigma, 0.1 * fitted_->scene.marker_sigma);
-  const std::optional<Recording> again = TwinRecording(*fitted_, 3);
-  EXPECT_EQ(again->markers.back().position, twin->markers.back().position);
-  EXPECT_EQ(again->tracks.back().pixel, twin->tracks.back().pixel);
-  CheckRecording(*twin);
-}
-
-TEST_F(Twins, AreDrawnNearTheFit) {
-  const std::vector<FittedScene> drawn = DrawNearFit(*fitted_, linear_->rows, 4, 1);
+TEST_F(NearFit, IsDrawn) {
+  const std::vector<FittedScene> drawn = DrawNearFit(*fitted_, *rows_, 4, 1);
   ASSERT_EQ(drawn.size(), 4u);
   const double value = fitted_->values.parameters.at("air_drag.normal").value;
   double furthest = 0.0;
@@ -99,23 +74,6 @@ TEST_F(Twins, AreDrawnNearTheFit) {
     EXPECT_NEAR(own, value, 0.5 * value);
   }
   EXPECT_GT(furthest, 0.0);
-}
-
-TEST_F(Twins, AreFittedElsewhereThanTheyWereMade) {
-  const std::vector<DiscretisationShift> shifts = MeasureShifts(*fitted_, *linear_, 2, 1);
-  ASSERT_EQ(shifts.size(), 2u);
-  for (const DiscretisationShift& shift : shifts) {
-    ASSERT_EQ(shift.by.size(), static_cast<Eigen::Index>(linear_->rows.entries.size()));
-    EXPECT_TRUE(shift.by.allFinite());
-    EXPECT_GT(shift.by.norm(), 0.0);
-    EXPECT_GT(shift.left_squared, 0.0);
-  }
-  const std::vector<DiscretisationShift> again = MeasureShifts(*fitted_, *linear_, 2, 1);
-  ASSERT_EQ(again.size(), shifts.size());
-  for (std::size_t k = 0; k < shifts.size(); ++k) {
-    EXPECT_EQ(again[k].by, shifts[k].by);
-    EXPECT_EQ(again[k].left_squared, shifts[k].left_squared);
-  }
 }
 
 }  // namespace

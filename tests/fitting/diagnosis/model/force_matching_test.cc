@@ -70,37 +70,6 @@ TEST_F(Matched, NothingWhereTheEffectMakesNoForce) {
   EXPECT_TRUE(MatchForce(*fitted_, {"gust"}, candidates_, kExtent).empty());
 }
 
-// A gust, which predicted best, and a wind.
-TEST_F(Matched, ByWhatIsSimplerAndExplainsMore) {
-  const auto first = [](double onset, double duration, double radius, double cost_of_wind) {
-    FitConfig given = fitted_->config;
-    given.parameters.at("wind.y").value = 0.0;
-    given.parameters.at("gust.y").value = kWind;
-    given.parameters.at("gust.onset").value = onset;
-    given.parameters.at("gust.duration").value = duration;
-    given.parameters.at("gust.u").value = given.parameters.at("gust.v").value = 0.2;
-    given.parameters.at("gust.radius").value = radius;
-    auto gusty = FitAfresh({fitted_->scene.recording, given}, Start::kPlain, 0, FitRunner());
-    std::vector<FittedModel> models(2);
-    for (std::size_t i = 0; i < 2; ++i) {
-      RankedCandidate& candidate = models[i].candidate;
-      candidate.summary.name = i == 0 ? "gust" : "wind";
-      for (const CandidateTerm& term : candidates_)
-        if (term.name == candidate.summary.name) candidate.term = term;
-      candidate.names = candidate.term.switches;
-      candidate.probe = candidate.term.probes.front();
-      models[i].scene = i == 0 ? *gusty : *fitted_;
-      models[i].scene.fit.cost_after = i == 0 ? 100.0 : cost_of_wind;
-    }
-    PutSimplerTwinFirst(kExtent, &models);
-    return models.front().candidate.summary.name;
-  };
-  EXPECT_EQ(first(-8.0, 17.0, 3.0, 90.0), "wind");
-  EXPECT_EQ(first(-8.0, 17.0, 3.0, 110.0), "gust");  // which explains more
-  EXPECT_EQ(first(0.2, 0.4, 3.0, 90.0), "gust");     // has a beginning and an end
-  EXPECT_EQ(first(-8.0, 17.0, 0.1, 90.0), "gust");   // and a place
-}
-
 // Between the probes, too.
 TEST(MatchForce, FindsThePlace) {
   Recording recording = MakeSmallRecording({5, 30, 0.001, {}});

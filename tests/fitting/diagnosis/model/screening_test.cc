@@ -13,7 +13,7 @@ namespace clothfit {
 namespace {
 
 constexpr double kAddedMass = 0.15;  // kg/m^2, as much as the cloth itself
-constexpr const char* kAnew = "fitting those from other material parameters";
+constexpr const char* kAnew = "fitting the best from other material parameters";
 
 RankedCandidate ShortListed(const char* term, const char* parameter, double amount) {
   RankedCandidate candidate;
@@ -50,19 +50,7 @@ class Race : public testing::Test {
     Ranking ranking = ranking_;
     ranking.candidates = candidates;
     ranking.null_mean = null_mean;
-    return ModelScreening(told_, options)
-        .Run(*current_, MeasureHeldOut(*current_), 0.0, nudge, &ranking);
-  }
-
-  // One candidate at a time: the names of those that were fitted, the best first.
-  static std::vector<std::string> FittedOneByOne(const std::vector<RankedCandidate>& candidates,
-                                                 double null_mean) {
-    DiagnosisOptions options;
-    options.max_models = 1;
-    std::vector<std::string> names;
-    for (const FittedModel& model : Run(candidates, null_mean, options))
-      names.push_back(model.candidate.summary.name);
-    return names;
+    return ModelScreening(told_, options).Run(*current_, nudge, &ranking);
   }
 
   // The stages that a race went through are added to `stages`.
@@ -96,18 +84,6 @@ TEST_F(Race, BeginsNothingAnewThatLeavesNoMoreThanTheNull) {
   EXPECT_LE(RunScreening(0.0, &others)[0].scene.fit.cost_after, models[0].scene.fit.cost_after);
 }
 
-TEST_F(Race, TheNextAreFittedWhereTheFirstExplainLittle) {
-  const std::vector<std::string> both = {"added_mass", "gravity_tilt"};
-  EXPECT_EQ(FittedOneByOne({Tilt(), ranking_.candidates[0]}, 0.0), both);
-}
-
-TEST_F(Race, TheNextAreNotFittedWhereTheFirstExplainMost) {
-  std::vector<std::string> stages;
-  const double left = 2.0 * RunScreening(0.0, &stages)[0].scene.fit.cost_after;
-  const std::vector<std::string> one = {"added_mass"};
-  EXPECT_EQ(FittedOneByOne({ranking_.candidates[0], Tilt()}, left), one);
-}
-
 // What is tilted pulls as a steady wind does, and the first of them explains most. The other is not
 // even short-listed.
 TEST(Competitors, AreToldOfThoughTheFirstExplainsMost) {
@@ -125,7 +101,7 @@ TEST(Competitors, AreToldOfThoughTheFirstExplainsMost) {
   DiagnosisOptions options;
   options.max_models = 1;
   const std::vector<FittedModel> models =
-      ModelScreening(given, options).Run(*current, MeasureHeldOut(*current), 0.0, {}, &ranking);
+      ModelScreening(given, options).Run(*current, {}, &ranking);
   ASSERT_EQ(models.size(), 2u);
   for (const FittedModel& model : models)
     EXPECT_LT(model.scene.fit.cost_after, 0.5 * current->fit.cost_after)
@@ -154,19 +130,12 @@ TEST(Competitors, AreFittedBesideWhatWasFoundSince) {
   const DiagnosisOptions options;
   const std::vector<FittedModel> competitors =
       ModelScreening(given, options)
-          .FitCompetitors(*mass, ranking, {{ranking.candidates[0], *both, MeasureHeldOut(*both)}});
+          .FitCompetitors(*mass, ranking, {{ranking.candidates[0], *both}});
   ASSERT_EQ(competitors.size(), 1u);  // not the tilt itself
   EXPECT_EQ(competitors[0].candidate.summary.name, "wind");
   EXPECT_LT(competitors[0].scene.fit.cost_after, 0.8 * both->fit.cost_after);
   EXPECT_NEAR(competitors[0].scene.values.parameters.at("added_mass.normal").value, kAddedMass,
               0.3 * kAddedMass);
-}
-
-TEST_F(Race, TheNextHaveToBeShortListed) {
-  RankedCandidate mass = ranking_.candidates[0];
-  mass.summary.is_short_listed = false;
-  const std::vector<std::string> one = {"gravity_tilt"};
-  EXPECT_EQ(FittedOneByOne({Tilt(), mass}, 0.0), one);
 }
 
 // `nudge` tells where the one that is not short-listed would begin.

@@ -38,8 +38,8 @@ const RankedCandidate& Named(const Ranking& ranking, const std::string& name) {
 
 // What mesh and step leave: noise of so many sigmas.
 std::shared_ptr<const DiscretisationErrors> ErrorsOf(const FittedScene& fitted, double sigmas) {
-  const std::optional<LinearisedFit> linear = Linearise(fitted);
-  const auto rows = static_cast<Eigen::Index>(linear->frames.num_rows());
+  const ObservationResiduals observations(fitted.scene, fitted.config);
+  const Eigen::Index rows = RowFrames(fitted.scene, observations, kMostRows).num_rows();
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal(0.0, sigmas);
   DiscretisationErrors errors;
@@ -123,7 +123,7 @@ TEST(Ranking, AFaultIsEstimatedAgainInItsModel) {
   const Recording recording = WithLongFocalLength(SeenByThree(), 1.01);
   const FittedScene fitted = Fitted(recording);
   const Ranking ranking = Rank(fitted, 0.5);
-  FittedModel model{Named(ranking, "camera " + recording.cameras[1].name + ": scale"), fitted, {}};
+  FittedModel model{Named(ranking, "camera " + recording.cameras[1].name + ": scale"), fitted};
   model.candidate.amounts[0] = -0.004;
   const ModelStart put_right = SwitchOn(fitted, model.candidate, ranking.faults);
   model.scene = *FitModel(fitted, put_right, kModelIterations, FitRunner());

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/compare/two_meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fitting/diagnosis/fitted/refit.h"
+#include "fitting/diagnosis/fitted/residual_correlation.h"
+#include "fitting/diagnosis/gate/baseline_fit.h"
+
+namespace clothfit {
+namespace {
+
+// Gone on with on a grid, where the fit has another; itself where not.
+std::optional<FittedScene> FitOn(const std::array<int, 2>& grid, const FittedScene& fitted,
+                                 int most_iterations, const FitRunner& runner) {
+  if (!fitted.scene.mesh.is_grid() || fitted.scene.mesh.grid == grid) return fitted;
+  ModelStart start = GoOn(fitted);
+  start.config.resolution = grid;
+  return FitModel(fitted, start, most_iterations, runner, kEnoughToDecide);
+}
+
+// Rows of outlines that say as much as one.
+double OutlineCorrelation(const FittedScene& fitted) {
+  constexpr double kHangTogether = 0.2;  // s
+  const ObservationResiduals observations(fitted.scene, fitted.config);
+  const RowFrames frames(fitted.scene, observations, kMostRows);
+  const std::optional<Rows> rows = EvaluateRows(fitted, {fitted.values, false, false}, frames, {});
+  if (!rows) return 1.0;
+  std::vector<std::vector<double>> outlines;
+  for (const int frame : frames.frames()) {
+    int source = -1;
+    const std::vector<ResidualSource> sources = SourcesOfFrame(fitted.scene, frame);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      if (outlines.empty() || i == 0 || sources[i].source != source) outlines.emplace_back();
+      source = sources[i].source;
+      outlines.back().push_back(rows->residuals[frames.FirstRow(frame) + static_cast<int>(i)]);
+    }
+  }
+  const double at_once = std::max(1.0, kHangTogether * fitted.scene.recording.frame_rate);
+  return CorrelationTime(outlines) * at_once;
+}
+
+}  // namespace
+
+int DecidingSide(const Recording& recording, const FitConfig& config, int finest_side) {
+  const std::array<int, 2>& told = config.resolution;
+  const int side = told[0] > 0 ? std::max(told[0], told[1])
+                               : std::max(kCoarseSide, recording.cloth.resolution.maxCoeff());
+  return std::min(side, finest_side);
+}
+
+void Meshes::Set(const FittedScene& coarse, int deciding_side) {
+  if (!coarse.scene.mesh.is_grid()) return;
+  coarse_ = coarse.scene.mesh.grid;
+  fine_ = GridWithSide(coarse_, deciding_side);
+}
+
+std::optional<BothMeshes> Meshes::Refine(const FittedScene& coarse, int most_iterations) const {
+  std::optional<FittedScene> fine = FitOn(fine_, coarse, most_iterations, runner_);
+  if (!fine) return {};
+  return BothMeshes{coarse, std::move(*fine)};
+}
+
+std::optional<FittedScene> Meshes::FitFromItsOwnStart(const FittedScene& coarse,
+                                                      int most_iterations) const {
+  if (!coarse.scene.mesh.is_grid() || coarse_ == fine_) return {};
+  FitConfig config = coarse.config;
+  config.resolution = fine_;
+  config.function_tolerance = std::max(config.function_tolerance, kEnoughToDecide);
+  config.max_iterations = std::min(config.max_iterations, most_iterations);
+  Scene scene = MakeScene(coarse.scene.recording, config);
+  const FitResult fit = runner_.Run(scene, config);
+  if (fit.status == FitStatus::kFailed) return {};
+  config.max_iterations = coarse.config.max_iterations;
+  return MakeFittedScene(std::move(scene), config, fit);
+}
+
+std::optional<BothMeshes> Meshes::Coarsen(const FittedScene& fine, int most_iterations) const {
+  std::optional<FittedScene> coarse = FitOn(coarse_, fine, most_iterations, runner_);
+  if (!coarse) return {};
+  return BothMeshes{std::move(*coarse), fine};
+}
+
+double FitQuality::Unexplained() const { return std::sqrt(std::max(0.0, scale.chi_square - 1.0)); }
+
+FitQuality AppraiseQuality(const FittedScene& fitted) {
+  FitQuality quality;
+  quality.result = AppraiseFit(fitted.scene, fitted.config, fitted.fit.theta);
+  if (const std::optional<Misfit>& misfit = quality.result.misfit) {
+    quality.scale = {static_cast<double>(misfit->observed), misfit->correlation,
+                     misfit->chi_square};
+    quality.mesh = misfit->discretisation.value_or(0.0);
+    const double left = quality.Unexplained();
+    quality.is_explained = misfit->IsNoiseAndMesh() || (left < kTooLittle && left < quality.mesh);
+    return quality;
+  }
+  const ObservationResiduals observations(fitted.scene, fitted.config);
+  const double rows = observations.NumObserved(0, fitted.scene.last_fitted_frame);
+  quality.scale = {rows, OutlineCorrelation(fitted),
+                   2.0 * quality.result.cost_after / std::max(1.0, rows)};
+  return quality;
+}
+
+}  // namespace clothfit
