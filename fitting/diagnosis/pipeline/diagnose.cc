@@ -33,6 +33,8 @@ namespace {
 
 constexpr std::size_t kMostJudged = 3;  // that are fitted on the deciding mesh
 constexpr double kMayWin = 0.5;         // of what the best gains on the coarse one
+constexpr double kNearlyBest = 0.9;     // of what the best gains: it may come first yet
+constexpr int kMostContinuations = 2;   // of those, on the deciding mesh
 constexpr double kCatchesUp = 0.3;      // of what a model gains, the same without its effect
 constexpr int kMostRestarts = 2;        // of a diagnosis
 
@@ -206,6 +208,19 @@ std::optional<BothMeshes> Diagnoser::RefineModel(const FittedModel& model) const
   return BothMeshes{model.scene, std::move(*fitted)};
 }
 
+// The model that is fitted most easily is not to come first for that.
+void Diagnoser::GoOnWithTheBest(std::vector<JudgedModel>* judged) const {
+  double least = now_.Cost();
+  for (const JudgedModel& one : *judged) least = std::min(least, one.model.Cost());
+  const double near = now_.Cost() - kNearlyBest * (now_.Cost() - least);
+  ParallelFor(static_cast<int>(judged->size()), NumThreads(0), [&](int i, int) {
+    FittedScene& fine = (*judged)[static_cast<std::size_t>(i)].model.fine;
+    if (fine.fit.cost_after > near || fine.fit.status == FitStatus::kConverged) return;
+    fine =
+        *Cheaper(fine, FitModel(fine, GoOn(fine), 2 * kModelIterations, runner_, kEnoughToDecide));
+  });
+}
+
 std::vector<JudgedModel> Diagnoser::Decide(const std::vector<FittedModel>& models) {
   std::vector<const FittedModel*> chosen;
   const double before = now_.coarse.fit.cost_after;
@@ -223,9 +238,7 @@ std::vector<JudgedModel> Diagnoser::Decide(const std::vector<FittedModel>& model
   std::vector<JudgedModel> judged;
   for (std::size_t k = 0; k < chosen.size(); ++k)
     if (fits[k]) judged.push_back({chosen[k]->candidate, std::move(*fits[k])});
-  std::stable_sort(judged.begin(), judged.end(), [](const JudgedModel& a, const JudgedModel& b) {
-    return a.model.Cost() < b.model.Cost();
-  });
+  for (int k = 0; k < kMostContinuations && !Stopped(); ++k) GoOnWithTheBest(&judged);
   Spend("deciding mesh");
   return judged;
 }

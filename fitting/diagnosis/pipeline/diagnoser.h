@@ -62,6 +62,7 @@ class Diagnoser {
   // The models that may be it, on the deciding mesh; what the recording speaks for most comes
   // first.
   std::vector<JudgedModel> Decide(const std::vector<FittedModel>& models);
+  void GoOnWithTheBest(std::vector<JudgedModel>* judged) const;
   // A fit without the first one's effect, begun where it has ended: if that comes (nearly) as far,
   // the model had found a better local minimum, not an effect. True where the round has to be held
   // again from there.
