@@ -147,15 +147,15 @@ TEST(TwoEffects, MayBeACamerasFaultAndWind) {
 }
 
 // Of what is left with the camera put right wind explains half; the rest is of a term that is not
-// looked for.
+// looked for, so much of it that mesh and step do not make as much.
 TEST(TwoEffects, AreNotAllThatIsMissing) {
   const Recording recording =
-      SeenAskew({{"wind.x", 3.0}, {"added_mass.normal", 0.2}}, {0.06, -0.04, 0.0});
+      SeenAskew({{"wind.x", 3.0}, {"added_mass.normal", 0.6}}, {0.06, -0.04, 0.0});
   const Diagnosis diagnosis = Diagnose(recording, Told(recording), OnlyAmong({"wind"}));
   ASSERT_THAT(diagnosis.effects, ElementsAre(kPose, "wind"));
   ExpectToldAlike(diagnosis);
   ASSERT_TRUE(diagnosis.answer);
-  ASSERT_LT(diagnosis.answer->explained, 0.8);
+  ASSERT_LT(diagnosis.answer->explained, 0.8) << diagnosis.words;
   EXPECT_EQ(diagnosis.verdict, Verdict::kNoneOfTheAbove);
 }
 
