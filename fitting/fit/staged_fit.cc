@@ -133,7 +133,7 @@ void StagedFit::AddOthers(const Scene& scene, const FitConfig& config, int most_
 }
 
 void StagedFit::Race(const Stage& stage, Chains* chains) {
-  // To the end, side by side: after a few iterations the one that ends lower may be behind.
+  // None is dropped on the way: after a few iterations the one that ends lower may be behind.
   LetSpeak(stage, chains->front().get());
   Advance(*chains, config_.max_iterations);
 }

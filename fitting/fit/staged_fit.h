@@ -57,7 +57,7 @@ class StagedFit {
                  const Stage& stage, Chains* chains);
   // All of them, side by side, up to so many iterations of each.
   void Advance(const Chains& chains, int most_iterations) const;
-  // The same of the best of them, so far as they are worth it.
+  // All of them to the end, side by side.
   void Race(const Stage& stage, Chains* chains);
   // The best, at most kFollowed of them, and none that costs more than kNearly times the least.
   void KeepBest(Chains* chains);

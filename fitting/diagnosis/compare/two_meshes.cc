@@ -34,7 +34,7 @@ double OutlineCorrelation(const FittedScene& fitted) {
     int source = -1;
     const std::vector<ResidualSource> sources = SourcesOfFrame(fitted.scene, frame);
     for (std::size_t i = 0; i < sources.size(); ++i) {
-      if (outlines.empty() || i == 0 || sources[i].source != source) outlines.emplace_back();
+      if (i == 0 || sources[i].source != source) outlines.emplace_back();
       source = sources[i].source;
       outlines.back().push_back(rows->residuals[frames.FirstRow(frame) + static_cast<int>(i)]);
     }
@@ -84,7 +84,7 @@ std::optional<BothMeshes> Meshes::Coarsen(const FittedScene& fine, int most_iter
   return BothMeshes{std::move(*coarse), fine};
 }
 
-double FitQuality::Unexplained() const { return std::sqrt(std::max(0.0, scale.chi_square - 1.0)); }
+double BeyondNoise(double chi_square) { return std::sqrt(std::max(0.0, chi_square - 1.0)); }
 
 FitQuality AppraiseQuality(const FittedScene& fitted) {
   FitQuality quality;

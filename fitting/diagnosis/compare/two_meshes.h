@@ -58,6 +58,9 @@ int DecidingSide(const Recording& recording, const FitConfig& config, int finest
 // Less than noise is left beyond noise, root mean square: too little for any name.
 inline constexpr double kTooLittle = 1.0;  // sigmas
 
+// Root mean square of what is left beyond noise, sigmas.
+double BeyondNoise(double chi_square);
+
 // How far a fit meets what was observed, and how certain its parameters are.
 struct FitQuality {
   FitResult result;     // as RunFit gives it, with the misfit and intervals of AppraiseFit
@@ -67,8 +70,7 @@ struct FitQuality {
   // than noise is left beyond noise and those make more.
   bool is_explained = false;
 
-  // Root mean square of what is left beyond noise, sigmas.
-  double Unexplained() const;
+  double Unexplained() const { return BeyondNoise(scale.chi_square); }
 };
 
 // Of outlines alone, neighbours along them hang together as measured, and those of one outline for

@@ -25,7 +25,6 @@ namespace {
 constexpr double kAlike = 0.3;  // of the squares of a force
 constexpr std::size_t kMostCompetitors = 3;
 constexpr int kMostFaults = 2;
-constexpr double kNearBest = 0.9;       // of what the best gains: it may come first yet
 constexpr int kProbes = 24;             // of what matches its force
 constexpr double kPromotedShare = 0.5;  // of what the best has gained by then
 

@@ -20,6 +20,9 @@ inline constexpr int kModelIterations = 12;  // a model starts near its end
 // Of what a model gains, that it may lose without a part of it.
 inline constexpr double kIdle = 0.1;
 
+// Of what the best gains, from which a model may come first yet.
+inline constexpr double kNearBest = 0.9;
+
 class ModelScreening {
  public:
   // `baseline`: the config that a diagnosis was given, whose material parameters models begin from

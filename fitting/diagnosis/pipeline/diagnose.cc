@@ -33,8 +33,7 @@ namespace {
 
 constexpr std::size_t kMostJudged = 3;  // that are fitted on the deciding mesh
 constexpr double kMayWin = 0.5;         // of what the best gains on the coarse one
-constexpr double kNearlyBest = 0.9;     // of what the best gains: it may come first yet
-constexpr int kMostContinuations = 2;   // of those, on the deciding mesh
+constexpr int kMostContinuations = 2;   // of those near the best, on the deciding mesh
 constexpr double kCatchesUp = 0.3;      // of what a model gains, the same without its effect
 constexpr int kMostRestarts = 2;        // of a diagnosis
 
@@ -212,7 +211,7 @@ std::optional<BothMeshes> Diagnoser::RefineModel(const FittedModel& model) const
 void Diagnoser::GoOnWithTheBest(std::vector<JudgedModel>* judged) const {
   double least = now_.Cost();
   for (const JudgedModel& one : *judged) least = std::min(least, one.model.Cost());
-  const double near = now_.Cost() - kNearlyBest * (now_.Cost() - least);
+  const double near = now_.Cost() - kNearBest * (now_.Cost() - least);
   ParallelFor(static_cast<int>(judged->size()), NumThreads(0), [&](int i, int) {
     FittedScene& fine = (*judged)[static_cast<std::size_t>(i)].model.fine;
     if (fine.fit.cost_after > near || fine.fit.status == FitStatus::kConverged) return;
@@ -290,10 +289,11 @@ bool Diagnoser::CatchesUp(std::vector<JudgedModel>* judged) {
 }
 
 HeldOutValidation Diagnoser::ValidateOn(const BothMeshes& model, const BothMeshes& before,
-                                        const Kept* fault) const {
-  std::optional<int> source;
-  if (fault != nullptr) source = FaultySource(fault->candidate, fault->ranking);
-  return ValidateOnHeldOut(model.fine, before.fine, source, last_ranking_.PredictionError(),
+                                        const RankedCandidate& candidate,
+                                        const Ranking& ranking) const {
+  // What mesh and step do to a prediction is held against physics, not against a camera.
+  const double by_mesh = candidate.faults.empty() ? last_ranking_.PredictionError() : 0.0;
+  return ValidateOnHeldOut(model.fine, before.fine, FaultySource(candidate, ranking), by_mesh,
                            options_.seed);
 }
 
@@ -338,8 +338,7 @@ Model Diagnoser::Describe(const JudgedModel& one, const BothMeshes& before) cons
   }
   const std::vector<EffectParameter> estimates = EstimatesOf(fine.fit, fine.config, names);
   described.parameters.insert(described.parameters.end(), estimates.begin(), estimates.end());
-  const Kept as_kept{one.candidate, before, last_ranking_, {}};
-  described.validation = ValidateOn(one.model, before, as_kept.IsPhysics() ? nullptr : &as_kept);
+  described.validation = ValidateOn(one.model, before, one.candidate, last_ranking_);
   return described;
 }
 

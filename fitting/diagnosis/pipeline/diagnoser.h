@@ -75,8 +75,9 @@ class Diagnoser {
   void PutInPlaceOf(std::size_t first, std::vector<JudgedModel> both);
   void FitAgainWithoutFault();
   Model Describe(const JudgedModel& one, const BothMeshes& before) const;
+  // candidate: what the model has and the fit before has not, with the ranking that it is of.
   HeldOutValidation ValidateOn(const BothMeshes& model, const BothMeshes& before,
-                               const Kept* fault) const;
+                               const RankedCandidate& candidate, const Ranking& ranking) const;
   // What else it could be, and what to record to know.
   void TellApart(const std::vector<JudgedModel>& judged);
   // A law instead of names, where those explain too little and it explains more.

@@ -39,8 +39,7 @@ double Diagnoser::Explained(const FittedScene& fine) const {
 }
 
 double Diagnoser::UnexplainedWithoutPhysics() const {
-  const double chi_square = 2.0 * WithoutPhysics().Cost() / baseline_quality_->scale.rows;
-  return std::sqrt(std::max(0.0, chi_square - 1.0));
+  return BeyondNoise(2.0 * WithoutPhysics().Cost() / baseline_quality_->scale.rows);
 }
 
 void Diagnoser::ForgetPhysics() {
@@ -86,7 +85,7 @@ void Diagnoser::SetAnswer(const BothMeshes& before) {
   }
   answer.parameters = EstimatesOf(quality_->result, fine.config, ParametersSoFar());
   answer.parameters.insert(answer.parameters.begin(), of_faults.begin(), of_faults.end());
-  answer.validation = ValidateOn(now_, before, kept_.back().IsPhysics() ? nullptr : &kept_.back());
+  answer.validation = ValidateOn(now_, before, kept_.back().candidate, kept_.back().ranking);
   answer.is_kept = true;
   // Of the rounds before it, what the answer still has.
   Model* own = nullptr;
@@ -129,7 +128,7 @@ void Diagnoser::LearnInstead() {
   learned.model.log_evidence = evidence;
   learned.model.explained = Explained(both->fine);
   learned.model.parameters = EstimatesOf(quality.result, both->fine.config, law->names);
-  learned.model.validation = ValidateOn(*both, without, nullptr);
+  learned.model.validation = ValidateOn(*both, without, {}, last_ranking_);
   learned.model.is_kept = evidence >= kStrongEvidence;
   Log(fmt::format("a law of {}: cost {:.6g}, log evidence {:.4g} against {}; {}",
                   JoinNames(law->terms), both->Cost(), evidence,

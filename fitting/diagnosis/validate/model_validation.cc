@@ -43,7 +43,7 @@ HeldOutValidation ValidateOnHeldOut(const FittedScene& model, const FittedScene&
     }
   }
   const bool is_in_pixels = scene.markers.empty();
-  const IrreducibleError irreducible{NoiseOf(scene, is_in_pixels), source ? 0.0 : by_mesh};
+  const IrreducibleError irreducible{NoiseOf(scene, is_in_pixels), by_mesh};
   HeldOutValidation validation =
       Validate(MeasureHeldOut(before), MeasureHeldOut(model), block, irreducible, seed);
   validation.is_in_pixels = is_in_pixels;

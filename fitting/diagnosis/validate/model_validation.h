@@ -17,7 +17,7 @@ std::optional<int> FaultySource(const RankedCandidate& candidate, const Ranking&
 
 // A model against the fit without what it has. `source`: a camera is put right where it looks, by
 // its own tracks, where there are markers, too. by_mesh: what mesh and step do to a prediction (m
-// or px, root mean square), which is held against physics, not against a source.
+// or px, root mean square), which an improvement has to exceed; it does nothing to a source.
 HeldOutValidation ValidateOnHeldOut(const FittedScene& model, const FittedScene& before,
                                     std::optional<int> source, double by_mesh, std::uint64_t seed);
 
