@@ -36,7 +36,7 @@ struct FitOptions {
   std::optional<std::string> strategy, optimiser;
   std::optional<std::vector<int>> frames;
   std::optional<LossKind> loss;
-  bool one_start = false, no_polish = false, attract = false, force = false, resume = false;
+  bool no_polish = false, attract = false, force = false, resume = false;
   bool quiet = false;
 };
 
@@ -51,7 +51,6 @@ void ApplyOptions(const FitOptions& options, FitConfig* config) {
   if (options.strategy) config->loops = ParseStrategy("--strategy", *options.strategy);
   if (options.optimiser) config->optimiser = *options.optimiser;
   if (options.max_simulations) config->max_simulations = *options.max_simulations;
-  if (options.one_start) config->other_starts = false;
   if (options.no_polish) config->polish = false;
   if (options.attract) Attract(config);
   config->Check("command line");
@@ -188,10 +187,10 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
       ->type_name("RUN");
   AddConfigOptions(command, &options->config);
   AddFreeOptions(command, &options->config);
-  command->add_option("--window", options->window, "seconds fitted together; 0: all at once")
+  command
+      ->add_option("--window", options->window,
+                   "seconds of the first windows, which grow; 0: all frames at once")
       ->type_name("S");
-  command->add_flag("--one-start", options->one_start,
-                    "begin from the given material alone, also where that leaves more than noise");
   command->add_flag("--no-polish", options->no_polish,
                     "leave out the fit of all frames after the windows");
   command
@@ -200,9 +199,8 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
                    "2 biquadratic")
       ->type_name("K");
   command
-      ->add_option(
-          "--max-iterations", options->max_iterations,
-          "of the fit of all frames; of each window at most 6, or this many without the fit of all")
+      ->add_option("--max-iterations", options->max_iterations,
+                   "of the fit of all frames; of windows at most 8 each")
       ->type_name("N");
   command->add_option("--frames", options->frames, "first and last frame to fit")
       ->type_name("A B")

@@ -56,18 +56,6 @@ void Sensitivity::Move(const Eigen::VectorXd& amounts, State* state) const {
   }
 }
 
-void Sensitivity::ReplaceDirection(int direction, const Eigen::VectorXd& dx,
-                                   const Eigen::VectorXd& dv, double step) {
-  StateLanes& lane = lanes_[direction / kLanes];
-  const int column = direction % kLanes;
-  lane.x.col(column) = dx;
-  lane.v.col(column) = dv;
-  lane.previous_x.col(column) = dx - step * dv;
-  lane.previous_v.col(column) = dv;
-  lane.memory.col(column).setZero();
-  lane.is_zero = lane.is_zero && dx.isZero(0.0) && dv.isZero(0.0);
-}
-
 void Sensitivity::SetInitial(const Eigen::MatrixXd& dx, const Eigen::MatrixXd& dv) {
   for (int c = 0; c < num_directions(); c += kLanes) {
     const int count = std::min(kLanes, num_directions() - c);

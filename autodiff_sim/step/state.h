@@ -56,10 +56,6 @@ class Sensitivity {
   Eigen::MatrixXd v() const;
   // Moves a state along the directions by these amounts, to first order.
   void Move(const Eigen::VectorXd& amounts, State* state) const;
-  // Lets one direction mean something new from here on: an offset of the state that began `step`
-  // seconds ago. dx, dv: 3N.
-  void ReplaceDirection(int direction, const Eigen::VectorXd& dx, const Eigen::VectorXd& dv,
-                        double step);
   // Sets the initial state's derivatives, 3N x directions.
   void SetInitial(const Eigen::MatrixXd& dx, const Eigen::MatrixXd& dv);
 

@@ -94,11 +94,11 @@ struct FitConfig {
   // Where Levenberg-Marquardt comes to rest without having converged, a derivative-free search of
   // the fabric on the hard error follows, if silhouettes are fitted.
   bool polish_hard = true;
-  double window = 0.0;  // s; windows hand state and information on; 0 = one window
-  // First with no more particles than this along the longer side of a grid, then with all; 0: no
+  // s, of the first windows, which grow until they are all frames; 0: all frames at once
+  double window = 0.25;
+  // Outlines alone: first with no more particles than this along the longer side of a grid, then
+  // with all; 0: no
   int coarse_resolution = 9;
-  // Other materials to begin from, where one start leaves more than noise
-  bool other_starts = true;
   bool polish = true;  // then fit all frames at once, open loop, from where the windows ended
   // Of Levenberg-Marquardt: of the polish; of each window without one, else fewer.
   int max_iterations = 60;

@@ -2,8 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/fit/fit.h"
 
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "fitting/fit/fitter.h"
-#include "fitting/fit/staged_fit.h"
+#include "fitting/scene/grid_side.h"
 
 namespace clothfit {
 
@@ -21,9 +28,81 @@ std::string ToString(FitStatus status) {
   return "unknown";
 }
 
+namespace {
+
+// The config of a fit with a coarser grid, where that is worth while: its iterations cost little,
+// and stiffness and damping are the material's, not the mesh's. Windows need none.
+std::optional<FitConfig> Coarser(const Scene& scene, const FitConfig& config) {
+  const std::array<int, 2> grid = scene.mesh.grid;
+  const int longer = std::max(grid[0], grid[1]), coarse = config.coarse_resolution;
+  const bool is_of_use = scene.mesh.is_grid() && coarse >= 2 && 3 * coarse <= 2 * longer;
+  if (!is_of_use || !config.polish || FitsWindows(scene, config)) return std::nullopt;
+  constexpr int kIterationsToComeNear = 30;
+  FitConfig coarser = config;
+  coarser.max_iterations = std::min(config.max_iterations, kIterationsToComeNear);
+  coarser.resolution = GridWithSide(grid, coarse);
+  return coarser;
+}
+
+FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const Scene& scene) {
+  constexpr double kShare = 0.3;  // of the time, a guess
+  const std::string name =
+      fmt::format("{} x {} particles, ", scene.mesh.grid[0], scene.mesh.grid[1]);
+  FitCallbacks of_coarse;
+  of_coarse.stop = callbacks.stop;
+  if (callbacks.log)
+    of_coarse.log = [&callbacks, name](const std::string& line) { callbacks.log(name + line); };
+  if (callbacks.progress) {
+    of_coarse.progress = [&callbacks, name](FitProgress progress) {
+      progress.stage = name + progress.stage;
+      progress.fraction *= kShare;
+      callbacks.progress(progress);
+    };
+  }
+  if (callbacks.checkpoint) {
+    of_coarse.checkpoint = [&callbacks](FitCheckpoint checkpoint) {
+      checkpoint.coarse = true;
+      callbacks.checkpoint(checkpoint);
+    };
+  }
+  return of_coarse;
+}
+
+}  // namespace
+
 FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
-                 const FitCheckpoint* resume) {
-  return StagedFit(scene, config, callbacks).Run(resume);
+                 const FitCheckpoint* resume, bool tells_misfit) {
+  const auto begin = std::chrono::steady_clock::now();
+  FitResult before;  // with the work of the coarse fit
+  Fitter fitter(scene, config, callbacks);
+  fitter.MeasureStart(&before);
+  const std::optional<FitConfig> coarser = Coarser(scene, config);
+  if (coarser && (resume == nullptr || resume->coarse)) {
+    const Scene coarse = MakeScene(scene.recording, *coarser, &scene);
+    const FitCallbacks of_coarse = OfCoarseFit(callbacks, coarse);
+    Fitter first(coarse, *coarser, of_coarse);
+    first.OnlyComeNear();
+    first.Begin(resume);
+    first.Advance(coarser->max_iterations);
+    first.AddWorkTo(&before);
+    const FitCheckpoint reached = fitter.AfterWindows(first.theta());
+    fitter.BeginNear();
+    fitter.Begin(&reached);
+  } else {
+    fitter.Begin(resume);
+  }
+  fitter.Advance(config.max_iterations);
+  if (tells_misfit) fitter.TellMisfit();
+  FitResult result = fitter.End();
+  result.before = before.before;
+  result.cost_before = before.cost_before;
+  result.iterations += before.iterations;
+  result.simulated_frames += before.simulated_frames;
+  result.differentiated_frames += before.differentiated_frames;
+  result.simulations =
+      static_cast<int>(std::ceil(result.simulated_frames / std::max(1, scene.last_fitted_frame)));
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
 }
 
 FitResult AppraiseFit(const Scene& scene, const FitConfig& config, const Eigen::VectorXd& theta) {

@@ -31,11 +31,8 @@ std::string ToString(FitStatus status);
 // Where a fit stands; can be written to disk and gone on from.
 struct FitCheckpoint {
   bool coarse = false;    // of the fit with a coarser grid, that goes first
-  int next_window = 0;    // windows done so far; num_windows when only the polish is left
+  int next_window = 0;    // lengths of windows that are done; all when only the polish is left
   Eigen::VectorXd theta;  // best so far
-  // Information that the windows so far hand on: residuals information * (theta - mean).
-  Eigen::MatrixXd information;
-  Eigen::VectorXd mean;
 };
 
 struct FitProgress {
@@ -80,12 +77,6 @@ struct ParameterEstimate {
   bool at_bound = false;
 };
 
-// How many starts a fit was begun from, went to the end from, and ended at its cost from, to within
-// what noise lets be told apart.
-struct FitStarts {
-  int begun = 1, finished = 1, agreeing = 1;
-};
-
 struct FitResult {
   FitStatus status = FitStatus::kFailed;
   Eigen::VectorXd theta;
@@ -103,14 +94,14 @@ struct FitResult {
   std::vector<std::string> statements;
   double noise_factor = 1.0;  // residuals over their stated sigmas; above 1 it widens the intervals
   std::optional<Misfit>
-      misfit;  // of markers and tracks; of whole fits (FitByStrategy, AppraiseFit) alone
-  FitStarts starts;
+      misfit;        // of markers and tracks; of whole fits (FitByStrategy, AppraiseFit) alone
   StepReport steps;  // halvings and the like, summed over the last simulation
 };
 
-// Runs the fit. `resume` goes on from a checkpoint of the same scene and config.
+// Runs the fit. `resume` goes on from a checkpoint of the same scene and config. tells_misfit: with
+// a misfit of markers and tracks, and intervals that hold what mesh and step do, see AppraiseFit.
 FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks = {},
-                 const FitCheckpoint* resume = nullptr);
+                 const FitCheckpoint* resume = nullptr, bool tells_misfit = false);
 
 // What a whole fit would say of theta, without any fitting: errors, intervals with what mesh and
 // step do to them, and the misfit of markers and tracks.

@@ -232,18 +232,18 @@ class InputBytes {
                                   spline_acceleration, spline_speed, use_markers, use_tracks,
                                   use_silhouettes, leave_out_outliers, alpha, beta, loss,
                                   loss_scale, frames, attract, loops, optimiser, max_simulations,
-                                  polish_hard, window, coarse_resolution, other_starts, polish,
-                                  max_iterations, function_tolerance] = config;
+                                  polish_hard, window, coarse_resolution, polish, max_iterations,
+                                  function_tolerance] = config;
     PutAll(resolution, buckling, max_step, integrator, tolerance, check_intersections, self_contact,
            parameters, initial_order, initial_position_sigma, initial_velocity_sigma,
            spline_spacing, spline_acceleration, spline_speed, use_markers, use_tracks,
            use_silhouettes, leave_out_outliers, alpha, beta, loss, loss_scale, frames, attract,
-           loops, optimiser, max_simulations, polish_hard, window, coarse_resolution, other_starts,
-           polish, max_iterations, function_tolerance);
+           loops, optimiser, max_simulations, polish_hard, window, coarse_resolution, polish,
+           max_iterations, function_tolerance);
   }
   void Put(const FitCheckpoint& from) {
-    const auto& [coarse, next_window, theta, information, mean] = from;
-    PutAll(coarse, next_window, theta, information, mean);
+    const auto& [coarse, next_window, theta] = from;
+    PutAll(coarse, next_window, theta);
   }
 
   std::string bytes_;

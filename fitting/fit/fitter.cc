@@ -19,25 +19,40 @@ namespace {
 
 using Outcome = WindowSimulator::Outcome;
 
+constexpr double kRadiusNear = 10.0;      // of the trust region, near a minimum
+constexpr double kShareOfWindows = 0.6;   // of the time, a guess
+constexpr int kIterationsToComeNear = 6;  // of what is pulled at
+
 int NumIterations(const ceres::Solver::Summary& summary) {
   return std::max(0, static_cast<int>(summary.iterations.size()) - 1);
 }
 
-// Reports iterations and ends the solver when the fit is stopped.
+// Reports iterations and ends the solver when the fit is stopped, or when a step that was taken,
+// and was not cut short by a small trust region, lowers the cost by less than the tolerance. (Ceres
+// looks at steps that were not taken and at any radius.)
 class IterationReporter : public ceres::IterationCallback {
  public:
-  explicit IterationReporter(std::function<void(const ceres::IterationSummary&)> report,
-                             const std::atomic<bool>* stop)
-      : report_(std::move(report)), stop_(stop) {}
+  IterationReporter(std::function<void(const ceres::IterationSummary&)> report, double tolerance,
+                    double least_radius, const std::atomic<bool>* stop)
+      : report_(std::move(report)),
+        tolerance_(tolerance),
+        least_radius_(least_radius),
+        stop_(stop) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     report_(summary);
-    return stop_ != nullptr && *stop_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
-                                      : ceres::SOLVER_CONTINUE;
+    converged_ = summary.iteration > 0 && summary.step_is_successful &&
+                 summary.trust_region_radius >= least_radius_ &&
+                 summary.cost_change <= tolerance_ * summary.cost;
+    const bool ends = converged_ || (stop_ != nullptr && *stop_);
+    return ends ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
+  bool converged() const { return converged_; }
 
  private:
   std::function<void(const ceres::IterationSummary&)> report_;
+  double tolerance_, least_radius_;
   const std::atomic<bool>* stop_;
+  bool converged_ = false;
 };
 
 }  // namespace
@@ -51,23 +66,17 @@ Fitter::Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& 
       simulator_(scene, config, free_, false, callbacks.stop),
       attracting_(scene, config, free_, config.attract, callbacks.stop),
       polish_tolerance_(PolishTolerance()) {
-  window_frames_ =
-      config.window > 0.0
-          ? std::max(1, static_cast<int>(std::lround(config.window * scene.recording.frame_rate)))
-          : std::max(1, scene.last_fitted_frame);
-  for (int i = 0; i < free_.size(); ++i) {
-    const FreeEntry::Kind kind = free_.entries()[i].kind;
-    if (kind == FreeEntry::Kind::kInitialPosition || kind == FreeEntry::Kind::kInitialVelocity) {
-      offsets_.push_back(i);
-    }
+  if (FitsWindows(scene, config)) {
+    const double frames = config.window * scene.recording.frame_rate;
+    int length = std::max(2, static_cast<int>(std::lround(frames)));
+    for (; 4 * length < 3 * scene.last_fitted_frame; length *= 2) lengths_.push_back(length);
   }
-  num_windows_ = (std::max(1, scene.last_fitted_frame) + window_frames_ - 1) / window_frames_;
 }
 
 double Fitter::PolishTolerance() const {
-  // Twice this, over the square of the noise factor, is a change of the chi-square: 0.05 moves
-  // nothing by more than a fifth of its standard error.
-  constexpr double kNegligible = 0.025;
+  // Of the cost. Twice this, over the square of the noise factor, is a change of the chi-square,
+  // and 1 of that is what one standard error of one parameter is worth, were residuals independent.
+  constexpr double kNegligible = 0.5;
   const double observed = observations_.NumObserved(0, scene_.last_fitted_frame);
   return std::max(config_.function_tolerance, 2.0 * kNegligible / std::max(1.0, observed));
 }
@@ -85,9 +94,7 @@ void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
     at_best_ = newest_.IsAt(best_) ? newest_ : Linearisation{};
   }
   if (iteration.step_is_successful && callbacks_.checkpoint) {
-    FitCheckpoint checkpoint = progress_;
-    if (first_offsets_.size() > 0) checkpoint.theta(offsets_) = first_offsets_;
-    callbacks_.checkpoint(checkpoint);
+    callbacks_.checkpoint(progress_);
   }
   if (!callbacks_.progress) return;
   FitProgress progress;
@@ -103,145 +110,106 @@ void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
   callbacks_.progress(progress);
 }
 
-ceres::Solver::Summary Fitter::Minimise(WindowSimulator* simulator, const WindowStart& start,
-                                        int first, int last, const Patience& patience,
-                                        const Eigen::MatrixXd& prior, const Eigen::VectorXd& offset,
-                                        const std::vector<int>& held) {
-  const bool is_whole = simulator == &simulator_ && held.empty() && start.frame == 0 &&
-                        first == 0 && last == scene_.last_fitted_frame;
-  newest_ = {};
-  if (!is_whole) at_best_ = {};
-  Linearisation window;
+Fitter::Minimum Fitter::Minimise(const Misfits& misfits, const Patience& patience,
+                                 double first_radius, const std::vector<int>& held) {
+  const Eigen::MatrixXd& prior = free_.prior_jacobian();
   const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
                             RowMajorMatrix* jacobian) {
-    if (jacobian != nullptr && at_best_.IsAt(at)) {
-      window = at_best_;
-    } else {
-      const Outcome outcome =
-          EvaluateWindow(simulator, observations_, start, at, first, last, WindowRows::kCompressed,
-                         &window.residuals, jacobian != nullptr ? &window.jacobian : nullptr);
-      if (outcome != Outcome::kComplete) return false;
-      window.theta = at;
-      window.steps = simulator->last_report();
-    }
-    residuals->resize(window.residuals.size() + prior.rows());
-    *residuals << window.residuals, prior * at - offset;
+    Eigen::VectorXd observed;
+    RowMajorMatrix columns;
+    if (!misfits.evaluate(at, &observed, jacobian != nullptr ? &columns : nullptr)) return false;
+    residuals->resize(observed.size() + prior.rows());
+    *residuals << observed, free_.PriorResiduals(at);
     if (jacobian == nullptr) return true;
     jacobian->resize(residuals->size(), free_.size());
-    *jacobian << window.jacobian, prior;
-    if (is_whole) newest_ = window;
+    *jacobian << columns, prior;
     return true;
   };
-  const int rows = observations_.NumObserved(first, last);
-  simulator->Hold(held);
-  constexpr double kRadiusNear = 10.0;  // of a minimum
-  const double first_radius = is_near_ ? kRadiusNear : kCautiousRadius;
-  const bool goes_on = is_whole && radius_ > 0.0;
-  ceres::Solver::Options options = LevenbergMarquardtOptions(
-      patience.iterations, patience.tolerance, goes_on ? radius_ : first_radius);
+  ceres::Solver::Options options =
+      LevenbergMarquardtOptions(patience.iterations, 0.0, first_radius);
   options.update_state_every_iteration = true;
-  IterationReporter reporter([&](const ceres::IterationSummary& s) { Report(s, rows); },
-                             callbacks_.stop);
+  IterationReporter reporter(
+      [&](const ceres::IterationSummary& s) { Report(s, misfits.num_observed); },
+      patience.tolerance, patience.least_radius, callbacks_.stop);
   options.callbacks.push_back(&reporter);
   best_ = progress_.theta;
-  const int count = free_.size() + 1 + static_cast<int>(prior.rows());
-  const ceres::Solver::Summary summary = MinimiseWithin({free_.lower(), free_.upper(), held}, count,
-                                                        evaluate, options, &progress_.theta);
-  simulator->Hold({});
+  Minimum minimum;
+  minimum.summary = MinimiseWithin({free_.lower(), free_.upper(), held},
+                                   misfits.num_rows + static_cast<int>(prior.rows()), evaluate,
+                                   options, &progress_.theta);
+  const ceres::Solver::Summary& summary = minimum.summary;
+  minimum.converged = reporter.converged() || summary.termination_type == ceres::CONVERGENCE;
   progress_.theta = best_;  // Ceres takes back what it had reached when an evaluation fails
   iterations_ += NumIterations(summary);
   Log(fmt::format("{}: cost {:.6g} -> {:.6g}, {} iterations, {}", stage_, summary.initial_cost,
-                  summary.final_cost, summary.iterations.size(), summary.message));
-  return summary;
+                  summary.final_cost, NumIterations(summary),
+                  minimum.converged ? "converged" : summary.message));
+  return minimum;
 }
 
-void Fitter::Marginalise(const std::vector<int>& entries) {
-  std::vector<int> others;
-  for (int i = 0; i < free_.size(); ++i) {
-    if (std::find(entries.begin(), entries.end(), i) == entries.end()) others.push_back(i);
-  }
-  std::vector<int> order = entries;
-  order.insert(order.end(), others.begin(), others.end());
-  const auto left = static_cast<Eigen::Index>(others.size());
-  // What remains of the others where the entries are free: the Schur complement's factor.
-  const Eigen::MatrixXd root =
-      TriangularRoot(progress_.information(Eigen::all, order)).bottomRightCorner(left, left);
-  progress_.information.setZero();
-  progress_.information(others, others) = root;
-  for (const int i : entries) {
-    progress_.information(i, i) = 1.0 / free_.entries()[i].prior_sigma;
-    progress_.mean[i] = free_.entries()[i].prior;
-  }
+Fitter::Minimum Fitter::MinimiseRollout(WindowSimulator* simulator, int last,
+                                        const Patience& patience, const std::vector<int>& held) {
+  const bool is_whole =
+      simulator == &simulator_ && held.empty() && last == scene_.last_fitted_frame;
+  newest_ = {};
+  if (!is_whole) at_best_ = {};
+  Linearisation rollout;
+  const WindowStart start = simulator->FirstStart(progress_.theta);
+  const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
+                            RowMajorMatrix* jacobian) {
+    if (jacobian != nullptr && at_best_.IsAt(at)) {
+      rollout = at_best_;
+    } else {
+      const Outcome outcome =
+          EvaluateWindow(simulator, observations_, start, at, 0, last, WindowRows::kCompressed,
+                         &rollout.residuals, jacobian != nullptr ? &rollout.jacobian : nullptr);
+      if (outcome != Outcome::kComplete) return false;
+      rollout.theta = at;
+      rollout.steps = simulator->last_report();
+    }
+    *residuals = rollout.residuals;
+    if (jacobian != nullptr) *jacobian = rollout.jacobian;
+    if (jacobian != nullptr && is_whole) newest_ = rollout;
+    return true;
+  };
+  simulator->Hold(held);
+  const double first_radius = is_near_ ? kRadiusNear : kCautiousRadius;
+  const double radius = is_whole && radius_ > 0.0 ? radius_ : first_radius;
+  Minimum minimum = Minimise({evaluate, free_.size() + 1, observations_.NumObserved(0, last)},
+                             patience, radius, held);
+  simulator->Hold({});
+  return minimum;
 }
 
-void Fitter::FreeWindowStart(WindowStart* start) {
-  if (offsets_.empty()) return;
-  if (first_offsets_.size() == 0) first_offsets_ = progress_.theta(offsets_);
-  Marginalise(offsets_);
-  Eigen::MatrixXd dx, dv;
-  free_.InitialDirections(&dx, &dv);
-  for (const int i : offsets_) {
-    progress_.theta[i] = start->theta[i] = free_.entries()[i].prior;
-    start->sensitivity.ReplaceDirection(i, dx.col(i), dv.col(i), start->state.previous_step);
+void Fitter::LengthenWindows() {
+  // Enough to stay near the minimum, which moves on.
+  constexpr int kMostIterations = 8;
+  constexpr double kTolerance = 0.05, kLeastRadius = 3.0;
+  const Patience patience{std::min(kMostIterations, config_.max_iterations), kTolerance,
+                          kLeastRadius};
+  ShootingWindows windows(scene_, config_, free_, callbacks_.stop);
+  const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
+                            RowMajorMatrix* jacobian) {
+    return windows.Evaluate(observations_, at, residuals, jacobian);
+  };
+  const int count = static_cast<int>(lengths_.size());
+  at_best_ = {};
+  for (int& k = progress_.next_window; k < count && !Stopped(); ++k) {
+    const int frames = lengths_[static_cast<std::size_t>(k)];
+    stage_ = fmt::format("windows of {:.2g} s", frames / scene_.recording.frame_rate);
+    stage_share_ = kShareOfWindows / count;
+    stage_begin_ = k * stage_share_;
+    if (!windows.Lay(progress_.theta, frames)) {
+      if (!Stopped()) Log(stage_ + ": the motion that they begin from cannot be simulated");
+      break;
+    }
+    const int observed = observations_.NumObserved(0, scene_.last_fitted_frame);
+    Minimise({evaluate, windows.NumResiduals(), observed}, patience,
+             k == 0 ? kCautiousRadius : kRadiusNear);
+    is_near_ = true;
   }
-}
-
-void Fitter::CutRunawayTies(WindowStart* start) const {
-  const double largest = 0.1 * scene_.recording.cloth.size.norm();  // m, within the uncertainty
-  // Rows of R^-1, whose squares add up to the variances.
-  const Eigen::MatrixXd inverse = progress_.information.triangularView<Eigen::Upper>().solve(
-      Eigen::MatrixXd::Identity(free_.size(), free_.size()));
-  const Eigen::MatrixXd dx = start->sensitivity.x();
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(dx.rows());
-  for (int i = 0; i < free_.size(); ++i) {
-    const double moved = dx.col(i).lpNorm<Eigen::Infinity>() * inverse.row(i).norm();
-    if (moved < largest) continue;
-    start->sensitivity.ReplaceDirection(i, none, none, start->state.previous_step);
-    Log(fmt::format("{}: its end follows {} too wildly to be handed on as more than a state",
-                    stage_, free_.entries()[i].name));
-  }
-}
-
-bool Fitter::RunWindow(int window, WindowStart* start) {
-  const int last = std::min(start->frame + window_frames_, scene_.last_fitted_frame);
-  const int first = window == 0 ? 0 : start->frame + 1;
-  if (window > 0) FreeWindowStart(start);
-  stage_ = fmt::format("window {} of {} (frames {}-{})", window + 1, num_windows_, first, last);
-  if (observations_.Count(first, last) > 0) {
-    // Before a polish the windows only have to come near.
-    constexpr int kIterationsToComeNear = 6;
-    const int most = config_.polish ? std::min(kIterationsToComeNear, config_.max_iterations)
-                                    : config_.max_iterations;
-    Minimise(&attracting_, *start, first, last, {most, config_.function_tolerance},
-             progress_.information, progress_.information * progress_.mean);
-  }
-  if (Stopped()) return false;
-  Eigen::VectorXd residuals;
-  RowMajorMatrix jacobian;
-  WindowStart end;
-  if (EvaluateWindow(&attracting_, observations_, *start, progress_.theta, first, last,
-                     WindowRows::kCompressed, &residuals, &jacobian, &end) != Outcome::kComplete) {
-    Log(stage_ + ": the simulation does not reach the end of the window; the windows end here");
-    return false;
-  }
-  // What this window knows of theta, at the size that its residuals really have.
-  const double noise2 = std::max(
-      1.0, residuals.squaredNorm() / std::max<double>(1.0, observations_.NumObserved(first, last)));
-  Eigen::MatrixXd known(jacobian.rows() + free_.size(), free_.size());
-  known << jacobian / std::sqrt(noise2), progress_.information;
-  progress_.information = TriangularRoot(known);
-  progress_.mean = progress_.theta;
-  progress_.next_window = window + 1;
-  std::string values;
-  for (int i = 0; i < free_.size(); ++i) {
-    const FreeEntry& entry = free_.entries()[i];
-    if (entry.kind != FreeEntry::Kind::kParameter) continue;
-    values += fmt::format(" {} {:.4g}", entry.name, free_.UnitValue(i, progress_.theta[i]));
-  }
-  Log(stage_ + " hands on:" + values);
-  *start = std::move(end);
-  CutRunawayTies(start);
-  return true;
+  in_windows_.simulated += windows.simulated_frames();
+  in_windows_.differentiated += windows.differentiated_frames();
 }
 
 void Fitter::FindHandlePaths() {
@@ -269,10 +237,7 @@ void Fitter::FindHandlePaths() {
     if (observations_.Count(0, last) == 0) continue;
     // The tolerance is of a cost of which most may be the masks' own.
     constexpr Patience kPatience{5, 1e-6};
-    const WindowStart start = simulator_.FirstStart(progress_.theta);
-    Minimise(&simulator_, start, 0, last, kPatience, free_.prior_jacobian(),
-             -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())),
-             ControlsLongBefore(fitted));
+    MinimiseRollout(&simulator_, last, kPatience, ControlsLongBefore(fitted));
     fitted = last;
   }
   if (Cost(progress_.theta, &simulator_) < at_start) return;
@@ -319,27 +284,6 @@ bool Fitter::ContinueHandlePaths(FrameByFrame* search, int first, int last) {
   return true;
 }
 
-void Fitter::RunWindows() {
-  WindowStart start = attracting_.FirstStart(progress_.mean);
-  const double total = scene_.last_fitted_frame * (config_.polish ? 2.5 : 1.0);
-  if (progress_.next_window > 0) {  // resumed: back to where the windows had come
-    Eigen::VectorXd residuals;
-    WindowStart end;
-    const int frame = std::min(progress_.next_window * window_frames_, scene_.last_fitted_frame);
-    if (EvaluateWindow(&attracting_, observations_, start, progress_.mean, 0, frame,
-                       WindowRows::kCompressed, &residuals, nullptr, &end) != Outcome::kComplete) {
-      return;
-    }
-    start = std::move(end);
-  }
-  for (int w = progress_.next_window; w < num_windows_ && !Stopped(); ++w) {
-    stage_begin_ = w * window_frames_ / total;
-    stage_share_ = window_frames_ / total;
-    if (!RunWindow(w, &start)) break;
-  }
-  if (first_offsets_.size() > 0) progress_.theta(offsets_) = first_offsets_;
-}
-
 double Fitter::Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) const {
   Eigen::VectorXd residuals;
   const WindowStart start = simulator->FirstStart(theta);
@@ -368,7 +312,8 @@ void Fitter::Linearise(const Eigen::VectorXd& theta, WindowSimulator* simulator)
 
 void Fitter::StartPolish() {
   stage_ = fmt::format("all frames (0-{})", scene_.last_fitted_frame);
-  stage_begin_ = 1.0 - (stage_share_ = num_windows_ > 1 ? 0.6 : 1.0);
+  stage_begin_ = lengths_.empty() ? 0.0 : kShareOfWindows;
+  stage_share_ = 1.0 - stage_begin_;
   Linearise(progress_.theta, &simulator_);
   if (cost_before_ < cost_ && progress_.theta != free_.start() && !Stopped()) {
     Log("the windows' result explains all frames worse than the start does; going on from the "
@@ -382,15 +327,13 @@ void Fitter::Advance(int most_iterations) {
   if (!HasWork() || !config_.polish || converged_ || Stopped()) return;
   if (!std::exchange(has_begun_polish_, true)) StartPolish();
   if (of_polish_ >= most_iterations) return;
-  const WindowStart start = simulator_.FirstStart(progress_.theta);
-  const ceres::Solver::Summary summary =
-      Minimise(&simulator_, start, 0, scene_.last_fitted_frame,
-               {most_iterations - of_polish_, polish_tolerance_}, free_.prior_jacobian(),
-               -free_.PriorResiduals(Eigen::VectorXd::Zero(free_.size())));
-  converged_ = summary.termination_type == ceres::CONVERGENCE;
+  const Minimum minimum = MinimiseRollout(&simulator_, scene_.last_fitted_frame,
+                                          {most_iterations - of_polish_, polish_tolerance_});
+  converged_ = minimum.converged;
   cost_ = best_cost_;
-  of_polish_ += NumIterations(summary);
-  if (!summary.iterations.empty()) radius_ = summary.iterations.back().trust_region_radius;
+  of_polish_ += NumIterations(minimum.summary);
+  if (!minimum.summary.iterations.empty())
+    radius_ = minimum.summary.iterations.back().trust_region_radius;
 }
 
 bool Fitter::HasWork() const {
@@ -398,9 +341,8 @@ bool Fitter::HasWork() const {
 }
 
 void Fitter::ToStart() {
+  progress_ = {};
   progress_.theta = free_.start();
-  progress_.information = free_.PriorInformation();
-  progress_.mean = free_.PriorMean();
 }
 
 void Fitter::MeasureStart(FitResult* result) {
@@ -429,10 +371,26 @@ void Fitter::Begin(const FitCheckpoint* resume) {
   if (resume != nullptr) progress_ = *resume;
   converged_ = !HasWork();
   if (converged_) return;
-  const bool in_windows = num_windows_ > 1 || !config_.polish || config_.attract;
-  if (resume == nullptr) FindHandlePaths();
-  if (in_windows && progress_.next_window < num_windows_) RunWindows();
-  if (!config_.polish) converged_ = progress_.next_window == num_windows_;
+  if (!lengths_.empty()) {
+    LengthenWindows();
+  } else if (resume == nullptr) {
+    FindHandlePaths();
+  }
+  if (config_.polish) {
+    if (!config_.attract || progress_.next_window > 0) return;
+    FitPulled(kIterationsToComeNear);
+  } else {
+    if (lengths_.empty() && progress_.next_window == 0) FitPulled(config_.max_iterations);
+    converged_ = progress_.next_window == NumStages();
+  }
+}
+
+// Pulled at, where the config wants that: what follows only has to be come near to.
+void Fitter::FitPulled(int most_iterations) {
+  stage_ = config_.attract ? "pulled at" : "all frames";
+  MinimiseRollout(&attracting_, scene_.last_fitted_frame,
+                  {std::min(most_iterations, config_.max_iterations), config_.function_tolerance});
+  if (!Stopped()) progress_.next_window = NumStages();
 }
 
 FitResult Fitter::End() {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One fit at one resolution: windows that hand state and information on, then all frames at once.
+// One fit at one resolution: windows that grow, then all frames at once.
 // Behind StagedFit and FitByStrategy; nothing else includes it.
 #pragma once
 
@@ -14,7 +14,8 @@
 #include "fitting/fit/fit.h"
 #include "fitting/fit/frame_by_frame.h"
 #include "fitting/fit/uncertainty.h"
-#include "fitting/rollout/window_cost.h"
+#include "fitting/optimise/simulation_cost.h"
+#include "fitting/rollout/shooting_windows.h"
 
 namespace clothfit {
 
@@ -47,7 +48,7 @@ class Fitter {
   FitResult At(const Eigen::VectorXd& theta);
   // Where a fit stands whose windows ended at this free vector.
   FitCheckpoint AfterWindows(const Eigen::VectorXd& theta) const {
-    return {false, num_windows_, theta, free_.PriorInformation(), free_.PriorMean()};
+    return {false, NumStages(), theta};
   }
 
  private:
@@ -56,12 +57,29 @@ class Fitter {
   struct Patience {
     int iterations;
     double tolerance;  // relative change of the cost at which to stop
+    // Of the trust region after such a step: about that of half a Gauss-Newton step at least.
+    double least_radius = 1.0;
   };
-  // Levenberg-Marquardt on one window and what is known besides; entries that are held stay as they
-  // are. Returns Ceres' summary.
-  ceres::Solver::Summary Minimise(WindowSimulator* simulator, const WindowStart& start, int first,
-                                  int last, const Patience& patience, const Eigen::MatrixXd& prior,
-                                  const Eigen::VectorXd& offset, const std::vector<int>& held = {});
+  // What is to be made small, beside the priors.
+  struct Misfits {
+    SimulationCost::Evaluator evaluate;
+    int num_rows = 0, num_observed = 0;
+  };
+  struct Minimum {
+    ceres::Solver::Summary summary;
+    bool converged = false;
+  };
+  // Levenberg-Marquardt; entries that are held stay as they are.
+  Minimum Minimise(const Misfits& misfits, const Patience& patience, double first_radius,
+                   const std::vector<int>& held = {});
+  // One simulation of frames 0 to last.
+  Minimum MinimiseRollout(WindowSimulator* simulator, int last, const Patience& patience,
+                          const std::vector<int>& held = {});
+  // Fits windows that grow up to all frames, see ShootingWindows.
+  void LengthenWindows();
+  void FitPulled(int most_iterations);
+  // What comes before the fit of all frames: lengths of windows, or one fit that is pulled at.
+  int NumStages() const { return lengths_.empty() ? 1 : static_cast<int>(lengths_.size()); }
   // Finds the paths of unknown handles: all that is unknown is fitted to the first frames, then to
   // more and more of them, each stretch of the paths found frame by frame before. So a path never
   // has to be found from far away, nor with a fabric that the frames before contradict.
@@ -76,16 +94,6 @@ class Fitter {
   // All frames at once from here, with derivatives, as at_best_; which is not at theta where they
   // cannot be simulated.
   void Linearise(const Eigen::VectorXd& theta, WindowSimulator* simulator);
-  void RunWindows();
-  bool RunWindow(int window, WindowStart* start);
-  // Frees the state at a later window's start: the offsets of the initial state now are offsets
-  // there.
-  void FreeWindowStart(WindowStart* start);
-  // Cuts the ties of a window's start to what moves it so much that a linear tie means nothing.
-  void CutRunawayTies(WindowStart* start) const;
-  // What is known of everything but these entries, with the entries themselves back at their
-  // priors.
-  void Marginalise(const std::vector<int>& entries);
   // Where the fit of all frames begins.
   void StartPolish();
   double Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) const;
@@ -93,11 +101,12 @@ class Fitter {
     if (callbacks_.log) callbacks_.log(line);
   }
   double SimulatedFrames() const {
-    return simulator_.simulated_frames() + attracting_.simulated_frames() + frames_for_paths_;
+    return simulator_.simulated_frames() + attracting_.simulated_frames() + frames_for_paths_ +
+           in_windows_.simulated;
   }
   double DifferentiatedFrames() const {
     return simulator_.differentiated_frames() + attracting_.differentiated_frames() +
-           differentiated_for_paths_;
+           differentiated_for_paths_ + in_windows_.differentiated;
   }
   bool Stopped() const { return callbacks_.stop != nullptr && *callbacks_.stop; }
   void Report(const ceres::IterationSummary& iteration, int rows);
@@ -116,10 +125,9 @@ class Fitter {
   FreeParameters free_;
   ObservationResiduals observations_;
   WindowSimulator simulator_, attracting_;
-  int window_frames_ = 0, num_windows_ = 0;
+  std::vector<int> lengths_;  // of windows, frames; none where all frames are fitted at once
   FitCheckpoint progress_;
-  std::vector<int> offsets_;  // entries of the free vector that offset a state
-  Eigen::VectorXd best_;      // of the stage under way
+  Eigen::VectorXd best_;  // of the stage under way
   double best_cost_ = 0.0;
   // All frames simulated open loop, with derivatives: the newest of the stage under way, and that
   // of its best.
@@ -132,12 +140,14 @@ class Fitter {
     }
   };
   Linearisation newest_, at_best_;
-  Eigen::VectorXd first_offsets_;  // their values at the recording's start
   std::string stage_;
   double stage_begin_ = 0.0, stage_share_ = 0.0;  // of the whole fit's work
   int iterations_ = 0, of_polish_ = 0;
   // Simulated frame by frame, and those of them with derivatives.
   double frames_for_paths_ = 0.0, differentiated_for_paths_ = 0.0;
+  struct {
+    double simulated = 0.0, differentiated = 0.0;
+  } in_windows_;  // frames
   bool has_begun_polish_ = false, converged_ = false;
   double cost_ = std::numeric_limits<double>::infinity();
   double cost_before_ = std::numeric_limits<double>::infinity();

@@ -13,7 +13,6 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit/fitter.h"
 #include "fitting/fit/search.h"
-#include "fitting/fit/staged_fit.h"
 #include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {
@@ -131,11 +130,7 @@ FitResult FitByStrategy(const Scene& scene, const FitConfig& config, const FitCa
                         const FitCheckpoint* resume) {
   if (config.loops != Strategy::kJoint || config.optimiser != "lm")
     return FitBySearch(scene, config, callbacks, resume);
-  StagedFit fit(scene, config, callbacks);
-  const bool has_points = config.beta > 0.0 && !(scene.markers.empty() && scene.tracks.empty());
-  if (has_points) fit.TellMisfit();
-  if (has_points && config.other_starts && config.polish) fit.BeginFromOthers();
-  FitResult result = fit.Run(resume);
+  FitResult result = RunFit(scene, config, callbacks, resume, true);
   const bool stalls = result.status == FitStatus::kNotConverged && config.polish_hard &&
                       config.FitsSilhouettes() && scene.silhouettes && NumFabric(scene, config) > 0;
   return stalls ? PolishOnHardError(scene, config, callbacks, std::move(result)) : result;

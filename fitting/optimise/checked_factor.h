@@ -52,20 +52,4 @@ std::optional<Eigen::LDLT<typename Derived::PlainObject>> TrySemidefinite(
   return is_usable ? std::make_optional(factor) : std::nullopt;
 }
 
-// Upper triangular R with R'R = rows' rows and no negative diagonal: Cholesky's factor without the
-// sums of squares, which rounding makes indefinite where columns differ by more than eight digits
-// (Bierman 1977, square-root information). Columns that depend on others leave zeros.
-inline Eigen::MatrixXd TriangularRoot(const Eigen::MatrixXd& rows) {
-  const Eigen::Index n = rows.cols();
-  if (n == 0) return {};  // which Eigen does not decompose
-  Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(std::max(rows.rows(), n), n);
-  padded.topRows(rows.rows()) = rows;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(std::move(padded));
-  Eigen::MatrixXd root = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (root(i, i) < 0.0) root.row(i) *= -1.0;
-  }
-  return root;
-}
-
 }  // namespace clothfit

@@ -140,19 +140,6 @@ std::string MeshSentence(const Misfit& misfit) {
                          : ": a finer mesh (--resolution) may change what was found");
 }
 
-std::string StartsSentence(const FitStarts& starts) {
-  if (starts.finished == 1) {
-    return fmt::format("Of {} materials that it was begun from one was worth following to the end.",
-                       starts.begun);
-  }
-  return fmt::format(
-      "Begun from {} materials, of which {} were followed to the end; {}.", starts.begun,
-      starts.finished,
-      starts.agreeing == starts.finished
-          ? "they end at the same cost"
-          : "they end at different costs, so that there may be a lower minimum still");
-}
-
 std::string ParameterSentence(const VerdictFacts& facts) {
   if (facts.num_free == 0) return "No physical parameter was free.";
   const auto open = facts.undetermined.size();
@@ -227,7 +214,6 @@ PageVerdict JudgeFit(const VerdictFacts& facts) {
   } else if (facts.noise_factor) {
     verdict.sentences.push_back(NoiseSentence(*facts.noise_factor));
   }
-  if (facts.starts.begun > 1) verdict.sentences.push_back(StartsSentence(facts.starts));
   if (!facts.left_out.empty())
     verdict.sentences.push_back("Left out as gross errors: " + facts.left_out + ".");
   verdict.sentences.push_back(ParameterSentence(facts));

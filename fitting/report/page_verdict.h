@@ -27,8 +27,7 @@ struct VerdictFacts {
   int num_free = 0;                                 // physical parameters
   std::vector<std::string> undetermined, at_bound;  // names among them
   int recorded_frames = 0, simulated_frames = 0;
-  std::optional<Misfit> misfit;  // of markers and tracks
-  FitStarts starts;
+  std::optional<Misfit> misfit;              // of markers and tracks
   std::string left_out;                      // gross errors, in words; empty where there were none
   std::vector<std::string> unknown_handles;  // in held-out frames
   std::string recording;                     // as the command line names it

@@ -100,9 +100,6 @@ VerdictFacts FactsOf(const RunRecord& record) {
   facts.recorded_frames = summary.at("frames").value("recorded", 0);
   facts.misfit = MisfitOf(summary);
   const Json none = Json::object();
-  const Json starts = summary.value("starts", none);
-  facts.starts = {starts.value("begun", 1), starts.value("finished", 1),
-                  starts.value("agreeing", 1)};
   facts.left_out = summary.value("left_out", none).value("in_words", "");
   facts.unknown_handles = summary.value("unknown_in_held_out_frames", std::vector<std::string>());
   facts.recording = summary.value("recording", none).value("path", "");

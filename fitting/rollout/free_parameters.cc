@@ -283,13 +283,6 @@ Eigen::VectorXd FreeParameters::PriorResiduals(const Eigen::VectorXd& theta) con
   return prior_jacobian_ * theta - prior_target_;
 }
 
-Eigen::MatrixXd FreeParameters::PriorInformation() const { return TriangularRoot(prior_jacobian_); }
-
-Eigen::VectorXd FreeParameters::PriorMean() const {
-  if (size() == 0) return {};  // which Eigen does not decompose
-  return prior_jacobian_.colPivHouseholderQr().solve(prior_target_);
-}
-
 std::vector<int> FreeParameters::Fabric() const {
   std::vector<int> fabric;
   for (int i = 0; i < size(); ++i) {

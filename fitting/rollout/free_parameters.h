@@ -71,9 +71,6 @@ class FreeParameters {
   // smoothness of unknown paths.
   Eigen::VectorXd PriorResiduals(const Eigen::VectorXd& theta) const;
   const Eigen::MatrixXd& prior_jacobian() const { return prior_jacobian_; }
-  // The same as information * (theta - mean), information upper triangular.
-  Eigen::MatrixXd PriorInformation() const;
-  Eigen::VectorXd PriorMean() const;
 
   // The value in the entry's unit.
   double UnitValue(int entry, double theta) const;

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "autodiff_sim/step/known_motion.h"
 #include "autodiff_sim/step/simulation.h"
@@ -47,6 +48,9 @@ class WindowSimulator {
   // A motion that was simulated last without derivatives is not solved for again with them.
   Outcome Run(const WindowStart& start, const Eigen::VectorXd& theta, int last_frame,
               bool derivatives, const Observer& observer, WindowStart* end = nullptr);
+
+  // Of several stretches in turns: each keeps its own motion.
+  void SwapMotion(KnownMotion* other) { std::swap(motion_, *other); }
 
   // Entries of the free vector, handles' only, along which nothing is differentiated from here on.
   void Hold(const std::vector<int>& entries) { held_ = entries; }

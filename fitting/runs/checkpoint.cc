@@ -20,29 +20,10 @@ Json ToJson(const Eigen::VectorXd& vector) {
   return std::vector<double>(vector.begin(), vector.end());
 }
 
-Json ToJson(const Eigen::MatrixXd& matrix) {
-  Json rows = Json::array();
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    rows.push_back(ToJson(Eigen::VectorXd(matrix.row(i))));
-  }
-  return rows;
-}
-
 Eigen::VectorXd ToVector(const Json& json) {
   const std::vector<double> numbers = json.get<std::vector<double>>();
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
                                            static_cast<Eigen::Index>(numbers.size()));
-}
-
-// `columns`: of a matrix without rows.
-Eigen::MatrixXd ToMatrix(const Json& json, Eigen::Index columns) {
-  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(json.size()), columns);
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    const Eigen::VectorXd row = ToVector(json.at(static_cast<size_t>(i)));
-    if (row.size() != columns) throw std::invalid_argument("rows of unequal length");
-    matrix.row(i) = row;
-  }
-  return matrix;
 }
 
 }  // namespace
@@ -53,8 +34,6 @@ void RunFolder::WriteCheckpoint(const FitCheckpoint& checkpoint) const {
   json["coarse"] = checkpoint.coarse;
   json["next_window"] = checkpoint.next_window;
   json["theta"] = ToJson(checkpoint.theta);
-  json["mean"] = ToJson(checkpoint.mean);
-  json["information"] = ToJson(checkpoint.information);
   WriteWholeFile(path_ / "checkpoint.json", json.dump() + "\n");
 }
 
@@ -68,8 +47,6 @@ FitCheckpoint RunFolder::ReadCheckpoint() const {
     checkpoint.coarse = json.value("coarse", false);
     json.at("next_window").get_to(checkpoint.next_window);
     checkpoint.theta = ToVector(json.at("theta"));
-    checkpoint.mean = ToVector(json.at("mean"));
-    checkpoint.information = ToMatrix(json.at("information"), checkpoint.mean.size());
   } catch (const std::exception&) {
     throw InputError(file.string(), std::string("damaged; expected a ") + kCheckpointFormat);
   }

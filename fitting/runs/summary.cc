@@ -112,9 +112,6 @@ void RunFolder::WriteSummary(const Scene& scene, const FitConfig& config,
   json["halvings"] = result.steps.halvings;
   json["noise_factor"] = OrNull(result.noise_factor);
   json["misfit"] = MisfitAsJson(result.misfit);
-  json["starts"] = {{"begun", result.starts.begun},
-                    {"finished", result.starts.finished},
-                    {"agreeing", result.starts.agreeing}};
   json["left_out"] = LeftOutAsJson(scene.recording);
   json["unknown_in_held_out_frames"] = HandlesUnknownInHeldOutFrames(scene);
   json["statements"] = result.statements;

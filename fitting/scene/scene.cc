@@ -103,7 +103,7 @@ void AddObservations(const Recording& recording, const FitConfig& config, Scene*
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Track& t = recording.tracks[i];
       TrackObservation track{t.frame, t.camera, t.id, points[i], t.pixel, std::nullopt};
-      if (config.attract) track.ray = RayThroughPixel(recording.cameras[t.camera], t.pixel);
+      track.ray = RayThroughPixel(recording.cameras[t.camera], t.pixel);
       scene->tracks.push_back(track);
     }
   }

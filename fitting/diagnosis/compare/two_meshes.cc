@@ -67,15 +67,9 @@ std::optional<BothMeshes> Meshes::Refine(const FittedScene& coarse, int most_ite
 std::optional<FittedScene> Meshes::FitFromItsOwnStart(const FittedScene& coarse,
                                                       int most_iterations) const {
   if (!coarse.scene.mesh.is_grid() || coarse_ == fine_) return {};
-  FitConfig config = coarse.config;
-  config.resolution = fine_;
-  config.function_tolerance = std::max(config.function_tolerance, kEnoughToDecide);
-  config.max_iterations = std::min(config.max_iterations, most_iterations);
-  Scene scene = MakeScene(coarse.scene.recording, config);
-  const FitResult fit = runner_.Run(scene, config);
-  if (fit.status == FitStatus::kFailed) return {};
-  config.max_iterations = coarse.config.max_iterations;
-  return MakeFittedScene(std::move(scene), config, fit);
+  ModelStart start{coarse.scene.recording, coarse.config};
+  start.config.resolution = fine_;
+  return FitAfresh(start, Start::kWindows, most_iterations, runner_, kEnoughToDecide);
 }
 
 std::optional<BothMeshes> Meshes::Coarsen(const FittedScene& fine, int most_iterations) const {

@@ -38,8 +38,8 @@ class Meshes {
   // A fit of the coarse mesh gone on with on the deciding one; itself where that is no finer. Empty
   // where it fails.
   std::optional<BothMeshes> Refine(const FittedScene& coarse, int most_iterations) const;
-  // The baseline's config fitted on the deciding mesh from its own start; empty where that is no
-  // finer, or it fails.
+  // The baseline's config fitted on the deciding mesh from its own start by windows; empty where
+  // that mesh is no finer, where there are no windows, or where it fails.
   std::optional<FittedScene> FitFromItsOwnStart(const FittedScene& coarse,
                                                 int most_iterations) const;
   // The other way round.

@@ -26,7 +26,7 @@ HeldOutErrors MeasureHeldOut(const FittedScene& fitted, std::optional<int> last 
 inline constexpr int kMarkerSource = -1;
 
 // Errors of one source in the held-out frames: the distance of its markers (m) or tracks (px) from
-// a nudged motion that follows all other markers and tracks in all frames (Start::kNudged). It
+// a nudged motion that follows all other markers and tracks in all frames. It
 // shows a fault of the source even if an open-loop prediction is poor. Empty where the source, or
 // all others, saw nothing.
 std::optional<HeldOutErrors> MeasureAgainstOthers(const FittedScene& fitted, int source);

@@ -8,11 +8,11 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
+#include "fitting/rollout/shooting_windows.h"
 
 namespace clothfit {
 namespace {
 
-constexpr double kNudgingRate = 40.0;  // 1/s
 // Weaker and weaker: what pulls also hides a part of what is wrong.
 constexpr double kNudgingShares[] = {1.0, 0.3, 0.1, 0.03};
 constexpr int kNudgedIterations = 4;  // of each
@@ -23,8 +23,6 @@ constexpr int kNudgedSide = 13;
 FitCheckpoint Beginning(const FreeParameters& free) {
   FitCheckpoint from;
   from.theta = free.start();
-  from.information = free.PriorInformation();
-  from.mean = free.PriorMean();
   return from;
 }
 
@@ -65,6 +63,8 @@ FitConfig OnNudgedMesh(FitConfig config, const ClothMesh& mesh) {
 std::optional<FittedScene> MakeModel(Scene scene, const FitConfig& own, FitConfig quick,
                                      const FitResult& result) {
   if (result.status == FitStatus::kFailed || !std::isfinite(result.cost_after)) return std::nullopt;
+  quick.window = own.window;
+  quick.coarse_resolution = own.coarse_resolution;
   quick.max_iterations = own.max_iterations;
   quick.function_tolerance = own.function_tolerance;
   return MakeFittedScene(std::move(scene), quick, result);
@@ -81,37 +81,6 @@ FitConfig QuickConfig(FitConfig config, int most_iterations, double tolerance) {
   config.window = 0.0;
   config.max_iterations = std::min(config.max_iterations, most_iterations);
   config.function_tolerance = std::max(config.function_tolerance, tolerance);
-  return config;
-}
-
-std::optional<FitConfig> NudgedConfig(FitConfig config, const Scene& scene, double share,
-                                      double damping) {
-  const auto markers =
-      std::count_if(scene.markers.begin(), scene.markers.end(), [&](const MarkerObservation& m) {
-        return scene.is_fitted[static_cast<std::size_t>(m.frame)];
-      });
-  const auto tracks =
-      std::count_if(scene.tracks.begin(), scene.tracks.end(),
-                    [&](const TrackObservation& track) { return scene.IsFitted(track); });
-  if (markers + tracks == 0) return {};
-  const double per_frame = static_cast<double>(markers + tracks) / (scene.last_fitted_frame + 1);
-  const double mass =
-      config.parameters.at("cloth.areal_density").value * scene.recording.cloth.size.prod();
-  // Each point as a mass on a spring that moves.
-  const double rate = std::sqrt(share) * kNudgingRate;
-  const double linear = mass * rate * rate / per_frame,
-               drag = damping * 2.0 * mass * rate / per_frame;
-  config.attract = true;
-  config.polish = false;
-  config.max_iterations = kNudgedIterations;
-  for (const TermInfo& term : AllTerms()) {
-    if (term.role != Role::kGuide) continue;
-    for (const auto& [name, value] : {std::pair{".linear", linear}, std::pair{".damping", drag}}) {
-      ParameterSetting& setting = config.parameters.at(term.name + name);
-      setting.value = std::clamp(value, setting.lower, setting.upper);
-      setting.free = false;
-    }
-  }
   return config;
 }
 
@@ -167,18 +136,12 @@ std::optional<FittedScene> FitNudged(const ModelStart& start, double damping,
 }
 
 std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
-                                     const FitRunner& runner) {
-  const FitConfig quick = QuickConfig(start.config, most_iterations, kEnoughForDiagnosis);
-  FitConfig last = quick;
-  std::optional<FitResult> before;
-  if (how == Start::kNudged) {
-    const std::optional<FittedScene> nudged = FitNudged(start, kFittingDamping, runner);
-    if (!nudged) return {};
-    before = nudged->fit;
-    BeginFrom(*before, &last);
-  }
+                                     const FitRunner& runner, double tolerance) {
+  FitConfig quick = QuickConfig(start.config, most_iterations, tolerance);
+  if (how == Start::kWindows) quick.window = start.config.window;
   Scene scene = MakeScene(start.recording, quick);
-  const FitResult result = RunAfter(before, scene, last, runner);
+  if (how == Start::kWindows && !FitsWindows(scene, quick)) return {};
+  const FitResult result = runner.Run(scene, quick);
   return MakeModel(std::move(scene), start.config, quick, result);
 }
 

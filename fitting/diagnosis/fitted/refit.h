@@ -11,6 +11,7 @@
 
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/diagnosis/fitted/rows.h"
+#include "fitting/rollout/nudging.h"
 
 namespace clothfit {
 
@@ -44,35 +45,21 @@ ModelStart WithoutEffect(const FittedScene& before, const FittedScene& model);
 // The same from the material parameters that a config was given, where that is free.
 ModelStart WithMaterialOf(const FitConfig& given, ModelStart start);
 
-// How a fit begins. Nudged: with some iterations in which every marker and every track's ray pulls
-// at the cloth, at first so strongly that the motion follows within some 25 ms, then weaker and
-// weaker (nudging; Abarbanel, Creveling, Farsian and Kostuk 2009, Dynamical state and parameter
-// estimation). Along a motion that cannot run away the cost is smooth, and the parameters that
-// leave least there are near the right ones, even where what they leave without being pulled is
-// more than what a local minimum does.
-enum class Start { kPlain, kNudged };
+// How a fit begins: with all frames at once, or with windows that grow (ShootingWindows).
+enum class Start { kPlain, kWindows };
 
-// Of critical, of what pulls. In fits enough to end the ringing: more of it hides how the cloth
-// moves by itself, and fits that were critically damped ended at costs up to 1.7 times those. What
-// is scored is to be as near to the recorded cloth as can be.
-inline constexpr double kFittingDamping = 0.3, kScoringDamping = 1.0;
-
-// The config of a few iterations in which every fitted marker and every fitted track's ray of a
-// scene pulls at the cloth. share: 1 for so strongly that it follows within some 25 ms, less for
-// less. damping: of critical. Empty where there is nothing to pull.
-std::optional<FitConfig> NudgedConfig(FitConfig config, const Scene& scene, double share,
-                                      double damping = kFittingDamping);
-
-// What is fitted while something pulls weaker and weaker, as it is at the last: IsNudged. On a mesh
-// of 13 particles a side at most, where the motion is as good. Empty where the fit fails, or where
-// there is nothing to nudge it to.
+// What is fitted while every marker and every track's ray pulls at the cloth, at first so strongly
+// that the motion follows within some 25 ms, then weaker and weaker, as it is at the last:
+// IsNudged. On a mesh of 13 particles a side at most, where the motion is as good. Empty where the
+// fit fails, or where there is nothing to nudge it to.
 std::optional<FittedScene> FitNudged(const ModelStart& start, double damping,
                                      const FitRunner& runner);
 
 // Fits it from its config's own material parameters and no offsets of the start, all over again.
-// Empty where the fit fails, or where there is nothing to nudge it to.
+// Empty where the fit fails, or where there are no windows.
 std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int most_iterations,
-                                     const FitRunner& runner);
+                                     const FitRunner& runner,
+                                     double tolerance = kEnoughForDiagnosis);
 
 // Fits it, from the handles' paths and initial state of `fitted`. Empty where the fit fails.
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,

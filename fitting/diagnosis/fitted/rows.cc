@@ -24,8 +24,6 @@ Eigen::VectorXd ThetaOfPass(const FreeParameters& free, const Eigen::VectorXd& u
 
 bool IsNudged(const FitConfig& config) { return config.attract && !config.polish; }
 
-bool HasPoints(const Scene& scene) { return !scene.markers.empty() || !scene.tracks.empty(); }
-
 FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResult& fit) {
   FittedScene fitted{std::move(scene), config, config, {}, fit};
   const FreeParameters free(config, fitted.scene, MakeParameterTable());

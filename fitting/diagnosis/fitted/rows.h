@@ -14,6 +14,7 @@
 
 #include "fitting/diagnosis/fitted/faults.h"
 #include "fitting/fit/fit.h"
+#include "fitting/rollout/nudging.h"
 #include "fitting/scene/grid_side.h"
 
 namespace clothfit {
@@ -31,8 +32,6 @@ struct FittedScene {
 FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResult& fit);
 // Is what such a fit ends at a motion that is pulled at, and no open loop?
 bool IsNudged(const FitConfig& config);
-// Are there markers or tracks, of which it is known where on the cloth they are?
-bool HasPoints(const Scene& scene);
 // The same fit on another mesh or with another step; nothing is fitted again.
 FittedScene WithOtherSteps(const FittedScene& fitted, const std::array<int, 2>& resolution,
                            double max_step);

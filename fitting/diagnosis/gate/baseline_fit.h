@@ -16,10 +16,9 @@ inline constexpr int kFirstIterations = 5;  // enough to see which starts and mo
 inline constexpr int kCoarseSide = 13;
 
 // Fits a baseline to the frames that are not held out, with a start state free up to bilinear
-// offsets, on the config's mesh or kCoarseSide particles a side, whichever is coarser; where that
-// leaves more than 1.2 sigmas, from OtherStarts as well, and nudged (Start::kNudged). Its config is
-// the baseline's but for mesh and start. Throws std::runtime_error where the simulation diverges
-// from every start.
+// offsets, on the config's mesh or kCoarseSide particles a side, whichever is coarser. Its config
+// is the baseline's but for mesh and start. Throws std::runtime_error where the simulation
+// diverges.
 FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
                         const DiagnosisOptions& options);
 

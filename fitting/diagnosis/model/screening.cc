@@ -76,8 +76,7 @@ ModelStart StartAt(const FittedScene& current, RankedCandidate candidate,
   return SwitchOn(current, candidate, ranking.faults);
 }
 
-// From either sign of its amount, where both are likely. What is ordinary begins plainly, too, as
-// it is in a simulation that has it.
+// From either sign of its amount, where both are likely.
 std::optional<FittedScene> ModelScreening::FirstFit(const FittedScene& current,
                                                     const RankedCandidate& candidate,
                                                     const Ranking& ranking) const {
@@ -93,10 +92,7 @@ std::optional<FittedScene> ModelScreening::FirstFit(const FittedScene& current,
                  kFirstIterations, runner_);
     model = Cheaper(std::move(model), std::move(fitted));
   }
-  const bool is_far_off = !model || HasLargeResidual(model->scene, model->config, model->fit);
-  if (!IsDefaultTerm(candidate) || !is_far_off || Stopped()) return model;
-  return Cheaper(std::move(model), FitAfresh(FromNothing(baseline_, start, candidate),
-                                             Start::kPlain, kFirstIterations, runner_));
+  return model;
 }
 
 std::optional<FittedScene> ModelScreening::FirstNudgedFit(const FittedScene& current,
@@ -105,10 +101,8 @@ std::optional<FittedScene> ModelScreening::FirstNudgedFit(const FittedScene& cur
   std::optional<FittedScene> model;
   for (const RankedCandidate::Start& start : candidate.nudged_starts) {
     if (Stopped()) break;
-    model =
-        Cheaper(std::move(model),
-                FitAfresh(WithMaterialOf(baseline_, StartAt(current, candidate, start, ranking)),
-                          Start::kNudged, kFirstIterations, runner_));
+    model = Cheaper(std::move(model), FitAfresh(StartAt(current, candidate, start, ranking),
+                                                Start::kWindows, kFirstIterations, runner_));
   }
   return model;
 }
@@ -198,7 +192,6 @@ std::vector<FittedModel> ModelScreening::Run(const FittedScene& current,
     ScreenNudged(current, *open_ranking, &models);
   }
   const Ranking& ranking = *open_ranking;
-  BeginAnew(ranking, &models);
   if (!models.empty() && models.front().candidate.faults.empty())
     Merge(FitCompetitors(current, ranking, models), &models);
   for (const FittedModel& model : models) {
@@ -266,27 +259,6 @@ void ModelScreening::FinishModels(const FittedScene& current, double promoted_sh
   const double near = current.fit.cost_after - kNearBest * (current.fit.cost_after - least);
   go_on(near);
   std::stable_sort(models->begin(), models->end(), IsCheaper);
-}
-
-// The best once more with what was found of its effect, but from the config's own material
-// parameters: the baseline's had to stand for what was missing, and a model that goes on from it
-// may keep some of that. Where it leaves more than the null only.
-void ModelScreening::BeginAnew(const Ranking& ranking, std::vector<FittedModel>* models) const {
-  if (models->empty() || Stopped()) return;
-  FittedModel& best = models->front();
-  const double cost = best.scene.fit.cost_after;
-  // A fault moves no cloth, and far off every model has begun anew already.
-  if (cost <= 0.5 * ranking.null_mean || !best.candidate.faults.empty() ||
-      ranking.residual_rms >= kLargeResidual)
-    return;
-  Say("fitting the best from other material parameters", 0.62);
-  std::optional<FittedScene> other = FitAfresh(WithMaterialOf(baseline_, GoOn(best.scene)),
-                                               Start::kPlain, 2 * kModelIterations, runner_);
-  if (!other || !(other->fit.cost_after < cost)) return;
-  Log(fmt::format("with {} from other material parameters: cost {:.6g} -> {:.6g}",
-                  best.candidate.summary.name, cost, other->fit.cost_after));
-  best.scene = std::move(*other);
-  GoOnWith(&best);
 }
 
 // The best three of those that could make most of the force that the first model makes and are not

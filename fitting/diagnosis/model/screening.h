@@ -61,7 +61,6 @@ class ModelScreening {
                                             const Ranking& ranking) const;
   void FinishModels(const FittedScene& current, double promoted_share,
                     std::vector<FittedModel>* models) const;
-  void BeginAnew(const Ranking& ranking, std::vector<FittedModel>* models) const;
   std::vector<RankedCandidate> MatchingCandidates(const FittedScene& current,
                                                   const Ranking& ranking,
                                                   const std::vector<FittedModel>& models) const;

@@ -11,7 +11,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
-#include "fitting/rollout/window_cost.h"
+#include "fitting/rollout/shooting_windows.h"
 
 namespace clothfit {
 namespace {
@@ -136,14 +136,15 @@ ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,
 std::optional<FittedScene> FitFirst(const FittedScene& fitted, const ModelStart& start,
                                     const FitConfig& given, const RankedCandidate& candidate,
                                     int most_iterations, const FitRunner& runner) {
+  const bool is_physics = candidate.summary.kind != CandidateKind::kObservation;
+  if (is_physics && FitsWindows(fitted.scene, start.config))
+    return FitAfresh(start, Start::kWindows, most_iterations, runner);
   std::optional<FittedScene> model =
       FitModel(fitted, AtBestShare(fitted, start, candidate, runner), most_iterations, runner);
-  if (runner.IsStopped()) return model;
-  if (model && !HasLargeResidual(model->scene, model->config, model->fit)) return model;
-  const ModelStart afresh = FromNothing(given, start, candidate);
-  std::optional<FittedScene> other = FitAfresh(afresh, Start::kNudged, most_iterations, runner);
-  if (!other) other = FitModel(fitted, afresh, most_iterations, runner);
-  return Cheaper(std::move(model), std::move(other));
+  const bool is_near = model && !HasLargeResidual(model->scene, model->config, model->fit);
+  if (is_near || runner.IsStopped()) return model;
+  return Cheaper(std::move(model),
+                 FitModel(fitted, FromNothing(given, start, candidate), most_iterations, runner));
 }
 
 }  // namespace clothfit

@@ -35,9 +35,9 @@ ModelStart FromNothing(const FitConfig& given, ModelStart start, const RankedCan
 ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,
                        const RankedCandidate& candidate, const FitRunner& runner);
 
-// The same of a candidate that was just switched on, from its best share. Where that is left far
-// off, material parameters that had to stand for what was missing are no good start: then from
-// nothing, too, nudged where there is something to nudge it to. The better one of both.
+// The same of a candidate that was just switched on. Of physics by windows that grow, which do not
+// ask for a good start; where there are none, from its best share and, where that is left far off,
+// from nothing, too: material parameters that had to stand for what was missing are no good start.
 std::optional<FittedScene> FitFirst(const FittedScene& fitted, const ModelStart& start,
                                     const FitConfig& given, const RankedCandidate& candidate,
                                     int most_iterations, const FitRunner& runner);

@@ -26,6 +26,7 @@
 #include "fitting/diagnosis/pipeline/diagnoser.h"
 #include "fitting/diagnosis/rank/nudged_ranking.h"
 #include "fitting/diagnosis/validate/model_validation.h"
+#include "fitting/rollout/shooting_windows.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -192,17 +193,22 @@ std::vector<FittedModel> Diagnoser::Screen(Ranking* ranking) {
   return models;
 }
 
-// Its effect is put on the baseline there, from whose material it goes on; far off, where that had
-// to stand for what was missing, from its own.
+// Its effect is put on the baseline there, by windows where there are points; else it goes on from
+// the baseline's material or, far off, where that had to stand for what was missing, from its own.
 std::optional<BothMeshes> Diagnoser::RefineModel(const FittedModel& model) const {
   const FittedScene& fine = now_.fine;
   const bool is_one_mesh = fine.scene.mesh.grid == model.scene.scene.mesh.grid;
-  if (is_one_mesh || HasLargeResidual(fine.scene, fine.config, fine.fit))
-    return meshes_.Refine(model.scene, 2 * kModelIterations);
+  if (is_one_mesh) return meshes_.Refine(model.scene, 2 * kModelIterations);
   ModelStart start = WithEffectOf(model.scene, model.candidate, fine);
   start.recording = model.scene.scene.recording;
-  std::optional<FittedScene> fitted =
-      FitModel(fine, start, 2 * kModelIterations, runner_, kEnoughToDecide);
+  std::optional<FittedScene> fitted;
+  if (FitsWindows(fine.scene, start.config)) {
+    fitted = FitAfresh(start, Start::kWindows, 2 * kModelIterations, runner_, kEnoughToDecide);
+  } else if (HasLargeResidual(fine.scene, fine.config, fine.fit)) {
+    return meshes_.Refine(model.scene, 2 * kModelIterations);
+  } else {
+    fitted = FitModel(fine, start, 2 * kModelIterations, runner_, kEnoughToDecide);
+  }
   if (!fitted) return {};
   return BothMeshes{model.scene, std::move(*fitted)};
 }
@@ -499,25 +505,12 @@ bool Diagnoser::AddEffect() {
   return true;
 }
 
-// From where the coarse mesh has ended and from the start: either may lead into a local minimum.
+// Points from the config's own start: where the coarse mesh has ended may be a local minimum.
 BothMeshes Diagnoser::FitBaselineOnBoth(const FittedScene& coarse) const {
-  std::optional<FittedScene> gone_on, own;
-  ParallelFor(2, NumThreads(0), [&](int i, int) {
-    if (i == 1) {
-      own = meshes_.FitFromItsOwnStart(coarse, 2 * kModelIterations);
-    } else if (std::optional<BothMeshes> both = meshes_.Refine(coarse, 2 * kModelIterations)) {
-      gone_on = std::move(both->fine);
-    }
-  });
-  if (gone_on && own) {
-    Log(fmt::format("baseline on {} particles: cost {:.6g}, from its own start {:.6g}",
-                    own->scene.mesh.num_particles(), gone_on->fit.cost_after, own->fit.cost_after));
-  }
-  const bool is_elsewhere = own && (!gone_on || own->fit.cost_after < gone_on->fit.cost_after);
-  if (!is_elsewhere) return {coarse, gone_on ? std::move(*gone_on) : coarse};
-  std::optional<BothMeshes> both = meshes_.Coarsen(*own, kModelIterations);
-  const bool is_better = both && both->coarse.fit.cost_after < coarse.fit.cost_after;
-  return {is_better ? std::move(both->coarse) : coarse, std::move(*own)};
+  if (std::optional<FittedScene> fine = meshes_.FitFromItsOwnStart(coarse, 2 * kModelIterations))
+    return {coarse, std::move(*fine)};
+  std::optional<BothMeshes> both = meshes_.Refine(coarse, 2 * kModelIterations);
+  return both ? std::move(*both) : BothMeshes{coarse, coarse};
 }
 
 Diagnosis Diagnoser::Run() {

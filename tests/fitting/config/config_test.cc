@@ -42,7 +42,6 @@ FitConfig AwkwardConfig() {
   config.use_tracks = false;
   config.use_silhouettes = true;
   config.leave_out_outliers = false;
-  config.other_starts = false;
   config.alpha = 1.0 / 3.0;
   config.beta = 1e-17;
   config.loss = LossKind::kCauchy;

@@ -30,7 +30,6 @@ Recording FinelyMeshed() {
 FitConfig ConfigOf(const Recording& recording, int side) {
   FitConfig config = DefaultConfig(recording);
   config.resolution = {side, side};
-  config.other_starts = false;
   config.coarse_resolution = 0;
   return config;
 }

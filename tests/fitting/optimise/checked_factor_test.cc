@@ -52,23 +52,5 @@ TEST(TrySemidefinite, AllowsNothingBelowRounding) {
   EXPECT_FALSE(TrySemidefinite(Symmetric(1.0, kNan)));
 }
 
-TEST(TriangularRoot, IsCholeskysFactorOfTheSquares) {
-  Eigen::MatrixXd rows(4, 3);
-  rows << 1.0, 2.0, 0.5, -1.0, 0.3, 2.0, 0.0, 1.0, 1.0, 4.0, -2.0, 0.1;
-  const Eigen::MatrixXd expected = Cholesky(rows.transpose() * rows, "it").matrixU();
-  EXPECT_LT((TriangularRoot(rows) - expected).norm(), 1e-14);
-  EXPECT_EQ(TriangularRoot(rows.topRows(2)).row(2).norm(), 0.0);
-  EXPECT_EQ(TriangularRoot(Eigen::MatrixXd(0, 0)).size(), 0);
-}
-
-// One direction is known 1e10 times as well as the other: their squares do not fit into a double.
-TEST(TriangularRoot, KeepsWhatTheSquaresLose) {
-  const double little = 1e-10;
-  Eigen::MatrixXd rows(2, 2);
-  rows << 1.0, 1.0, 0.0, little;
-  EXPECT_FALSE(TryCholesky(rows.transpose() * rows));
-  EXPECT_NEAR(TriangularRoot(rows)(1, 1), little, 1e-14);
-}
-
 }  // namespace
 }  // namespace clothfit

@@ -95,14 +95,6 @@ TEST(PageVerdict, SaysWhereHeldOutFramesCannotBeJudged) {
   EXPECT_THAT(JudgeFit(facts).sentences, Not(Contains(HasSubstr("than it fits"))));
 }
 
-TEST(PageVerdict, TellsHowManyStartsAgree) {
-  VerdictFacts facts = GoodFacts();
-  facts.starts = {4, 2, 2};
-  EXPECT_THAT(JudgeFit(facts).sentences, Contains(HasSubstr("end at the same cost")));
-  facts.starts.agreeing = 1;
-  EXPECT_THAT(JudgeFit(facts).sentences, Contains(HasSubstr("there may be a lower minimum")));
-}
-
 TEST(PageVerdict, NamesWhatTheDataLeaveOpen) {
   VerdictFacts facts = GoodFacts();
   facts.undetermined = {"air_drag.normal"};

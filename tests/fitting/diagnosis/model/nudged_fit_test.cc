@@ -91,39 +91,30 @@ TEST(NudgedConfig, FollowsWhatWasSeenWithoutRinging) {
   EXPECT_LT(nearer, free);
 }
 
-TEST(NudgedFit, FindsWhatAPlainOneDoesNot) {
+TEST(WindowsOfModel, FindWhatAPlainFitDoesNot) {
   const ModelStart start = WithAddedMass(LivelyCloth());
   const auto plain = FitAfresh(start, Start::kPlain, 21, FitRunner());  // as many iterations
-  const auto nudged = FitAfresh(start, Start::kNudged, 5, FitRunner());
-  ASSERT_TRUE(plain && nudged);
+  const auto windows = FitAfresh(start, Start::kWindows, 12, FitRunner());
+  ASSERT_TRUE(plain && windows);
   // A plain one finds a minimum that costs less, far from the truth.
   const auto amount = [](const FittedScene& fitted) {
     return fitted.values.parameters.at("added_mass.normal").value;
   };
-  EXPECT_NEAR(amount(*nudged), 0.26, 0.026);
-  EXPECT_GT(std::abs(amount(*plain) - 0.26), 2.0 * std::abs(amount(*nudged) - 0.26));
+  EXPECT_NEAR(amount(*windows), 0.26, 0.026);
+  EXPECT_GT(std::abs(amount(*plain) - 0.26), 2.0 * std::abs(amount(*windows) - 0.26));
 }
 
-TEST(NudgedFit, LeavesNothingThatPulls) {
-  const ModelStart start = WithAddedMass(LivelyCloth());
-  const auto nudged = FitAfresh(start, Start::kNudged, 1, FitRunner());
-  ASSERT_TRUE(nudged);
-  EXPECT_FALSE(nudged->config.attract);
-  EXPECT_TRUE(nudged->config.polish);
-  for (const char* name : {"attraction_point.linear", "attraction_ray.linear"})
-    EXPECT_EQ(nudged->values.parameters.at(name).value, 0.0) << name;
-  EXPECT_EQ(nudged->config.parameters.at("stretch.stiffness").value,
-            start.config.parameters.at("stretch.stiffness").value);
-}
-
-TEST(NudgedFit, EndsOnTheMeshThatItIsToldHoweverFine) {
+TEST(WindowsOfModel, AreLaidOnTheMeshThatItIsToldAndStayWithIt) {
   ModelStart start = WithAddedMass(LivelyCloth(8));
-  start.config.resolution = {17, 17};
-  const auto plain = FitAfresh(start, Start::kPlain, 1, FitRunner());
-  const auto nudged = FitAfresh(start, Start::kNudged, 1, FitRunner());
-  ASSERT_TRUE(plain && nudged);
-  EXPECT_EQ(nudged->scene.mesh.grid, (std::array<int, 2>{17, 17}));
-  EXPECT_LT(nudged->fit.cost_after, plain->fit.cost_after);
+  start.config.resolution = {9, 9};
+  start.config.window = 0.1;
+  const auto fitted = FitAfresh(start, Start::kWindows, 1, FitRunner());
+  ASSERT_TRUE(fitted);
+  EXPECT_EQ(fitted->scene.mesh.grid, (std::array<int, 2>{9, 9}));
+  EXPECT_FALSE(fitted->config.attract);
+  EXPECT_EQ(fitted->config.window, 0.1);
+  EXPECT_EQ(fitted->config.parameters.at("stretch.stiffness").value,
+            start.config.parameters.at("stretch.stiffness").value);
 }
 
 // A linear estimate may be any times too large.
@@ -230,7 +221,7 @@ TEST(NudgedFit, NeedsSomethingToPullAt) {
   ModelStart start = WithAddedMass(LivelyCloth());
   start.recording.markers.clear();
   start.recording.tracks.clear();
-  EXPECT_FALSE(FitAfresh(start, Start::kNudged, 1, FitRunner()));
+  EXPECT_FALSE(FitAfresh(start, Start::kWindows, 1, FitRunner()));
   EXPECT_FALSE(FitNudged(start, kScoringDamping, FitRunner()));
 }
 

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Multiple shooting (Bock and Plitt 1984): windows of a recording that are simulated each by
+// itself, from the state that a nudged motion has at its first frame. A short window has no time to
+// be led astray by wrong parameters or by chaos, so that the cost is smooth far from its minimum;
+// windows that grow follow the minimum to that of all frames (quasi-static variational
+// assimilation: Pires, Vautard and Talagrand 1996).
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "fitting/rollout/window_cost.h"
+
+namespace clothfit {
+
+// Does a config ask for windows, and are there points to nudge a motion to?
+bool FitsWindows(const Scene& scene, const FitConfig& config);
+
+class ShootingWindows {
+ public:
+  // The arguments must outlive it.
+  ShootingWindows(const Scene& scene, const FitConfig& config, const FreeParameters& free,
+                  const std::atomic<bool>* stop);
+
+  // Simulates the motion that is nudged at the rate of a tenth of a window and lays windows of so
+  // many frames along it, up to the last fitted frame. False where it cannot be simulated, where
+  // nothing can nudge it, or where the fit is stopped.
+  bool Lay(const Eigen::VectorXd& theta, int frames);
+  int size() const { return static_cast<int>(windows_.size()); }
+  // Of each window as many as there are free entries and one more, see WindowRows::kCompressed.
+  int NumResiduals() const { return size() * (free_.size() + 1); }
+
+  // Residuals of all windows and, where asked for, their Jacobian, by all cores; the same numbers
+  // for any of them. False where a window cannot be simulated. The first window moves with the
+  // offsets of the initial state; the others' states stay as they were laid.
+  bool Evaluate(const ObservationResiduals& observations, const Eigen::VectorXd& theta,
+                Eigen::VectorXd* residuals, RowMajorMatrix* jacobian);
+
+  double simulated_frames() const;
+  double differentiated_frames() const;
+
+ private:
+  struct Window {
+    int first_row_frame = 0, last = 0;  // whose observations it is held to
+    WindowStart start;
+    KnownMotion motion;
+  };
+
+  const Scene& scene_;
+  const FitConfig& config_;
+  const FreeParameters& free_;
+  const std::atomic<bool>* stop_;
+  std::vector<std::unique_ptr<WindowSimulator>> simulators_;  // one a core
+  std::vector<Window> windows_;
+  double nudged_frames_ = 0.0;
+};
+
+}  // namespace clothfit

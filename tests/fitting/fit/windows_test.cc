@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Fits by windows that grow.
+#include <atomic>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "autodiff_sim/base/parallel.h"
+#include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/fit/search.h"
+#include "fitting/rollout/nudging.h"
+#include "fitting/rollout/shooting_windows.h"
+#include "fitting/studies/recovery_study.h"
+
+namespace clothfit {
+namespace {
+
+Recording SmallRecording() {
+  SyntheticOptions options = DemoRecording();
+  options.resolution = {5, 5};
+  options.frame_count = 30;
+  return MakeSyntheticRecording(options).recording;
+}
+
+// So heavily damped that it hardly moves: a start that fits of all frames at once do not get away
+// from.
+FitConfig FarAway(const Recording& recording) {
+  FitConfig config = DefaultConfig(recording);
+  for (const char* name : {"stretch.damping", "shear.damping", "bending.damping"})
+    config.parameters.at(name).value = 0.5 * config.parameters.at(name).upper;
+  return config;
+}
+
+struct Laid {
+  explicit Laid(const FitConfig& given, const Recording& recording)
+      : config(given),
+        scene(MakeScene(recording, config)),
+        free(config, scene, MakeParameterTable()),
+        observations(scene, config),
+        windows(scene, config, free, nullptr) {}
+  FitConfig config;
+  Scene scene;
+  FreeParameters free;
+  ObservationResiduals observations;
+  ShootingWindows windows;
+};
+
+TEST(ShootingWindows, HoldEachFrameOnce) {
+  const Recording recording = SmallRecording();
+  Laid laid(DefaultConfig(recording), recording);
+  for (const int frames : {4, 7, 100}) {
+    ASSERT_TRUE(laid.windows.Lay(laid.free.start(), frames));
+    EXPECT_EQ(laid.windows.size(), (laid.scene.last_fitted_frame + frames - 1) / frames);
+    Eigen::VectorXd residuals;
+    ASSERT_TRUE(laid.windows.Evaluate(laid.observations, laid.free.start(), &residuals, nullptr));
+    EXPECT_EQ(residuals.size(), laid.windows.NumResiduals());
+    EXPECT_TRUE(residuals.allFinite());
+  }
+  // One window that begins at the first frame is the simulation of all frames.
+  Eigen::VectorXd all, one;
+  ASSERT_TRUE(laid.windows.Evaluate(laid.observations, laid.free.start(), &one, nullptr));
+  ASSERT_TRUE(EvaluateResiduals(laid.scene, laid.config, laid.free, laid.free.start(),
+                                laid.scene.last_fitted_frame, &all, nullptr));
+  const double prior = laid.free.PriorResiduals(laid.free.start()).squaredNorm();
+  EXPECT_NEAR(one.squaredNorm(), all.squaredNorm() - prior, 1e-9 * all.squaredNorm());
+}
+
+// J'r against central differences of half the sum of squares.
+TEST(ShootingWindows, AreDifferentiated) {
+  const Recording recording = SmallRecording();
+  FitConfig config = DefaultConfig(recording);
+  config.tolerance = 1e-11;
+  config.initial_order = 1;
+  Laid laid(config, recording);
+  const Eigen::VectorXd at = laid.free.start();
+  ASSERT_TRUE(laid.windows.Lay(at, 6));
+  Eigen::VectorXd residuals;
+  RowMajorMatrix jacobian;
+  ASSERT_TRUE(laid.windows.Evaluate(laid.observations, at, &residuals, &jacobian));
+  const Eigen::VectorXd gradient = jacobian.transpose() * residuals;
+  const auto cost = [&](const Eigen::VectorXd& theta) {
+    Eigen::VectorXd r;
+    EXPECT_TRUE(laid.windows.Evaluate(laid.observations, theta, &r, nullptr));
+    return 0.5 * r.squaredNorm();
+  };
+  for (int i = 0; i < laid.free.size(); ++i) {
+    constexpr double kStep = 1e-4;
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(at.size());
+    step[i] = kStep;
+    const double difference = (cost(at + step) - cost(at - step)) / (2.0 * kStep);
+    EXPECT_NEAR(gradient[i], difference, 1e-4 * gradient.cwiseAbs().maxCoeff())
+        << laid.free.entries()[i].name;
+  }
+}
+
+TEST(ShootingWindows, DoNotDependOnTheNumberOfThreads) {
+  const Recording recording = SmallRecording();
+  const FitConfig config = DefaultConfig(recording);
+  const auto jacobian = [&] {
+    Laid laid(config, recording);
+    Eigen::VectorXd residuals;
+    RowMajorMatrix columns;
+    EXPECT_TRUE(laid.windows.Lay(laid.free.start(), 5));
+    EXPECT_TRUE(laid.windows.Evaluate(laid.observations, laid.free.start(), &residuals, &columns));
+    return columns;
+  };
+  const RowMajorMatrix many = jacobian();
+  const InsideParallelWork one_thread;
+  EXPECT_EQ(many, jacobian());
+}
+
+TEST(Windows, NeedPointsAndNoOtherPull) {
+  const Recording recording = SmallRecording();
+  FitConfig config = DefaultConfig(recording);
+  EXPECT_TRUE(FitsWindows(MakeScene(recording, config), config));
+  config.attract = true;
+  EXPECT_FALSE(FitsWindows(MakeScene(recording, config), config));
+  config = DefaultConfig(recording);
+  config.window = 0.0;
+  EXPECT_FALSE(FitsWindows(MakeScene(recording, config), config));
+  config = DefaultConfig(recording);
+  config.beta = 0.0;
+  EXPECT_FALSE(FitsWindows(MakeScene(recording, config), config));
+}
+
+TEST(Windows, ComeFromAfar) {
+  const Recording recording = SmallRecording();
+  FitConfig config = FarAway(recording);
+  config.window = 0.1;
+  const Scene scene = MakeScene(recording, config);
+  const FitResult fit = FitByStrategy(scene, config);
+  ASSERT_TRUE(fit.misfit);
+  EXPECT_EQ(fit.misfit->observed, 3 * 25 * (scene.last_fitted_frame + 1));
+  EXPECT_TRUE(fit.misfit->IsNoise()) << fit.misfit->chi_square;
+}
+
+TEST(Windows, StopWithTheBestSoFarAndGoOn) {
+  const Recording recording = SmallRecording();
+  FitConfig config = FarAway(recording);
+  config.window = 0.1;
+  const Scene scene = MakeScene(recording, config);
+  std::atomic<bool> stop = false;
+  FitCheckpoint last;
+  FitCallbacks callbacks;
+  callbacks.stop = &stop;
+  callbacks.checkpoint = [&](const FitCheckpoint& checkpoint) { last = checkpoint; };
+  callbacks.progress = [&](const FitProgress& progress) {
+    if (progress.stage.find("windows of 0.2") != std::string::npos && progress.iteration >= 1)
+      stop = true;
+  };
+  const FitResult stopped = FitByStrategy(scene, config, callbacks);
+  EXPECT_EQ(stopped.status, FitStatus::kInterrupted);
+  EXPECT_EQ(last.theta, stopped.theta);
+  EXPECT_EQ(last.next_window, 1);
+  stop = false;
+  callbacks.progress = {};
+  const FitResult resumed = FitByStrategy(scene, config, callbacks, &last);
+  const FitResult at_once = FitByStrategy(scene, config);
+  EXPECT_NEAR(resumed.cost_after, at_once.cost_after, 0.01 * at_once.cost_after);
+}
+
+TEST(Windows, CallNothingConvergedThatNothingMoves) {
+  const Recording recording = SmallRecording();
+  FitConfig config = DefaultConfig(recording);
+  for (auto& [name, setting] : config.parameters) setting.free = name == "ground.friction";
+  config.initial_order = -1;
+  const FitResult fit = FitByStrategy(MakeScene(recording, config), config);
+  EXPECT_EQ(fit.status, FitStatus::kNotConverged);
+  EXPECT_THAT(fit.statements, testing::Contains(testing::HasSubstr("moves what was observed")));
+}
+
+}  // namespace
+}  // namespace clothfit
