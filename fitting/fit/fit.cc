@@ -106,7 +106,8 @@ FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks
 }
 
 FitResult AppraiseFit(const Scene& scene, const FitConfig& config, const Eigen::VectorXd& theta) {
-  Fitter fitter(scene, config, {});
+  const FitCallbacks none;  // outlives the fitter, which refers to it
+  Fitter fitter(scene, config, none);
   fitter.TellMisfit();
   return fitter.At(theta);
 }

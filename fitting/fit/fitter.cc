@@ -203,6 +203,12 @@ void Fitter::LengthenWindows() {
       if (!Stopped()) Log(stage_ + ": the motion that they begin from cannot be simulated");
       break;
     }
+    // Simulated once, they are differentiated without being simulated again.
+    Eigen::VectorXd residuals;
+    if (!windows.Evaluate(observations_, progress_.theta, &residuals, nullptr)) {
+      if (!Stopped()) Log(stage_ + ": one of them cannot be simulated");
+      continue;
+    }
     const int observed = observations_.NumObserved(0, scene_.last_fitted_frame);
     Minimise({evaluate, windows.NumResiduals(), observed}, patience,
              k == 0 ? kCautiousRadius : kRadiusNear);

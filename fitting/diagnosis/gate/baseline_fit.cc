@@ -32,6 +32,7 @@ FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
   Scene scene = MakeScene(recording, config);
   FitConfig quick = config;
   quick.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
+  quick.max_iterations = std::min(config.max_iterations, kBaselineIterations);
   FitCallbacks callbacks;
   callbacks.log = options.log;
   callbacks.progress = [&options](const FitProgress& p) {

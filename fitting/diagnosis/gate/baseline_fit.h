@@ -12,6 +12,9 @@ namespace clothfit {
 
 inline constexpr int kFirstIterations = 5;  // enough to see which starts and models are worth more
 
+// Of all frames: what cannot explain them need not come to its end.
+inline constexpr int kBaselineIterations = 12;
+
 // Particles along the longer side of the mesh that finds and orders, at most.
 inline constexpr int kCoarseSide = 13;
 

@@ -505,12 +505,21 @@ bool Diagnoser::AddEffect() {
   return true;
 }
 
-// Points from the config's own start: where the coarse mesh has ended may be a local minimum.
+// Points from the config's own start: where the coarse mesh has ended may be a local minimum. What
+// is far off after the first iterations explains nothing, however far it is fitted.
 BothMeshes Diagnoser::FitBaselineOnBoth(const FittedScene& coarse) const {
-  if (std::optional<FittedScene> fine = meshes_.FitFromItsOwnStart(coarse, 2 * kModelIterations))
-    return {coarse, std::move(*fine)};
-  std::optional<BothMeshes> both = meshes_.Refine(coarse, 2 * kModelIterations);
-  return both ? std::move(*both) : BothMeshes{coarse, coarse};
+  std::optional<FittedScene> fine = meshes_.FitFromItsOwnStart(coarse, kModelIterations);
+  if (!fine) {
+    std::optional<BothMeshes> both = meshes_.Refine(coarse, 2 * kModelIterations);
+    return both ? std::move(*both) : BothMeshes{coarse, coarse};
+  }
+  const bool is_done = fine->fit.status == FitStatus::kConverged ||
+                       HasLargeResidual(fine->scene, fine->config, fine->fit);
+  if (!is_done && !Stopped()) {
+    fine =
+        Cheaper(fine, FitModel(*fine, GoOn(*fine), 2 * kModelIterations, runner_, kEnoughToDecide));
+  }
+  return {coarse, std::move(*fine)};
 }
 
 Diagnosis Diagnoser::Run() {
