@@ -173,6 +173,12 @@ Fitter::Minimum Fitter::MinimiseRollout(WindowSimulator* simulator, int last,
     return true;
   };
   simulator->Hold(held);
+  Eigen::VectorXd residuals;  // simulated once, it is differentiated without being simulated again
+  if (!at_best_.IsAt(progress_.theta) && !evaluate(progress_.theta, &residuals, nullptr)) {
+    if (!Stopped()) Log(stage_ + ": where it begins cannot be simulated");
+    simulator->Hold({});
+    return {};
+  }
   const double first_radius = is_near_ ? kRadiusNear : kCautiousRadius;
   const double radius = is_whole && radius_ > 0.0 ? radius_ : first_radius;
   Minimum minimum = Minimise({evaluate, free_.size() + 1, observations_.NumObserved(0, last)},
@@ -335,11 +341,11 @@ void Fitter::Advance(int most_iterations) {
   if (of_polish_ >= most_iterations) return;
   const Minimum minimum = MinimiseRollout(&simulator_, scene_.last_fitted_frame,
                                           {most_iterations - of_polish_, polish_tolerance_});
+  if (minimum.summary.iterations.empty()) return;
   converged_ = minimum.converged;
   cost_ = best_cost_;
   of_polish_ += NumIterations(minimum.summary);
-  if (!minimum.summary.iterations.empty())
-    radius_ = minimum.summary.iterations.back().trust_region_radius;
+  radius_ = minimum.summary.iterations.back().trust_region_radius;
 }
 
 bool Fitter::HasWork() const {

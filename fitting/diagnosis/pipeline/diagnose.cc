@@ -35,7 +35,7 @@ namespace {
 constexpr std::size_t kMostJudged = 3;  // that are fitted on the deciding mesh
 constexpr double kMayWin = 0.5;         // of what the best gains on the coarse one
 constexpr int kMostContinuations = 2;   // of those near the best, on the deciding mesh
-constexpr double kCatchesUp = 0.3;      // of what a model gains, the same without its effect
+constexpr double kCatchesUpFrom = 1.5;  // times the least cost: a model may come first yet
 constexpr int kMostRestarts = 2;        // of a diagnosis
 
 // May the fit be somewhere else than the recorded cloth? (Beyond any mesh, what is ordinary comes
@@ -217,7 +217,7 @@ std::optional<BothMeshes> Diagnoser::RefineModel(const FittedModel& model) const
 void Diagnoser::GoOnWithTheBest(std::vector<JudgedModel>* judged) const {
   double least = now_.Cost();
   for (const JudgedModel& one : *judged) least = std::min(least, one.model.Cost());
-  const double near = now_.Cost() - kNearBest * (now_.Cost() - least);
+  const double near = kCatchesUpFrom * least;
   ParallelFor(static_cast<int>(judged->size()), NumThreads(0), [&](int i, int) {
     FittedScene& fine = (*judged)[static_cast<std::size_t>(i)].model.fine;
     if (fine.fit.cost_after > near || fine.fit.status == FitStatus::kConverged) return;
@@ -280,14 +280,10 @@ bool Diagnoser::CatchesUp(std::vector<JudgedModel>* judged) {
   if (!again || !(again->fit.cost_after < before)) return false;
   Log(fmt::format("without {}, begun where that has ended: cost {:.6g}, not {:.6g}",
                   best.candidate.summary.name, again->fit.cost_after, before));
-  const bool is_elsewhere =
-      before - again->fit.cost_after >= kCatchesUp * (before - best.model.Cost());
-  if (!is_elsewhere) {
-    now_.fine = std::move(*again);
-    Judge(now_, judged);
-    return false;
-  }
-  std::optional<BothMeshes> both = meshes_.Coarsen(*again, kModelIterations);
+  now_.fine = std::move(*again);
+  Judge(now_, judged);
+  if (judged->front().log_evidence >= kStrongEvidence) return false;
+  std::optional<BothMeshes> both = meshes_.Coarsen(now_.fine, kModelIterations);
   if (!both) return false;
   ++restarts_;
   now_ = std::move(*both);

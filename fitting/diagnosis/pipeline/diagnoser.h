@@ -63,9 +63,9 @@ class Diagnoser {
   // first.
   std::vector<JudgedModel> Decide(const std::vector<FittedModel>& models);
   void GoOnWithTheBest(std::vector<JudgedModel>* judged) const;
-  // A fit without the first one's effect, begun where it has ended: if that comes (nearly) as far,
-  // the model had found a better local minimum, not an effect. True where the round has to be held
-  // again from there.
+  // A fit without the first one's effect, begun where it has ended, and all judged against that: if
+  // the recording speaks for none any more, the model had found a lower minimum, not an effect.
+  // True where the round has to be held again from there.
   bool CatchesUp(std::vector<JudgedModel>* judged);
   void Judge(const BothMeshes& before, std::vector<JudgedModel>* judged) const;
   void Keep(std::vector<JudgedModel> judged, Ranking ranking);
