@@ -81,10 +81,9 @@ double Fitter::PolishTolerance() const {
   return std::max(config_.function_tolerance, 2.0 * kNegligible / std::max(1.0, observed));
 }
 
-void Fitter::OnlyComeNear(bool near) {
+void Fitter::OnlyComeNear() {
   constexpr double kTolerance = 1e-3;
-  polish_tolerance_ = near ? std::max(kTolerance, PolishTolerance()) : PolishTolerance();
-  if (!near && HasWork() && config_.polish) converged_ = false;
+  polish_tolerance_ = std::max(kTolerance, PolishTolerance());
 }
 
 void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One fit at one resolution: windows that grow, then all frames at once.
-// Behind StagedFit and FitByStrategy; nothing else includes it.
+// Behind RunFit and FitByStrategy; nothing else includes it.
 #pragma once
 
 #include <limits>
@@ -24,20 +24,15 @@ class Fitter {
   // The arguments must outlive this object.
   Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks);
 
-  // Whether to stop where what follows changes the cost by more than last iterations would.
-  void OnlyComeNear(bool near = true);
+  // It stops where what follows changes the cost by more than last iterations would.
+  void OnlyComeNear();
   // It begins where a coarser one has ended.
   void BeginNear() { is_near_ = true; }
   // Its result tells noise from what mesh and step leave (MeasurePoints).
   void TellMisfit() { tells_misfit_ = true; }
-  FitResult Run(const FitCheckpoint* resume);
   void Begin(const FitCheckpoint* resume);
   void Advance(int most_iterations);
   FitResult End();
-  // Of all frames, open loop, with priors; infinite where they cannot be simulated.
-  double cost() const { return cost_; }
-  // Does it leave more than noise may? As if residuals were independent.
-  bool LeavesMoreThanNoise() const;
   // Measures the config's own start for a result; what comes before the fit of all frames must not
   // explain them worse than that.
   void MeasureStart(FitResult* result);

@@ -20,11 +20,6 @@ Eigen::MatrixXd Fitter::Information(const RowMajorMatrix& jacobian) const {
   return jacobian.transpose() * jacobian + prior.transpose() * prior;
 }
 
-bool Fitter::LeavesMoreThanNoise() const {
-  const double observed = observations_.NumObserved(0, scene_.last_fitted_frame);
-  return !(2.0 * cost_ <= ChiSquareLimit(observed) * observed);
-}
-
 double Fitter::ExpectedDecrease(const Eigen::VectorXd& residuals,
                                 const RowMajorMatrix& jacobian) const {
   const Eigen::VectorXd prior = free_.PriorResiduals(progress_.theta);
