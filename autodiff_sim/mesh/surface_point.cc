@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -62,7 +64,11 @@ std::vector<SurfacePoint> LocateOnCloth(const ClothMesh& mesh,
                                         const std::vector<Eigen::Vector2d>& uv) {
   std::vector<SurfacePoint> points;
   points.reserve(uv.size());
-  for (const Eigen::Vector2d& p : uv) points.push_back(Locate(mesh, p));
+  std::map<std::pair<double, double>, std::size_t> known;  // a marker is seen in many frames
+  for (const Eigen::Vector2d& p : uv) {
+    const auto [first, is_new] = known.try_emplace({p.x(), p.y()}, points.size());
+    points.push_back(is_new ? Locate(mesh, p) : points[first->second]);
+  }
   return points;
 }
 

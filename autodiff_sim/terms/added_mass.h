@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Air that moves along with a triangle: an inertia along its normal only. A plate in ideal fluid
-// carries the kinetic energy of the fluid around it (Lamb 1932, Hydrodynamics, ch. VI: impulse of a
-// solid in a fluid), here, per triangle of rest area A and unit normal n,
-//   T = 1/2 m A s^2,  s = n . v,  v the mean velocity of its corners,
-// and Lagrange's equations give the force on each corner,
-//   f_i = -d/dt (dT/dv_i) + dT/dx_i = -m A ((ds/dt n + s dn/dt) / 3 - s ds/dx_i).
+// Air that moves along with a triangle: an inertia without weight. A plate in ideal fluid carries
+// the kinetic energy of the fluid around it along its normal alone (Lamb 1932, Hydrodynamics, ch.
+// VI: impulse of a solid in a fluid); in a viscous one its sides drag air along them, too
+// (Batchelor 1967, An Introduction to Fluid Dynamics, sec. 4.3). Per triangle of rest area A and
+// unit normal n,
+//   T = 1/2 A (m_n s^2 + m_t (v . v - s^2)),  s = n . v,  v the mean velocity of its corners,
+// and Lagrange's equations give the force on each corner, with m = m_n - m_t and a = dv/dt,
+//   f_i = -d/dt (dT/dv_i) + dT/dx_i = -A (m ((ds/dt n + s dn/dt) / 3 - s ds/dx_i) + m_t a / 3).
 #pragma once
 
 #include "autodiff_sim/term/term.h"
@@ -20,8 +22,10 @@ struct AddedMass : TermDefaults {
   static constexpr int kNodes = 3;
   static constexpr bool kUsesAcceleration = true;
   static constexpr bool kInternal = false;
-  static constexpr std::array<Parameter, 1> kParameters = {{
+  static constexpr std::array<Parameter, 2> kParameters = {{
       {"normal", "kg/m^2", "air moved along the normal, per area of cloth", 0.0, 0.0, 0.0, 1.0,
+       Scale::kLinear, 0.05},
+      {"tangential", "kg/m^2", "air moved along the surface, per area of cloth", 0.0, 0.0, 0.0, 1.0,
        Scale::kLinear, 0.05},
   }};
 
@@ -51,11 +55,12 @@ struct AddedMass : TermDefaults {
     const Vector3<T> along = velocity - n * s;
     const Vector3<T> gradient1 = side2.cross(along) * per_area;
     const Vector3<T> gradient2 = along.cross(side1) * per_area;
-    const T mass = in.parameter[0] * element.area;
+    const T mass = (in.parameter[0] - in.parameter[1]) * element.area;
+    const T any_way = in.parameter[1] * element.area * T(kThird);
     const Vector3<T> momentum_rate = (n * s_rate + n_rate * s) * T(kThird);
-    out->force[0] -= (momentum_rate + (gradient1 + gradient2) * s) * mass;
-    out->force[1] -= (momentum_rate - gradient1 * s) * mass;
-    out->force[2] -= (momentum_rate - gradient2 * s) * mass;
+    out->force[0] -= (momentum_rate + (gradient1 + gradient2) * s) * mass + acceleration * any_way;
+    out->force[1] -= (momentum_rate - gradient1 * s) * mass + acceleration * any_way;
+    out->force[2] -= (momentum_rate - gradient2 * s) * mass + acceleration * any_way;
   }
 };
 

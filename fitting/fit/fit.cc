@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "fitting/fit/fitter.h"
+#include "fitting/fit/forecast_fit.h"
 #include "fitting/scene/grid_side.h"
 
 namespace clothfit {
@@ -103,6 +104,20 @@ FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks
       static_cast<int>(std::ceil(result.simulated_frames / std::max(1, scene.last_fitted_frame)));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
+}
+
+int NumForecastLengths(const Scene& scene, const FitConfig& config) {
+  const std::vector<int> lengths = WindowLengths(scene, config);
+  const double most = kLeadTime * scene.recording.frame_rate;
+  const auto longer =
+      std::find_if(lengths.begin(), lengths.end(), [&](int length) { return length > most; });
+  const auto count = static_cast<int>(longer - lengths.begin());
+  return lengths.empty() ? 0 : std::max(1, count);
+}
+
+FitResult FitForecasts(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
+                       const FitCheckpoint* from) {
+  return Fitter(scene, config, callbacks).Forecast(NumForecastLengths(scene, config), from);
 }
 
 FitResult AppraiseFit(const Scene& scene, const FitConfig& config, const Eigen::VectorXd& theta) {

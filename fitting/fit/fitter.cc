@@ -13,6 +13,7 @@
 #include "fitting/fit/evaluation.h"
 #include "fitting/optimise/checked_factor.h"
 #include "fitting/optimise/levenberg_marquardt.h"
+#include "fitting/rollout/nudging.h"
 
 namespace clothfit {
 namespace {
@@ -65,25 +66,35 @@ Fitter::Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& 
       observations_(scene, config),
       simulator_(scene, config, free_, false, callbacks.stop),
       attracting_(scene, config, free_, config.attract, callbacks.stop),
-      polish_tolerance_(PolishTolerance()) {
-  if (FitsWindows(scene, config)) {
-    const double frames = config.window * scene.recording.frame_rate;
-    int length = std::max(2, static_cast<int>(std::lround(frames)));
-    for (; 4 * length < 3 * scene.last_fitted_frame; length *= 2) lengths_.push_back(length);
-  }
-}
+      lengths_(WindowLengths(scene, config)),
+      polish_tolerance_(PolishTolerance(1.0)) {}
 
-double Fitter::PolishTolerance() const {
-  // Of the cost. Twice this, over the square of the noise factor, is a change of the chi-square,
-  // and 1 of that is what one standard error of one parameter is worth, were residuals independent.
+double Fitter::PolishTolerance(double correlation) const {
+  // Of the logarithm of the evidence, which is the cost over chi-square and correlation: what one
+  // standard error of one parameter is worth, a sixth of what two models have to differ by.
   constexpr double kNegligible = 0.5;
   const double observed = observations_.NumObserved(0, scene_.last_fitted_frame);
-  return std::max(config_.function_tolerance, 2.0 * kNegligible / std::max(1.0, observed));
+  constexpr double kMost = 1e-3;  // however much residuals hang together
+  const double negligible = 2.0 * kNegligible * correlation / std::max(1.0, observed);
+  return std::max(config_.function_tolerance, std::min(kMost, negligible));
+}
+
+double Fitter::ResidualCorrelation() {
+  if (!HasPoints(scene_) || scene_.silhouettes || config_.attract) return 1.0;
+  Eigen::VectorXd residuals;
+  const Eigen::VectorXd& theta = progress_.theta;
+  if (EvaluateWindow(&simulator_, observations_, simulator_.FirstStart(theta), theta, 0,
+                     scene_.last_fitted_frame, WindowRows::kAll, &residuals,
+                     nullptr) != Outcome::kComplete) {
+    return 1.0;
+  }
+  return MeasureMisfit(SeenResiduals(scene_, residuals), free_.size()).correlation;
 }
 
 void Fitter::OnlyComeNear() {
   constexpr double kTolerance = 1e-3;
-  polish_tolerance_ = std::max(kTolerance, PolishTolerance());
+  polish_tolerance_ = std::max(kTolerance, PolishTolerance(1.0));
+  only_comes_near_ = true;
 }
 
 void Fitter::Report(const ceres::IterationSummary& iteration, int rows) {
@@ -190,8 +201,11 @@ void Fitter::LengthenWindows() {
   // Enough to stay near the minimum, which moves on.
   constexpr int kMostIterations = 8;
   constexpr double kTolerance = 0.05, kLeastRadius = 3.0;
-  const Patience patience{std::min(kMostIterations, config_.max_iterations), kTolerance,
-                          kLeastRadius};
+  const Patience on_the_way{std::min(kMostIterations, config_.max_iterations), kTolerance,
+                            kLeastRadius};
+  // Of forecasts, by which models are compared.
+  const Patience at_the_end{std::min(2 * kMostIterations, config_.max_iterations), 0.2 * kTolerance,
+                            kLeastRadius};
   ShootingWindows windows(scene_, config_, free_, callbacks_.stop);
   const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
                             RowMajorMatrix* jacobian) {
@@ -215,9 +229,14 @@ void Fitter::LengthenWindows() {
       continue;
     }
     const int observed = observations_.NumObserved(0, scene_.last_fitted_frame);
-    Minimise({evaluate, windows.NumResiduals(), observed}, patience,
-             k == 0 ? kCautiousRadius : kRadiusNear);
+    const bool is_compared = only_forecasts_ && k == count - 1;
+    in_windows_.converged =
+        Minimise({evaluate, windows.NumResiduals(), observed},
+                 is_compared ? at_the_end : on_the_way, k == 0 ? kCautiousRadius : kRadiusNear)
+            .converged;
+    in_windows_.cost = best_cost_;
     is_near_ = true;
+    if (is_compared) in_windows_.residuals = windows.Residuals(observations_, progress_.theta);
   }
   in_windows_.simulated += windows.simulated_frames();
   in_windows_.differentiated += windows.differentiated_frames();
@@ -325,6 +344,8 @@ void Fitter::StartPolish() {
   stage_ = fmt::format("all frames (0-{})", scene_.last_fitted_frame);
   stage_begin_ = lengths_.empty() ? 0.0 : kShareOfWindows;
   stage_share_ = 1.0 - stage_begin_;
+  // Simulated here, it is differentiated without being simulated again.
+  if (!only_comes_near_) polish_tolerance_ = PolishTolerance(ResidualCorrelation());
   Linearise(progress_.theta, &simulator_);
   if (cost_before_ < cost_ && progress_.theta != free_.start() && !Stopped()) {
     Log("the windows' result explains all frames worse than the start does; going on from the "
@@ -337,14 +358,20 @@ void Fitter::StartPolish() {
 void Fitter::Advance(int most_iterations) {
   if (!HasWork() || !config_.polish || converged_ || Stopped()) return;
   if (!std::exchange(has_begun_polish_, true)) StartPolish();
-  if (of_polish_ >= most_iterations) return;
-  const Minimum minimum = MinimiseRollout(&simulator_, scene_.last_fitted_frame,
-                                          {most_iterations - of_polish_, polish_tolerance_});
-  if (minimum.summary.iterations.empty()) return;
-  converged_ = minimum.converged;
-  cost_ = best_cost_;
-  of_polish_ += NumIterations(minimum.summary);
-  radius_ = minimum.summary.iterations.back().trust_region_radius;
+  // What is left hangs together less the less it is: looked at again where a fit has ended.
+  for (bool may_go_on = true; may_go_on && of_polish_ < most_iterations && !Stopped();) {
+    const double tolerance = polish_tolerance_;
+    const Minimum minimum = MinimiseRollout(&simulator_, scene_.last_fitted_frame,
+                                            {most_iterations - of_polish_, tolerance});
+    if (minimum.summary.iterations.empty()) return;
+    converged_ = minimum.converged;
+    cost_ = best_cost_;
+    of_polish_ += NumIterations(minimum.summary);
+    radius_ = minimum.summary.iterations.back().trust_region_radius;
+    if (only_comes_near_ || !converged_) return;
+    polish_tolerance_ = PolishTolerance(ResidualCorrelation());
+    may_go_on = polish_tolerance_ < 0.5 * tolerance;
+  }
 }
 
 bool Fitter::HasWork() const {
@@ -402,6 +429,33 @@ void Fitter::FitPulled(int most_iterations) {
   MinimiseRollout(&attracting_, scene_.last_fitted_frame,
                   {std::min(most_iterations, config_.max_iterations), config_.function_tolerance});
   if (!Stopped()) progress_.next_window = NumStages();
+}
+
+FitResult Fitter::Forecast(int num_lengths, const FitCheckpoint* from) {
+  ToStart();
+  if (from != nullptr) progress_ = *from;
+  only_forecasts_ = true;
+  lengths_.resize(static_cast<std::size_t>(num_lengths));
+  progress_.next_window = std::min(progress_.next_window, num_lengths - 1);
+  if (HasWork() && num_lengths > 0) LengthenWindows();
+  FitResult result;
+  result.theta = progress_.theta;
+  result.parameters = free_.Values(result.theta);
+  result.iterations = iterations_;
+  result.simulated_frames = SimulatedFrames();
+  result.differentiated_frames = DifferentiatedFrames();
+  result.cost_after = in_windows_.cost;
+  if (in_windows_.residuals.size() > 0) {
+    result.misfit = MeasureMisfit(SeenResiduals(scene_, in_windows_.residuals), free_.size());
+    result.status = in_windows_.converged ? FitStatus::kConverged : FitStatus::kNotConverged;
+  }
+  if (Stopped()) result.status = FitStatus::kInterrupted;
+  Uncertainty unknown;
+  unknown.lower95 = unknown.upper95 =
+      Eigen::VectorXd::Constant(free_.size(), std::numeric_limits<double>::quiet_NaN());
+  unknown.determined.assign(static_cast<std::size_t>(free_.size()), true);
+  FillEstimates(unknown, &result);
+  return result;
 }
 
 FitResult Fitter::End() {

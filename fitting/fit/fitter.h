@@ -31,6 +31,8 @@ class Fitter {
   // Its result tells noise from what mesh and step leave (MeasurePoints).
   void TellMisfit() { tells_misfit_ = true; }
   void Begin(const FitCheckpoint* resume);
+  // Instead of what follows: fits the first lengths of windows alone, see FitForecasts.
+  FitResult Forecast(int num_lengths, const FitCheckpoint* from);
   void Advance(int most_iterations);
   FitResult End();
   // Measures the config's own start for a result; what comes before the fit of all frames must not
@@ -47,8 +49,11 @@ class Fitter {
   }
 
  private:
-  // The relative change of the cost at which nothing worth having is left.
-  double PolishTolerance() const;
+  // The relative change of the cost at which nothing worth having is left, where so many residuals
+  // say as much as one.
+  double PolishTolerance(double correlation) const;
+  // Of the residuals at what has been reached; 1 where that is not known.
+  double ResidualCorrelation();
   struct Patience {
     int iterations;
     double tolerance;  // relative change of the cost at which to stop
@@ -141,14 +146,17 @@ class Fitter {
   // Simulated frame by frame, and those of them with derivatives.
   double frames_for_paths_ = 0.0, differentiated_for_paths_ = 0.0;
   struct {
-    double simulated = 0.0, differentiated = 0.0;
-  } in_windows_;  // frames
+    double simulated = 0.0, differentiated = 0.0;  // frames
+    double cost = std::numeric_limits<double>::infinity();
+    bool converged = false;
+    Eigen::VectorXd residuals;
+  } in_windows_;  // where asked for, of the longest
   bool has_begun_polish_ = false, converged_ = false;
   double cost_ = std::numeric_limits<double>::infinity();
   double cost_before_ = std::numeric_limits<double>::infinity();
   double polish_tolerance_;
   double radius_ = 0.0;  // of the trust region that the polish has come to; 0 before
-  bool is_near_ = false, tells_misfit_ = false;
+  bool is_near_ = false, only_comes_near_ = false, only_forecasts_ = false, tells_misfit_ = false;
 };
 
 }  // namespace clothfit

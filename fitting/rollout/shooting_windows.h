@@ -9,6 +9,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,15 +20,34 @@ namespace clothfit {
 // Does a config ask for windows, and are there points to nudge a motion to?
 bool FitsWindows(const Scene& scene, const FitConfig& config);
 
+// The lengths (frames) of windows that a fit goes through before all frames: the config's, then
+// twice as long each. None where it has none.
+std::vector<int> WindowLengths(const Scene& scene, const FitConfig& config);
+
+// A window of frames and the state that it begins with: that of the nudged motion, or (frame 0) the
+// recording's own start, which moves with the free vector.
+struct LaidWindow {
+  int first_frame = 0;      // of the simulation
+  int first_row_frame = 0;  // and last: whose observations it is held to
+  int last = 0;
+  State state;
+};
+
+// Simulates the motion that is nudged at the rate of a tenth of a window and lays windows of so
+// many frames along it, up to the last fitted frame. Empty where it cannot be simulated, where
+// nothing can nudge it, or where it is stopped. simulated_frames: what it took is added.
+std::vector<LaidWindow> LayWindows(const Scene& scene, const FitConfig& config,
+                                   const FreeParameters& free, const Eigen::VectorXd& theta,
+                                   int frames, const std::atomic<bool>* stop,
+                                   double* simulated_frames);
+
 class ShootingWindows {
  public:
   // The arguments must outlive it.
   ShootingWindows(const Scene& scene, const FitConfig& config, const FreeParameters& free,
                   const std::atomic<bool>* stop);
 
-  // Simulates the motion that is nudged at the rate of a tenth of a window and lays windows of so
-  // many frames along it, up to the last fitted frame. False where it cannot be simulated, where
-  // nothing can nudge it, or where the fit is stopped.
+  // See LayWindows; false where there are none.
   bool Lay(const Eigen::VectorXd& theta, int frames);
   int size() const { return static_cast<int>(windows_.size()); }
   // Of each window as many as there are free entries and one more, see WindowRows::kCompressed.
@@ -38,16 +58,23 @@ class ShootingWindows {
   // offsets of the initial state; the others' states stay as they were laid.
   bool Evaluate(const ObservationResiduals& observations, const Eigen::VectorXd& theta,
                 Eigen::VectorXd* residuals, RowMajorMatrix* jacobian);
+  // All residuals, in the order of ObservationResiduals; empty where a window cannot be simulated.
+  Eigen::VectorXd Residuals(const ObservationResiduals& observations, const Eigen::VectorXd& theta);
 
   double simulated_frames() const;
   double differentiated_frames() const;
 
  private:
   struct Window {
-    int first_row_frame = 0, last = 0;  // whose observations it is held to
+    LaidWindow laid;
     WindowStart start;
     KnownMotion motion;
   };
+  // Simulates all windows, by all cores: rows(i, residuals, jacobian) gets what comes of each.
+  bool EvaluateAll(
+      const ObservationResiduals& observations, const Eigen::VectorXd& theta, WindowRows kind,
+      bool derivatives,
+      const std::function<void(int, const Eigen::VectorXd&, const RowMajorMatrix&)>& rows);
 
   const Scene& scene_;
   const FitConfig& config_;

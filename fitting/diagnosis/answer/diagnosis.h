@@ -4,6 +4,7 @@
 // The answer of a diagnosis.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -67,10 +68,11 @@ struct Diagnosis {
   double residual_rms = 0.0;        // of the baseline's fit, in sigmas
   double discretisation_rms = 0.0;  // that mesh and step make, in sigmas
   std::optional<Misfit> misfit;     // of the baseline's markers and tracks
-  double gate_p_value = 1.0;        // of the whole residual against the null
-  // What is left when the observation's faults have taken their part, in sigmas: of the recording,
-  // and of every draw of the null.
-  double left_rms = 0.0;
+  // Of the whole residual against the null; not a number where that was not asked for.
+  double gate_p_value = std::numeric_limits<double>::quiet_NaN();
+  // What is left when the observation's faults have taken their part, in sigmas: of the recording
+  // (not a number as above), and of every draw of the null.
+  double left_rms = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> null_left_rms;
   double promised = 0.0;  // share of the cost that a full step of the baseline's fit would take
   std::optional<Discrepancy> discrepancy;

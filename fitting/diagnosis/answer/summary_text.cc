@@ -102,7 +102,6 @@ OrderedJson AsJson(const Candidate& c) {
           {"share", OrNull(c.share)},
           {"p_value", OrNull(c.p_value)},
           {"false_discovery_rate", OrNull(c.q_value)},
-          {"guided_p_value", c.nudged_p_value ? OrNull(*c.nudged_p_value) : OrderedJson()},
           {"detection_limit", OrNull(c.detection_limit)},
           {"short_listed", c.is_short_listed},
           {"why_not", c.why_not}};
@@ -235,14 +234,10 @@ std::string DiagnosisAsMarkdown(const Diagnosis& diagnosis) {
       "\n## Candidates\n\n| | explains | score | without projection | p | false discovery | "
       "detection limit | |\n|---|---:|---:|---:|---:|---:|---:|---|\n";
   for (const Candidate& c : diagnosis.ranking) {
-    text += fmt::format(
-        "| {} | {:.0f} % | {:.4g} | {:.4g} | {:.2g} | {:.2g} | {:.2g} {} | {} |\n", c.name,
-        100.0 * c.share, c.score, c.raw_score, c.p_value, c.q_value, c.detection_limit,
-        c.parameters.empty() ? "" : c.parameters[0].unit,
-        c.is_short_listed ? "short-listed"
-        : c.nudged_p_value
-            ? fmt::format("stands out along a nudged motion, p = {:.2g}", *c.nudged_p_value)
-            : c.why_not);
+    text += fmt::format("| {} | {:.0f} % | {:.4g} | {:.4g} | {:.2g} | {:.2g} | {:.2g} {} | {} |\n",
+                        c.name, 100.0 * c.share, c.score, c.raw_score, c.p_value, c.q_value,
+                        c.detection_limit, c.parameters.empty() ? "" : c.parameters[0].unit,
+                        c.is_short_listed ? "short-listed" : c.why_not);
   }
   text +=
       "\n## Models\n\n| effects | cost | explains | log evidence | held out before | after | "

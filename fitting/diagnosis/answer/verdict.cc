@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/answer/verdict.h"
 
+#include <algorithm>
+
 #include "fitting/diagnosis/compare/two_meshes.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/model/explained_share.h"
@@ -17,9 +19,9 @@ Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome) {
   if (diagnosis.law) return Verdict::kNoneOfTheAbove;
   const bool is_most = outcome.explained >= MostOfIt(outcome.unexplained);
   if (outcome.has_physics) {
-    return outcome.is_explained || is_most || outcome.unexplained < kTooLittle
-               ? Verdict::kNamed
-               : Verdict::kNoneOfTheAbove;
+    const bool may_be_mesh = outcome.unexplained < std::max(kTooLittle, outcome.mesh);
+    return outcome.is_explained || is_most || may_be_mesh ? Verdict::kNamed
+                                                          : Verdict::kNoneOfTheAbove;
   }
   if (!diagnosis.effects.empty()) return Verdict::kObservationFault;
   if (outcome.is_explained || outcome.unexplained < kTooLittle) return Verdict::kNothingMissing;

@@ -14,6 +14,7 @@ struct Outcome {
   bool is_explained = false;  // does the last fit leave no more than noise, and mesh and step?
   double explained = 0.0;     // share of what was beyond that without physics
   double unexplained = 0.0;   // root mean square beyond noise that the last fit leaves, sigmas
+  double mesh = 0.0;          // what mesh and step do, likewise; 0 where that is not known
 };
 
 // The share that named physics has to explain: 0.9, or half where the fit leaves more than

@@ -80,6 +80,12 @@ std::optional<BothMeshes> Meshes::Coarsen(const FittedScene& fine, int most_iter
 
 double BeyondNoise(double chi_square) { return std::sqrt(std::max(0.0, chi_square - 1.0)); }
 
+ResidualScale ScaleOf(const FittedScene& fitted) {
+  if (!fitted.of_forecasts) return AppraiseQuality(fitted).scale;
+  const Misfit& misfit = fitted.fit.misfit.value();
+  return {static_cast<double>(misfit.observed), misfit.correlation, misfit.chi_square};
+}
+
 FitQuality AppraiseQuality(const FittedScene& fitted) {
   FitQuality quality;
   quality.result = AppraiseFit(fitted.scene, fitted.config, fitted.fit.theta);

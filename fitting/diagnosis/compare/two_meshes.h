@@ -73,6 +73,9 @@ struct FitQuality {
   double Unexplained() const { return BeyondNoise(scale.chi_square); }
 };
 
+// Of a fit to forecasts, theirs; else as AppraiseQuality has it.
+ResidualScale ScaleOf(const FittedScene& fitted);
+
 // Of outlines alone, neighbours along them hang together as measured, and those of one outline for
 // a fifth of a second; what mesh and step do is not known then.
 FitQuality AppraiseQuality(const FittedScene& fitted);

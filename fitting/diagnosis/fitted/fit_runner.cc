@@ -10,6 +10,7 @@
 #include "fitting/diagnosis/fitted/kept_fit.h"
 #include "fitting/files/sha256.h"
 #include "fitting/fit/fit_inputs.h"
+#include "fitting/fit/forecast_fit.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
@@ -34,19 +35,30 @@ std::string FitKey(const Scene& scene, const FitConfig& config, const FitCheckpo
   return Sha256(FitInputsAsBytes(scene, config, from));
 }
 
-FitResult FitRunner::Run(const Scene& scene, const FitConfig& config, const FitCheckpoint* from,
-                         FitCallbacks callbacks) const {
-  callbacks.stop = stop_;
-  if (folder_.empty()) return RunFit(scene, config, callbacks, from);
-  const std::string key = FitKey(scene, config, from);
+FitResult FitRunner::RunOnce(const std::string& key, const std::function<FitResult()>& run) const {
   return under_way_->Once(key, [&] {
     const fs::path file = folder_ / (key + kEnding);
     if (const std::optional<FitResult> kept = ReadKept(file)) return *kept;
-    FitResult result = RunFit(scene, config, callbacks, from);
+    FitResult result = run();
     if (result.status != FitStatus::kInterrupted && !IsStopped())
       WriteWholeFile(file, FitAsBytes(result));
     return result;
   });
+}
+
+FitResult FitRunner::Run(const Scene& scene, const FitConfig& config, const FitCheckpoint* from,
+                         FitCallbacks callbacks) const {
+  callbacks.stop = stop_;
+  const auto run = [&] { return RunFit(scene, config, callbacks, from); };
+  return folder_.empty() ? run() : RunOnce(FitKey(scene, config, from), run);
+}
+
+FitResult FitRunner::RunForecasts(const Scene& scene, const FitConfig& config,
+                                  const FitCheckpoint* from) const {
+  FitCallbacks callbacks;
+  callbacks.stop = stop_;
+  const auto run = [&] { return FitForecasts(scene, config, callbacks, from); };
+  return folder_.empty() ? run() : RunOnce("forecasts-" + FitKey(scene, config, from), run);
 }
 
 FitResult FitRunner::UnderWay::Once(const std::string& key, const std::function<FitResult()>& run) {

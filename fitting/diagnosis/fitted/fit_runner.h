@@ -36,8 +36,12 @@ class FitRunner {
   // threads: the same fit is then run by the first of them, and the others wait for it.
   FitResult Run(const Scene& scene, const FitConfig& config, const FitCheckpoint* from = nullptr,
                 FitCallbacks callbacks = {}) const;
+  // The same of FitForecasts.
+  FitResult RunForecasts(const Scene& scene, const FitConfig& config,
+                         const FitCheckpoint* from = nullptr) const;
 
  private:
+  FitResult RunOnce(const std::string& key, const std::function<FitResult()>& run) const;
   // The fits that are being run, by key.
   class UnderWay {
    public:

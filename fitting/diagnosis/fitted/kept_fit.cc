@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kFormat = "clothfit-fit/1";
+constexpr const char* kFormat = "clothfit-fit/2";
 
 // The members of what is kept, once for both ways.
 template <class Visitor>
@@ -62,6 +62,17 @@ void VisitMembers(Visitor& visit, StepReport& s) {
 }
 
 template <class Visitor>
+void VisitMembers(Visitor& visit, Misfit& m) {
+  visit("observed", m.observed);
+  visit("chi_square", m.chi_square);
+  visit("limit", m.limit);
+  visit("correlation", m.correlation);
+  visit("discretisation", m.discretisation);
+  visit("amplitude", m.amplitude);
+  visit("without_discretisation", m.without_discretisation);
+}
+
+template <class Visitor>
 void VisitMembers(Visitor& visit, FitResult& r) {
   visit("status", r.status);
   visit("theta", r.theta);
@@ -78,6 +89,7 @@ void VisitMembers(Visitor& visit, FitResult& r) {
   visit("estimates", r.estimates);
   visit("statements", r.statements);
   visit("noise_factor", r.noise_factor);
+  visit("misfit", r.misfit);
   visit("steps", r.steps);
 }
 
@@ -105,7 +117,10 @@ class Writer {
   static Json Encode(Eigen::VectorXd& vector) {
     return std::vector<double>(vector.begin(), vector.end());
   }
-  static Json Encode(std::optional<double>& value) { return value ? Json(*value) : Json(); }
+  template <class T>
+  static Json Encode(std::optional<T>& value) {
+    return value ? Encode(*value) : Json();
+  }
   template <class T>
   static Json Encode(std::vector<T>& values) {
     Json json = Json::array();
@@ -140,8 +155,9 @@ class Reader {
     *vector = Eigen::Map<const Eigen::VectorXd>(numbers.data(),
                                                 static_cast<Eigen::Index>(numbers.size()));
   }
-  static void Decode(const Json& json, std::optional<double>* value) {
-    if (!json.is_null()) *value = json.get<double>();
+  template <class T>
+  static void Decode(const Json& json, std::optional<T>* value) {
+    if (!json.is_null()) Decode(json, &value->emplace());
   }
   template <class T>
   static void Decode(const Json& json, std::vector<T>* values) {

@@ -8,6 +8,7 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
+#include "fitting/fit/forecast_fit.h"
 #include "fitting/rollout/shooting_windows.h"
 
 namespace clothfit {
@@ -157,6 +158,35 @@ std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart&
   from.theta.tail(fitted.unknown.size()) = fitted.unknown;
   const FitResult result = runner.Run(scene, config, &from);
   return MakeModel(std::move(scene), start.config, config, result);
+}
+
+std::optional<FittedScene> FitToForecasts(const ModelStart& start, const std::array<int, 2>& grid,
+                                          int lengths_done, const FitRunner& runner,
+                                          const FittedScene* after) {
+  FitConfig config = start.config;
+  config.resolution = grid;
+  Scene scene = MakeScene(start.recording, config, after != nullptr ? &after->scene : nullptr);
+  if (!FitsWindows(scene, config)) return {};
+  const FreeParameters free(config, scene, MakeParameterTable());
+  FitCheckpoint from = Beginning(free);
+  from.next_window = lengths_done;
+  if (after != nullptr) from.theta.tail(after->unknown.size()) = after->unknown;
+  const FitResult result = runner.RunForecasts(scene, config, &from);
+  if (result.status == FitStatus::kFailed || !std::isfinite(result.cost_after)) return {};
+  FittedScene fitted = MakeFittedScene(std::move(scene), config, result);
+  fitted.of_forecasts = true;
+  return fitted;
+}
+
+std::optional<FittedScene> FitBeyondForecasts(const FittedScene& forecasts, int most_iterations,
+                                              const FitRunner& runner) {
+  FitConfig config = QuickConfig(forecasts.config, most_iterations, kEnoughToDecide);
+  config.window = forecasts.config.window;
+  FitCheckpoint from;
+  from.theta = forecasts.fit.theta;
+  from.next_window = NumForecastLengths(forecasts.scene, config);
+  const FitResult result = runner.Run(forecasts.scene, config, &from);
+  return MakeModel(forecasts.scene, forecasts.config, config, result);
 }
 
 std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<FittedScene> b) {

@@ -5,6 +5,7 @@
 // to what was observed.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,6 +66,17 @@ std::optional<FittedScene> FitAfresh(const ModelStart& start, Start how, int mos
 std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart& start,
                                     int most_iterations, const FitRunner& runner,
                                     double tolerance = kEnoughForDiagnosis);
+
+// Fits it to forecasts on a grid, from lengths_done of their lengths on, and from the handles'
+// paths and initial state of `after`, where that is given. Empty where the fit fails, or where
+// there are no windows.
+std::optional<FittedScene> FitToForecasts(const ModelStart& start, const std::array<int, 2>& grid,
+                                          int lengths_done, const FitRunner& runner,
+                                          const FittedScene* after = nullptr);
+
+// A fit to forecasts gone on with: windows that grow further, then all frames.
+std::optional<FittedScene> FitBeyondForecasts(const FittedScene& forecasts, int most_iterations,
+                                              const FitRunner& runner);
 
 // Of two fits of the same model the one that costs less; empty where both are.
 std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<FittedScene> b);

@@ -3,8 +3,11 @@
 #include "fitting/diagnosis/fitted/rows.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
 
+#include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/rollout/window_simulator.h"
 
@@ -94,6 +97,24 @@ std::vector<int> RowFrames::FrameOfRows() const {
   return frame_of_rows;
 }
 
+namespace {
+
+// Where a pass begins a stretch of the simulation.
+WindowStart StartOf(const LaidWindow& window, const WindowSimulator& simulator,
+                    const FreeParameters& free, const Eigen::VectorXd& theta, bool of_unknown) {
+  WindowStart start = simulator.FirstStart(theta);
+  if (window.first_frame > 0) {
+    start = {window.first_frame, window.state,
+             Sensitivity(window.state, free.ValueDirections(theta)), theta};
+  } else if (!of_unknown) {
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(start.state.x.size(), free.size());
+    start.sensitivity.SetInitial(none, none);
+  }
+  return start;
+}
+
+}  // namespace
+
 std::optional<Rows> EvaluateRows(
     const FittedScene& fitted, const Pass& pass, const RowFrames& frames,
     const std::vector<Fault>& faults,
@@ -103,47 +124,56 @@ std::optional<Rows> EvaluateRows(
   const int fabric = NumFabric(free);
   const int kept = pass.of_unknown ? free.size() : fabric;
   const ObservationResiduals observations(scene, pass.config);
-  WindowSimulator simulator(scene, pass.config, free, IsNudged(pass.config), nullptr);
   const Eigen::VectorXd theta = ThetaOfPass(free, fitted.unknown);
-  WindowStart start = simulator.FirstStart(theta);
-  if (!pass.of_unknown) {
-    std::vector<int> others;
+  std::vector<int> others;
+  if (!pass.of_unknown)
     for (int i = fabric; i < free.size(); ++i) others.push_back(i);
-    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(start.state.x.size(), free.size());
-    start.sensitivity.SetInitial(none, none);
-    simulator.Hold(others);
-  }
   Rows rows;
   rows.entries.assign(free.entries().begin(), free.entries().begin() + kept);
   rows.residuals.setZero(frames.num_rows());
   rows.jacobian.setZero(frames.num_rows(), kept);
   if (pass.of_faults) rows.faults.setZero(frames.num_rows(), static_cast<int>(faults.size()));
-  bool usable = true;
-  Eigen::VectorXd of_frame;
-  RowMajorMatrix jacobian;
-  const auto outcome =
-      simulator.Run(start, theta, scene.last_fitted_frame, kept > 0,
-                    [&](int frame, const State& state, const Sensitivity* sensitivity) {
-                      if (observer) observer(frame, state);
-                      const int row = frames.FirstRow(frame);
-                      if (row < 0 || !usable) return;
-                      const int count = observations.Count(frame);
-                      of_frame.resize(count);
-                      jacobian.resize(count, free.size());
-                      RowMajorMatrix* const own = sensitivity != nullptr ? &jacobian : nullptr;
-                      usable = observations.Evaluate(frame, state, sensitivity, 0, &of_frame, own);
-                      if (!usable) return;
-                      rows.residuals.segment(row, count) = of_frame;
-                      if (own != nullptr)
-                        rows.jacobian.middleRows(row, count) = jacobian.leftCols(kept);
-                      if (pass.of_faults) {
-                        rows.faults.middleRows(row, count) =
-                            FaultColumns(scene, pass.config, observations, faults, frame, state);
-                      }
-                    });
-  usable = usable && outcome == WindowSimulator::Outcome::kComplete && rows.residuals.allFinite() &&
-           rows.jacobian.allFinite();
-  return usable ? std::optional<Rows>(std::move(rows)) : std::nullopt;
+  const std::vector<LaidWindow> whole = {{0, 0, scene.last_fitted_frame, {}}};
+  const std::vector<LaidWindow>& windows = fitted.forecasts ? *fitted.forecasts : whole;
+  std::atomic<bool> usable = true;
+  std::mutex observing;
+  ParallelFor(static_cast<int>(windows.size()), NumThreads(0), [&](int i, int) {
+    if (!usable) return;
+    const LaidWindow& window = windows[static_cast<std::size_t>(i)];
+    WindowSimulator simulator(scene, pass.config, free, IsNudged(pass.config), nullptr);
+    simulator.Hold(others);
+    Eigen::VectorXd of_frame;
+    RowMajorMatrix jacobian;
+    const auto outcome =
+        simulator.Run(StartOf(window, simulator, free, theta, pass.of_unknown), theta, window.last,
+                      kept > 0, [&](int frame, const State& state, const Sensitivity* sensitivity) {
+                        if (frame < window.first_row_frame) return;
+                        if (observer) {
+                          const std::lock_guard<std::mutex> lock(observing);
+                          observer(frame, state);
+                        }
+                        const int row = frames.FirstRow(frame);
+                        if (row < 0 || !usable) return;
+                        const int count = observations.Count(frame);
+                        of_frame.resize(count);
+                        jacobian.resize(count, free.size());
+                        RowMajorMatrix* const own = sensitivity != nullptr ? &jacobian : nullptr;
+                        if (!observations.Evaluate(frame, state, sensitivity, 0, &of_frame, own)) {
+                          usable = false;
+                          return;
+                        }
+                        rows.residuals.segment(row, count) = of_frame;
+                        if (own != nullptr)
+                          rows.jacobian.middleRows(row, count) = jacobian.leftCols(kept);
+                        if (pass.of_faults) {
+                          rows.faults.middleRows(row, count) =
+                              FaultColumns(scene, pass.config, observations, faults, frame, state);
+                        }
+                      });
+    if (outcome != WindowSimulator::Outcome::kComplete) usable = false;
+  });
+  const bool is_good = usable && rows.residuals.allFinite() && rows.jacobian.allFinite();
+  return is_good ? std::optional<Rows>(std::move(rows)) : std::nullopt;
 }
 
 std::optional<Eigen::VectorXd> ResidualsOfOtherSteps(const FittedScene& fine,

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "fitting/diagnosis/fitted/faults.h"
 #include "fitting/fit/fit.h"
 #include "fitting/rollout/nudging.h"
+#include "fitting/rollout/shooting_windows.h"
 #include "fitting/scene/grid_side.h"
 
 namespace clothfit {
@@ -27,6 +29,9 @@ struct FittedScene {
   FitConfig values;         // the same with the parameters' fitted values, none of them free
   Eigen::VectorXd unknown;  // handles' and initial state's part of the free vector
   FitResult fit;
+  bool of_forecasts = false;  // is it a fit to forecasts (FitForecasts), and its cost theirs?
+  // Where it is looked at in forecasts, those: none where it is simulated as a whole.
+  std::shared_ptr<const std::vector<LaidWindow>> forecasts = nullptr;
 };
 // The config must be the one that `fit` came from.
 FittedScene MakeFittedScene(Scene scene, const FitConfig& config, const FitResult& fit);
@@ -73,10 +78,9 @@ struct Pass {
 Eigen::VectorXd ThetaOfPass(const FreeParameters& free, const Eigen::VectorXd& unknown);
 // The pass of what the fit itself had free, faults of the observation and all unknowns.
 Pass BaselinePass(const FittedScene& fitted);
-// Simulates once from the fit's start, pulled at where the fit is (IsNudged). Empty where the
-// simulation or an observation fails.
-// observer(frame, state), where given, is called for all frames, fitted ones or not, up to
-// the last that is fitted.
+// Simulates once from the fit's start, pulled at where the fit is (IsNudged), or its forecasts.
+// Empty where the simulation or an observation fails. observer(frame, state), where given, is
+// called for all frames, fitted ones or not, up to the last that is fitted.
 std::optional<Rows> EvaluateRows(
     const FittedScene& fitted, const Pass& pass, const RowFrames& frames,
     const std::vector<Fault>& faults,

@@ -40,18 +40,6 @@ bool IsAmong(const std::vector<RankedCandidate>& candidates, const std::string& 
   });
 }
 
-// Does the first leave little more than nothing missing would and, of physics, than noise?
-// `models`: the cheapest first.
-bool ExplainsMost(const FittedScene& current, const Ranking& ranking,
-                  const std::vector<FittedModel>& models) {
-  if (models.empty()) return false;
-  const FittedScene& best = models.front().scene;
-  const bool is_physics = models.front().candidate.faults.empty();
-  if (is_physics && MayBeLocalMinimum(best.scene, best.config, best.fit)) return false;
-  return ShareExplained(current.fit.cost_after, models.front().scene.fit.cost_after,
-                        0.5 * ranking.null_mean, 0.5 * ranking.explainable) >= kMostOfIt;
-}
-
 // Of two fits of the same candidate the cheaper stays.
 void Merge(std::vector<FittedModel> more, std::vector<FittedModel>* models) {
   for (FittedModel& model : more) {
@@ -91,18 +79,6 @@ std::optional<FittedScene> ModelScreening::FirstFit(const FittedScene& current,
         FitFirst(current, StartAt(current, candidate, other_start, ranking), baseline_, other,
                  kFirstIterations, runner_);
     model = Cheaper(std::move(model), std::move(fitted));
-  }
-  return model;
-}
-
-std::optional<FittedScene> ModelScreening::FirstNudgedFit(const FittedScene& current,
-                                                          const RankedCandidate& candidate,
-                                                          const Ranking& ranking) const {
-  std::optional<FittedScene> model;
-  for (const RankedCandidate::Start& start : candidate.nudged_starts) {
-    if (Stopped()) break;
-    model = Cheaper(std::move(model), FitAfresh(StartAt(current, candidate, start, ranking),
-                                                Start::kWindows, kFirstIterations, runner_));
   }
   return model;
 }
@@ -168,30 +144,9 @@ std::vector<FittedModel> ModelScreening::Screen(
   return models;
 }
 
-void ModelScreening::ScreenNudged(const FittedScene& current, const Ranking& ranking,
-                                  std::vector<FittedModel>* models) const {
-  std::vector<RankedCandidate> screened;
-  for (const RankedCandidate& candidate : ranking.candidates) {
-    if (!candidate.nudged_starts.empty()) screened.push_back(candidate);
-  }
-  if (screened.empty()) return;
-  const auto fit_one = [&](const RankedCandidate& candidate) {
-    return FirstNudgedFit(current, candidate, ranking);
-  };
-  Merge(RunAll(screened, ranking, fit_one), models);
-  FinishModels(current, kPromotedShare, models);
-}
-
 std::vector<FittedModel> ModelScreening::Run(const FittedScene& current,
-                                             const RankAlongNudged& nudge,
-                                             Ranking* open_ranking) const {
-  std::vector<FittedModel> models =
-      Screen(current, *open_ranking, Entrants(current, *open_ranking));
-  if (!ExplainsMost(current, *open_ranking, models) && !Stopped()) {
-    if (nudge) nudge(open_ranking);
-    ScreenNudged(current, *open_ranking, &models);
-  }
-  const Ranking& ranking = *open_ranking;
+                                             const Ranking& ranking) const {
+  std::vector<FittedModel> models = Screen(current, ranking, Entrants(current, ranking));
   if (!models.empty() && models.front().candidate.faults.empty())
     Merge(FitCompetitors(current, ranking, models), &models);
   for (const FittedModel& model : models) {
@@ -200,6 +155,17 @@ std::vector<FittedModel> ModelScreening::Run(const FittedScene& current,
   }
   if (!models.empty()) TakeOutIdleParts(current, ranking, &models.front());
   return models;
+}
+
+std::vector<FittedModel> ModelScreening::FitFaults(const FittedScene& current,
+                                                   const Ranking& ranking) const {
+  std::vector<RankedCandidate> faults = Entrants(current, ranking);
+  faults.erase(std::remove_if(faults.begin(), faults.end(),
+                              [](const RankedCandidate& one) { return one.faults.empty(); }),
+               faults.end());
+  return RunAll(faults, ranking, [&](const RankedCandidate& candidate) {
+    return FirstFit(current, candidate, ranking);
+  });
 }
 
 // Of a model that stands for several effects: those without which it explains about as much are

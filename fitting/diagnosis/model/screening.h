@@ -30,11 +30,11 @@ class ModelScreening {
   ModelScreening(const FitConfig& baseline, const DiagnosisOptions& options)
       : baseline_(baseline), options_(options), runner_(options) {}
 
-  // The cheapest first. `nudge` is asked for nudged starts where the first entrants leave much
-  // unexplained; none: they are not sought.
-  using RankAlongNudged = std::function<void(Ranking*)>;
-  std::vector<FittedModel> Run(const FittedScene& current, const RankAlongNudged& nudge,
-                               Ranking* ranking) const;
+  // The cheapest first.
+  std::vector<FittedModel> Run(const FittedScene& current, const Ranking& ranking) const;
+
+  // The observation's faults of the short list alone, each put right.
+  std::vector<FittedModel> FitFaults(const FittedScene& current, const Ranking& ranking) const;
 
   // What could make much of the force of the first of the models, and may so explain as much
   // itself: fitted in its place. Left out is what one of the models is
@@ -48,17 +48,11 @@ class ModelScreening {
   // Fits each of them, and those further that may come first.
   std::vector<FittedModel> Screen(const FittedScene& current, const Ranking& ranking,
                                   const std::vector<RankedCandidate>& screened) const;
-  // The same from nudged starts; what is fitted so takes the place of what was fitted worse.
-  void ScreenNudged(const FittedScene& current, const Ranking& ranking,
-                    std::vector<FittedModel>* models) const;
   using FitOne = std::function<std::optional<FittedScene>(const RankedCandidate&)>;
   std::vector<FittedModel> RunAll(const std::vector<RankedCandidate>& screened,
                                   const Ranking& ranking, const FitOne& fit_one) const;
   std::optional<FittedScene> FirstFit(const FittedScene& current, const RankedCandidate& candidate,
                                       const Ranking& ranking) const;
-  std::optional<FittedScene> FirstNudgedFit(const FittedScene& current,
-                                            const RankedCandidate& candidate,
-                                            const Ranking& ranking) const;
   void FinishModels(const FittedScene& current, double promoted_share,
                     std::vector<FittedModel>* models) const;
   std::vector<RankedCandidate> MatchingCandidates(const FittedScene& current,

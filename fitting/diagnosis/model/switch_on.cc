@@ -28,6 +28,22 @@ void FreeShapes(const Probe& probe, FitConfig* config) {
   }
 }
 
+// Something solid carries the cloth's weight where it has sunk in by a centimetre. What is softer
+// is a field of force, and no obstacle.
+double LeastStiffness(const RankedCandidate& candidate, const FittedScene& fitted) {
+  constexpr double kSinksIn = 0.01;  // m
+  for (const TermInfo& term : AllTerms()) {
+    const auto is = [&](Tie tie) {
+      return std::find(term.ties.begin(), term.ties.end(), tie) != term.ties.end();
+    };
+    if (term.name == candidate.term.term && is(Tie::kContact) && is(Tie::kWorld)) {
+      return fitted.values.parameters.at("cloth.areal_density").value *
+             fitted.scene.world.gravity.norm() / kSinksIn;
+    }
+  }
+  return 0.0;
+}
+
 // A candidate's settings, as a model has fitted them; a fault has none.
 void TakeOver(const RankedCandidate& candidate, const FittedScene& model, FitConfig* config) {
   if (candidate.summary.kind == CandidateKind::kObservation) return;
@@ -78,6 +94,7 @@ ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
     const double value = parameter.scale == Scale::kLog && parameter.off > 0.0
                              ? parameter.off * std::exp(std::clamp(amount, -2.0, 2.0))
                              : amount;
+    if (parameter.unit == std::string("Pa/m")) setting.lower = LeastStiffness(candidate, fitted);
     setting.value = Inside(value, setting);
     setting.free = true;
   }

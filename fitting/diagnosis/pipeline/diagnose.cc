@@ -15,6 +15,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/answer/parameter_intervals.h"
 #include "fitting/diagnosis/classify/discrepancy_class.h"
+#include "fitting/diagnosis/compare/forecast_screening.h"
 #include "fitting/diagnosis/compare/separating_motion.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
@@ -24,7 +25,6 @@
 #include "fitting/diagnosis/locate/locate_missing_force.h"
 #include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/diagnosis/pipeline/diagnoser.h"
-#include "fitting/diagnosis/rank/nudged_ranking.h"
 #include "fitting/diagnosis/validate/model_validation.h"
 #include "fitting/rollout/shooting_windows.h"
 #include "tracking/text/text.h"
@@ -140,20 +140,23 @@ void Diagnoser::LocateDiscrepancy(const FittedScene& fitted, const Ranking& rank
                                      DrawForceArrows(scene, found->missing, found->location)};
 }
 
-void Diagnoser::TellOfBaseline(const Ranking& ranking) {
-  diagnosis_.gate_p_value = ranking.gate_p_value;
-  diagnosis_.left_rms = ranking.left_rms;
-  diagnosis_.null_left_rms = ranking.null_left_rms;
+void Diagnoser::TellOfBaseline() {
   diagnosis_.residual_rms = std::sqrt(quality_->scale.chi_square);
-  diagnosis_.discretisation_rms =
-      quality_->result.misfit ? quality_->mesh : ranking.discretisation_rms;
+  diagnosis_.discretisation_rms = quality_->mesh;
   diagnosis_.misfit = quality_->result.misfit;
-  diagnosis_.promised = ranking.promised;
   diagnosis_.baseline = now_.fine.config;
   diagnosis_.baseline_fit = quality_->result;
   diagnosis_.motions.baseline = SimulateFitted(now_.fine);
   diagnosis_.motions.resolution = now_.fine.scene.mesh.grid;
   baseline_quality_ = quality_;
+}
+
+void Diagnoser::TellOfNull(const Ranking& ranking) {
+  diagnosis_.gate_p_value = ranking.gate_p_value;
+  diagnosis_.left_rms = ranking.left_rms;
+  diagnosis_.null_left_rms = ranking.null_left_rms;
+  diagnosis_.promised = ranking.promised;
+  if (!quality_->result.misfit) diagnosis_.discretisation_rms = ranking.discretisation_rms;
 }
 
 // Of points, on the deciding mesh; outlines alone are held to simulated recordings of the baseline.
@@ -162,33 +165,19 @@ bool Diagnoser::IsExplained(const Ranking& ranking) const {
   return ranking.gate_p_value >= kGate;
 }
 
-void Diagnoser::AddContactStarts(Ranking* ranking) const {
-  const Eigen::Vector3d& gravity = now_.coarse.scene.world.gravity;
-  for (const ContactStart& start : ContactStarts(pushes_, gravity)) {
-    for (RankedCandidate& candidate : ranking->candidates) {
-      if (candidate.summary.name != start.term) continue;
-      const double stiffness = ParameterNamed(candidate.names.front()).prior_factor;
-      candidate.nudged_starts.push_back({start.probe, Eigen::VectorXd::Constant(1, stiffness)});
-      std::string words;
-      for (const auto& [name, value] : start.probe) words += fmt::format(" {} {:.3g}", name, value);
-      Log("the missing force pushes as from" + words);
-    }
+std::map<std::string, std::vector<Probe>> Diagnoser::ContactProbes() const {
+  std::map<std::string, std::vector<Probe>> probes;
+  for (const ContactStart& start : ContactStarts(pushes_, now_.fine.scene.world.gravity)) {
+    probes[start.term].push_back(start.probe);
+    std::string words;
+    for (const auto& [name, value] : start.probe) words += fmt::format(" {} {:.3g}", name, value);
+    Log("the missing force pushes as from" + words);
   }
+  return probes;
 }
 
-std::vector<FittedModel> Diagnoser::Screen(Ranking* ranking) {
-  ModelScreening::RankAlongNudged nudge;
-  if (options_.nudge && IsWorthNudging(now_.coarse, *ranking)) {
-    nudge = [&](Ranking* open) {
-      Spend("fitting models");
-      Say("ranking along a nudged motion", 0.6);
-      if (const FittedScene* const held = Nudged(now_.coarse, *ranking))
-        RankNudged(*held, options_, open);
-      Spend("ranking along a nudged motion");
-    };
-  }
-  std::vector<FittedModel> models =
-      ModelScreening(baseline_, options_).Run(now_.coarse, nudge, ranking);
+std::vector<FittedModel> Diagnoser::Screen(const Ranking& ranking) {
+  std::vector<FittedModel> models = ModelScreening(baseline_, options_).Run(now_.coarse, ranking);
   Spend("fitting models");
   return models;
 }
@@ -248,22 +237,11 @@ std::vector<JudgedModel> Diagnoser::Decide(const std::vector<FittedModel>& model
   return judged;
 }
 
-void Diagnoser::Judge(const BothMeshes& before, std::vector<JudgedModel>* judged) const {
-  if (judged->empty()) return;
-  const auto best = std::min_element(
-      judged->begin(), judged->end(),
-      [](const JudgedModel& a, const JudgedModel& b) { return a.model.Cost() < b.model.Cost(); });
-  const ResidualScale scale = AppraiseQuality(best->model.fine).scale;
-  for (JudgedModel& one : *judged) {
-    one.log_evidence = LogEvidence(before.Cost(), one.model.Cost(),
-                                   static_cast<double>(one.candidate.NumUnknowns()), scale);
-  }
-  std::stable_sort(judged->begin(), judged->end(), [](const JudgedModel& a, const JudgedModel& b) {
-    return a.log_evidence > b.log_evidence;
-  });
+void Diagnoser::Judge(const FittedScene& before, std::vector<JudgedModel>* judged) const {
+  JudgeModels(before, judged);
   for (const JudgedModel& one : *judged) {
     Log(fmt::format("with {}: cost {:.6g} -> {:.6g} on {} particles, log evidence {:.4g}",
-                    one.candidate.summary.name, before.Cost(), one.model.Cost(),
+                    one.candidate.summary.name, before.fit.cost_after, one.model.Cost(),
                     one.model.fine.scene.mesh.num_particles(), one.log_evidence));
   }
 }
@@ -281,7 +259,7 @@ bool Diagnoser::CatchesUp(std::vector<JudgedModel>* judged) {
   Log(fmt::format("without {}, begun where that has ended: cost {:.6g}, not {:.6g}",
                   best.candidate.summary.name, again->fit.cost_after, before));
   now_.fine = std::move(*again);
-  Judge(now_, judged);
+  Judge(now_.fine, judged);
   if (judged->front().log_evidence >= kStrongEvidence) return false;
   std::optional<BothMeshes> both = meshes_.Coarsen(now_.fine, kModelIterations);
   if (!both) return false;
@@ -290,13 +268,12 @@ bool Diagnoser::CatchesUp(std::vector<JudgedModel>* judged) {
   return true;
 }
 
-HeldOutValidation Diagnoser::ValidateOn(const BothMeshes& model, const BothMeshes& before,
+HeldOutValidation Diagnoser::ValidateOn(const FittedScene& model, const FittedScene& before,
                                         const RankedCandidate& candidate,
                                         const Ranking& ranking) const {
   // What mesh and step do to a prediction is held against physics, not against a camera.
   const double by_mesh = candidate.faults.empty() ? last_ranking_.PredictionError() : 0.0;
-  return ValidateOnHeldOut(model.fine, before.fine, FaultySource(candidate, ranking), by_mesh,
-                           options_.seed);
+  return ValidateOnHeldOut(model, before, FaultySource(candidate, ranking), by_mesh, options_.seed);
 }
 
 std::vector<std::string> Diagnoser::EffectsSoFar() const {
@@ -322,7 +299,7 @@ std::vector<std::string> Diagnoser::ParametersSoFar() const {
 }
 
 // Beside what was kept.
-Model Diagnoser::Describe(const JudgedModel& one, const BothMeshes& before) const {
+Model Diagnoser::Describe(const JudgedModel& one, const FittedScene& before) const {
   Model described;
   described.effects = EffectsSoFar();
   for (const std::string& effect : one.candidate.Effects()) described.effects.push_back(effect);
@@ -330,7 +307,7 @@ Model Diagnoser::Describe(const JudgedModel& one, const BothMeshes& before) cons
   described.config = fine.values;
   described.cost = fine.fit.cost_after;
   described.log_evidence = one.log_evidence;
-  described.explained = Explained(fine);
+  described.explained = fine.of_forecasts ? ShareOfForecasts(before, fine) : Explained(fine);
   std::vector<std::string> names = ParametersSoFar();
   if (one.candidate.faults.empty()) {
     names.insert(names.end(), one.candidate.names.begin(), one.candidate.names.end());
@@ -340,7 +317,7 @@ Model Diagnoser::Describe(const JudgedModel& one, const BothMeshes& before) cons
   }
   const std::vector<EffectParameter> estimates = EstimatesOf(fine.fit, fine.config, names);
   described.parameters.insert(described.parameters.end(), estimates.begin(), estimates.end());
-  described.validation = ValidateOn(one.model, before, one.candidate, last_ranking_);
+  described.validation = ValidateOn(fine, now_.fine, one.candidate, last_ranking_);
   return described;
 }
 
@@ -371,8 +348,27 @@ void Diagnoser::Keep(std::vector<JudgedModel> judged, Ranking ranking) {
   now_ = judged.front().model;
   RankedCandidate candidate = judged.front().candidate;
   kept_.push_back({std::move(candidate), std::move(before), std::move(ranking), std::move(judged)});
-  if (!is_physics) FitAgainWithoutFault();
   if (is_physics && !is_first) LookBack();
+  if (now_.fine.of_forecasts) {
+    GoOnBeyondForecasts();
+  } else if (!is_physics) {
+    FitAgainWithoutFault();
+  }
+}
+
+void Diagnoser::GoOnBeyondForecasts() {
+  Say("fitting all frames", 0.75);
+  std::optional<FittedScene> fine = FitBeyondForecasts(now_.fine, 2 * kModelIterations, runner_);
+  std::optional<BothMeshes> both =
+      fine ? meshes_.Coarsen(*fine, kModelIterations) : std::optional<BothMeshes>();
+  if (both) now_ = std::move(*both);
+  Spend("fitting what was kept to all frames");
+}
+
+std::optional<FittedScene> Diagnoser::FitLike(const FittedScene& other, const ModelStart& start,
+                                              int most_iterations) const {
+  if (!other.of_forecasts) return FitModel(other, start, most_iterations, runner_);
+  return FitToForecasts(start, other.scene.mesh.grid, 1, runner_, &other);
 }
 
 // A baseline that had to follow a wrong camera may be in a local minimum, and begins anew.
@@ -405,7 +401,7 @@ void Diagnoser::LookBack() {
   const BothMeshes& before = first_physics->before;
   Say("fitting without " + first_physics->candidate.summary.name, 0.7);
   std::optional<FittedScene> alone =
-      FitModel(now_.fine, WithOnly(before.fine, now_.fine, second), 2 * kModelIterations, runner_);
+      FitLike(now_.fine, WithOnly(before.fine, now_.fine, second), 2 * kModelIterations);
   Spend("fitting without what was found");
   if (!alone) return;
   std::vector<JudgedModel> both = {{first_physics->candidate, now_}};
@@ -413,18 +409,16 @@ void Diagnoser::LookBack() {
     const bool is_other = rival.candidate.summary.name != first_physics->candidate.summary.name &&
                           rival.candidate.summary.name != second.summary.name;
     if (!is_other || !rival.candidate.faults.empty() || Stopped()) continue;
-    std::optional<FittedScene> beside =
-        FitModel(rival.model.fine, WithEffectOf(now_.fine, second, rival.model.fine),
-                 kModelIterations, runner_);
+    std::optional<FittedScene> beside = FitLike(
+        rival.model.fine, WithEffectOf(now_.fine, second, rival.model.fine), kModelIterations);
     if (beside) both.push_back({rival.candidate, {rival.model.coarse, std::move(*beside)}});
   }
   Spend("another effect in its place");
-  BothMeshes without{now_.coarse, std::move(*alone)};
-  Judge(without, &both);
+  Judge(*alone, &both);
   if (both.front().log_evidence < kStrongEvidence) {
     Log(fmt::format("{} is dropped: {} does without it", first_physics->candidate.summary.name,
                     second.summary.name));
-    std::optional<BothMeshes> meshes = meshes_.Coarsen(without.fine, kModelIterations);
+    std::optional<BothMeshes> meshes = OnBoth(*alone);
     if (!meshes) return;
     Kept last = std::move(kept_.back());
     last.before = before;
@@ -440,12 +434,18 @@ void Diagnoser::LookBack() {
   PutInPlaceOf(first, std::move(both));
 }
 
+// What is of forecasts will be gone on with to all frames, and comes to the coarse mesh then.
+std::optional<BothMeshes> Diagnoser::OnBoth(const FittedScene& fine) const {
+  if (fine.of_forecasts) return BothMeshes{fine, fine};
+  return meshes_.Coarsen(fine, kModelIterations);
+}
+
 // both: of models that have the newest effect besides.
 void Diagnoser::PutInPlaceOf(std::size_t first, std::vector<JudgedModel> both) {
   Kept& kept = kept_[first];
   const JudgedModel& best = both.front();
   if (best.candidate.summary.name != kept.candidate.summary.name) {
-    std::optional<BothMeshes> meshes = meshes_.Coarsen(best.model.fine, kModelIterations);
+    std::optional<BothMeshes> meshes = OnBoth(best.model.fine);
     if (!meshes) return;
     Log(fmt::format("{} takes the place of {}", best.candidate.summary.name,
                     kept.candidate.summary.name));
@@ -456,48 +456,94 @@ void Diagnoser::PutInPlaceOf(std::size_t first, std::vector<JudgedModel> both) {
 }
 
 bool Diagnoser::AddEffect() {
-  Say("ranking what could be missing", 0.3);
   nudged_.reset();
-  Ranking ranking = RankCandidates(now_.coarse, options_, {last_ranking_.errors});
-  SpendOn(ranking);
+  const bool is_first = kept_.empty();
   if (!quality_) {
+    Say("test of fit", 0.3);
     quality_ = AppraiseQuality(now_.fine);
     Spend("test of fit");
   }
+  if (is_first) TellOfBaseline();
+  if (quality_->is_explained) return false;
+  Say("ranking what could be missing", 0.3);
+  Ranking ranking = RankCandidates(now_.coarse, options_, {last_ranking_.errors});
+  SpendOn(ranking);
   Log(
       fmt::format("residuals of {:.3g} sigmas on {} particles; on {} of {:.3g}, of which mesh and "
                   "step leave {:.3g}; p = {:.2g}",
                   std::sqrt(quality_->scale.chi_square), now_.fine.scene.mesh.num_particles(),
                   now_.coarse.scene.mesh.num_particles(), ranking.residual_rms,
                   ranking.discretisation_rms, ranking.gate_p_value));
-  const bool is_first = kept_.empty();
   last_ranking_ = ranking;
-  const auto tell_candidates = [&] {
-    if (!is_first) return;
-    diagnosis_.ranking.clear();
+  if (is_first) {
+    TellOfNull(ranking);
     for (const RankedCandidate& candidate : ranking.candidates)
       diagnosis_.ranking.push_back(candidate.summary);
-  };
-  if (is_first) TellOfBaseline(ranking);
-  tell_candidates();
+  }
   if (IsExplained(ranking)) return false;
   if (is_first) LocateDiscrepancy(now_.coarse, ranking);
-  if (!HasPhysics()) AddContactStarts(&ranking);
-  const std::vector<FittedModel> models = Screen(&ranking);
-  tell_candidates();
+  const std::optional<bool> by_forecasts = AddByForecasts(ranking);
+  const bool is_added = by_forecasts ? *by_forecasts : AddByWholeFits(std::move(ranking));
+  if (is_added) quality_.reset();
+  return is_added;
+}
+
+std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
+  const ForecastScreening screening(baseline_, options_);
+  const std::vector<FittedModel> faults =
+      ModelScreening(baseline_, options_).FitFaults(now_.coarse, ranking);
+  Spend("fitting faults");
+  const auto probes = HasPhysics() ? std::map<std::string, std::vector<Probe>>() : ContactProbes();
+  std::optional<ForecastRound> round = screening.Run(now_.fine, faults, probes);
+  Spend("forecasts");
+  if (!round) return {};
+  round->ranking.faults = ranking.faults;
+  std::vector<JudgedModel>& judged = round->judged;
+  Judge(round->before, &judged);
+  Say("fitting all frames", 0.75);
+  for (const JudgedModel& one : judged) diagnosis_.models.push_back(Describe(one, round->before));
+  if (judged.empty() || Stopped() || judged.front().log_evidence < kStrongEvidence) return false;
+  const double share = ShareOfForecasts(round->before, judged.front().model.fine);
+  if (share < options_.least_share) {
+    Log(fmt::format("{} explains {:.0f} % of what forecasts leave: no explanation",
+                    judged.front().candidate.summary.name, 100.0 * share));
+    return false;
+  }
+  if (!IsBorneOut(judged.front())) return false;
+  diagnosis_.models[diagnosis_.models.size() - judged.size()].is_kept = true;
+  Keep(std::move(judged), ranking);
+  return true;
+}
+
+// Forecasts begin where the recorded cloth is said to have been, which may be wrong alike in all of
+// them: the motion as a whole has to speak for the model, too.
+bool Diagnoser::IsBorneOut(const JudgedModel& best) const {
+  const FittedScene& forecasts = best.model.fine;
+  const std::optional<FittedScene> whole =
+      FitBeyondForecasts(forecasts, 2 * kModelIterations, runner_);
+  if (!whole) return false;
+  const double evidence =
+      LogEvidence(now_.Cost(), whole->fit.cost_after,
+                  static_cast<double>(best.candidate.NumUnknowns()), ScaleOf(*whole));
+  Log(fmt::format("with {}: all frames cost {:.6g} -> {:.6g}, log evidence {:.4g}",
+                  best.candidate.summary.name, now_.Cost(), whole->fit.cost_after, evidence));
+  return evidence >= kStrongEvidence;
+}
+
+bool Diagnoser::AddByWholeFits(Ranking ranking) {
+  const std::vector<FittedModel> models = Screen(ranking);
   if (models.empty() || Stopped()) return false;
   std::vector<JudgedModel> judged = Decide(models);
   if (judged.empty()) return false;
-  Judge(now_, &judged);
+  Judge(now_.fine, &judged);
   if (CatchesUp(&judged)) {
     quality_.reset();
     return AddEffect();
   }
-  for (const JudgedModel& one : judged) diagnosis_.models.push_back(Describe(one, now_));
+  for (const JudgedModel& one : judged) diagnosis_.models.push_back(Describe(one, now_.fine));
   if (judged.front().log_evidence < kStrongEvidence) return false;
   diagnosis_.models[diagnosis_.models.size() - judged.size()].is_kept = true;
   Keep(std::move(judged), std::move(ranking));
-  quality_.reset();
   return true;
 }
 

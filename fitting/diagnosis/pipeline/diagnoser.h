@@ -6,6 +6,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,16 +50,22 @@ class Diagnoser {
   std::optional<BothMeshes> RefineModel(const FittedModel& model) const;
   // One more effect. False where there is none to be had.
   bool AddEffect();
-  void TellOfBaseline(const Ranking& ranking);
+  void TellOfBaseline();
+  void TellOfNull(const Ranking& ranking);
   bool IsExplained(const Ranking& ranking) const;
   // Where, when and of what class a force is missing.
   void LocateDiscrepancy(const FittedScene& fitted, const Ranking& ranking);
   // The model of `fitted` nudged to what was seen, from the material parameters that the baseline
   // was given; null where that cannot be or would be of no use. Fitted once for one fit.
   const FittedScene* Nudged(const FittedScene& fitted, const Ranking& ranking);
-  // Where an obstacle would stand that pushes as the missing force does.
-  void AddContactStarts(Ranking* ranking) const;
-  std::vector<FittedModel> Screen(Ranking* ranking);
+  // Where an obstacle would stand that pushes as the missing force does, by term.
+  std::map<std::string, std::vector<Probe>> ContactProbes() const;
+  // A round by forecasts; empty where there are none.
+  std::optional<bool> AddByForecasts(const Ranking& ranking);
+  bool AddByWholeFits(Ranking ranking);
+  // Do all frames speak for a model of forecasts, too?
+  bool IsBorneOut(const JudgedModel& best) const;
+  std::vector<FittedModel> Screen(const Ranking& ranking);
   // The models that may be it, on the deciding mesh; what the recording speaks for most comes
   // first.
   std::vector<JudgedModel> Decide(const std::vector<FittedModel>& models);
@@ -67,16 +74,23 @@ class Diagnoser {
   // the recording speaks for none any more, the model had found a lower minimum, not an effect.
   // True where the round has to be held again from there.
   bool CatchesUp(std::vector<JudgedModel>* judged);
-  void Judge(const BothMeshes& before, std::vector<JudgedModel>* judged) const;
+  void Judge(const FittedScene& before, std::vector<JudgedModel>* judged) const;
   void Keep(std::vector<JudgedModel> judged, Ranking ranking);
+  // What was kept by forecasts, fitted to all frames.
+  void GoOnBeyondForecasts();
+  // A model like another one, fitted as that is: to forecasts or to all frames.
+  std::optional<FittedScene> FitLike(const FittedScene& other, const ModelStart& start,
+                                     int most_iterations) const;
   // What has two physical effects now: drops the first of them where the recording does not speak
   // for it beside the second, or puts a rival in its place.
   void LookBack();
+  std::optional<BothMeshes> OnBoth(const FittedScene& fine) const;
   void PutInPlaceOf(std::size_t first, std::vector<JudgedModel> both);
   void FitAgainWithoutFault();
-  Model Describe(const JudgedModel& one, const BothMeshes& before) const;
+  // before: the fit without, fitted as the model is.
+  Model Describe(const JudgedModel& one, const FittedScene& before) const;
   // candidate: what the model has and the fit before has not, with the ranking that it is of.
-  HeldOutValidation ValidateOn(const BothMeshes& model, const BothMeshes& before,
+  HeldOutValidation ValidateOn(const FittedScene& model, const FittedScene& before,
                                const RankedCandidate& candidate, const Ranking& ranking) const;
   // What else it could be, and what to record to know.
   void TellApart(const std::vector<JudgedModel>& judged);

@@ -85,7 +85,8 @@ void Diagnoser::SetAnswer(const BothMeshes& before) {
   }
   answer.parameters = EstimatesOf(quality_->result, fine.config, ParametersSoFar());
   answer.parameters.insert(answer.parameters.begin(), of_faults.begin(), of_faults.end());
-  answer.validation = ValidateOn(now_, before, kept_.back().candidate, kept_.back().ranking);
+  answer.validation =
+      ValidateOn(now_.fine, before.fine, kept_.back().candidate, kept_.back().ranking);
   answer.is_kept = true;
   // Of the rounds before it, what the answer still has.
   Model* own = nullptr;
@@ -128,7 +129,7 @@ void Diagnoser::LearnInstead() {
   learned.model.log_evidence = evidence;
   learned.model.explained = Explained(both->fine);
   learned.model.parameters = EstimatesOf(quality.result, both->fine.config, law->names);
-  learned.model.validation = ValidateOn(*both, without, {}, last_ranking_);
+  learned.model.validation = ValidateOn(both->fine, without.fine, {}, last_ranking_);
   learned.model.is_kept = evidence >= kStrongEvidence;
   Log(fmt::format("a law of {}: cost {:.6g}, log evidence {:.4g} against {}; {}",
                   JoinNames(law->terms), both->Cost(), evidence,
@@ -172,7 +173,7 @@ void Diagnoser::Conclude() {
   LearnInstead();
   const double explained = Explained(now_.fine);
   const Outcome outcome{HasPhysics(), IsExplained(last_ranking_), explained,
-                        quality_->Unexplained()};
+                        quality_->Unexplained(), quality_->mesh};
   diagnosis_.verdict = Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, outcome);
   if (missing_)
     diagnosis_.motions.missing_force = ForceOnParticles(now_.fine.scene.mesh, *missing_);

@@ -25,8 +25,6 @@ struct Candidate {
   double share = 0.0;      // score over the sum of squares that the baseline leaves
   double p_value = 1.0;    // against the re-simulated null
   double q_value = 1.0;    // after false-discovery control
-  // Along a nudged motion (nudged_ranking.h), of those that stand out there.
-  std::optional<double> nudged_p_value;
   // Amount of the first parameter's vector that the null passes for in 1 of 20 recordings, in its
   // unit: less of it cannot be told from nothing here.
   double detection_limit = 0.0;

@@ -35,6 +35,7 @@ class Ranker {
         set_(start.set),
         draws_(start.draws),
         most_probes_(start.probes),
+        more_probes_(start.more_probes),
         observations_(fitted.scene, fitted.config),
         frames_(fitted.scene, observations_, kMostRows),
         faults_(ListFaults(fitted.scene, fitted.config)) {}
@@ -70,6 +71,7 @@ class Ranker {
   std::shared_ptr<const DiscretisationErrors> errors_;
   CandidateSet set_;
   int draws_, most_probes_;
+  std::map<std::string, std::vector<Probe>> more_probes_;
   ObservationResiduals observations_;
   RowFrames frames_;
   std::vector<Fault> faults_;
@@ -108,6 +110,11 @@ void Ranker::RunBaseline() {
 }
 
 void Ranker::AddDiscretisationErrors() {
+  if (fitted_.forecasts) {
+    DiscretisationErrors none;
+    none.half_step = none.finer_mesh = Eigen::VectorXd::Zero(frames_.num_rows());
+    errors_ = std::make_shared<DiscretisationErrors>(std::move(none));
+  }
   if (!errors_ || errors_->half_step.size() != frames_.num_rows()) {
     errors_ = std::make_shared<DiscretisationErrors>(MeasureDiscretisationErrors(
         fitted_, frames_, *baseline_, options_.simulate_null ? draws_ : 0, options_.seed));
@@ -139,7 +146,14 @@ void Ranker::AddTrials(const std::vector<std::pair<int, Probe>>& probes) {
 void Ranker::AddFirstTrials() {
   candidates_ =
       ListCandidates(fitted_.values, fitted_.scene, extent_, options_.excluded, most_probes_, set_);
-  for (std::size_t round = 0; round < static_cast<std::size_t>(most_probes_); ++round) {
+  std::size_t most = 0;
+  for (CandidateTerm& candidate : candidates_) {
+    const auto more = more_probes_.find(candidate.name);
+    if (more != more_probes_.end())
+      candidate.probes.insert(candidate.probes.end(), more->second.begin(), more->second.end());
+    most = std::max(most, candidate.probes.size());
+  }
+  for (std::size_t round = 0; round < most; ++round) {
     std::vector<std::pair<int, Probe>> probes;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       if (round < candidates_[c].probes.size())

@@ -5,6 +5,7 @@
 // terms at their off values, against a null that is simulated again.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,9 +35,6 @@ struct RankedCandidate {
     Eigen::VectorXd amounts;
   };
   std::vector<Start> other_starts;
-  // Of fits that begin nudged: estimated along a nudged motion (nudged_ranking.h), or from where a
-  // missing force pushes (contact_shapes.h).
-  std::vector<Start> nudged_starts;
 
   // Is there so many times more of it than the null passes for?
   bool Exceeds(double detection_limits) const {
@@ -82,8 +80,10 @@ struct RankingStart {
   CandidateSet set = CandidateSet::kCatalogue;
   int draws = 3;   // of the errors of mesh and step, where they are measured
   int probes = 8;  // places, times and shapes of a candidate that are looked at first
+  std::map<std::string, std::vector<Probe>> more_probes = {};  // by candidate
 };
 
+// Forecasts are held to noise alone, what mesh and step do to them is not asked.
 // Throws std::runtime_error where the fitted scene cannot be simulated.
 Ranking RankCandidates(const FittedScene& fitted, const DiagnosisOptions& options,
                        const RankingStart& start = {});

@@ -53,6 +53,21 @@ TEST(ClosedForm, AddedMassDelaysAFallingPlate) {
     EXPECT_NEAR(state.v[3 * i + 2], -0.5 * 9.81 * 0.15 / 0.2, 1e-6);
 }
 
+// An upright plate that falls with the air that its sides drag along: the same.
+TEST(ClosedForm, AirThatIsDraggedAlongDelaysAnUprightPlate) {
+  const ClothMesh mesh = MakeGrid({0.3, 0.3}, {4, 4});
+  Simulation simulation(mesh, World(), {});
+  UseSuppleCloth(&simulation);
+  KeepOnly({"stretch", "bending", "gravity"}, &simulation);
+  Set("added_mass.tangential", 0.05, &simulation);
+  Set("added_mass.normal", 0.3, &simulation);  // which an upright plate has no use for
+  State state = simulation.MakeState(
+      LayFlat(mesh, {0.0, 0.0, 0.0}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()));
+  Advance(1.0 / 60.0, 30, FreeDrive(), &simulation, &state);
+  for (int i = 0; i < mesh.num_particles(); ++i)
+    EXPECT_NEAR(state.v[3 * i + 2], -0.5 * 9.81 * 0.15 / 0.2, 1e-6);
+}
+
 // A square cloth of this side (m) hangs from its edge v = 0 under its own weight, shear off, until
 // it rests. Returns how much lower its other edge hangs than at rest, the mean over its particles,
 // and checks every thread link by link: it carries what is below it.

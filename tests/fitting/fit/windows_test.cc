@@ -9,6 +9,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/fit/forecast_fit.h"
 #include "fitting/fit/search.h"
 #include "fitting/rollout/nudging.h"
 #include "fitting/rollout/shooting_windows.h"
@@ -65,6 +66,42 @@ TEST(ShootingWindows, HoldEachFrameOnce) {
                                 laid.scene.last_fitted_frame, &all, nullptr));
   const double prior = laid.free.PriorResiduals(laid.free.start()).squaredNorm();
   EXPECT_NEAR(one.squaredNorm(), all.squaredNorm() - prior, 1e-9 * all.squaredNorm());
+}
+
+TEST(ShootingWindows, GiveAllResidualsInTheOrderOfTheObservations) {
+  const Recording recording = SmallRecording();
+  Laid laid(DefaultConfig(recording), recording);
+  ASSERT_TRUE(laid.windows.Lay(laid.free.start(), 6));
+  Eigen::VectorXd compressed;
+  ASSERT_TRUE(laid.windows.Evaluate(laid.observations, laid.free.start(), &compressed, nullptr));
+  const Eigen::VectorXd all = laid.windows.Residuals(laid.observations, laid.free.start());
+  ASSERT_EQ(all.size(), laid.observations.Count(0, laid.scene.last_fitted_frame));
+  EXPECT_NEAR(all.squaredNorm(), compressed.squaredNorm(), 1e-9 * all.squaredNorm());
+  // Those of the first window are of the open loop's first frames.
+  Eigen::VectorXd open_loop;
+  ASSERT_TRUE(EvaluateResiduals(laid.scene, laid.config, laid.free, laid.free.start(), 6,
+                                &open_loop, nullptr));
+  const Eigen::Index first = laid.observations.Count(0, 6);
+  EXPECT_LT((all.head(first) - open_loop.head(first)).lpNorm<Eigen::Infinity>(), 1e-12);
+}
+
+// Fits to forecasts end with windows of half a second, and their cost is that of all residuals.
+TEST(Forecasts, AreFittedAndTellTheirMisfit) {
+  const Recording recording = SmallRecording();
+  Laid laid(FarAway(recording), recording);
+  const int lengths = NumForecastLengths(laid.scene, laid.config);
+  ASSERT_EQ(lengths, 1);  // 23 fitted frames at 30 Hz: windows of 8 frames, and not of 16
+  const FitResult fit = FitForecasts(laid.scene, laid.config);
+  ASSERT_NE(fit.status, FitStatus::kFailed);
+  ASSERT_TRUE(laid.windows.Lay(laid.free.start(), WindowLengths(laid.scene, laid.config)[0]));
+  const double before = laid.windows.Residuals(laid.observations, laid.free.start()).squaredNorm();
+  ASSERT_TRUE(fit.misfit);
+  EXPECT_EQ(fit.misfit->observed, laid.observations.Count(0, laid.scene.last_fitted_frame));
+  EXPECT_LT(fit.cost_after, 0.25 * before);
+  const double of_residuals =
+      0.5 * fit.misfit->chi_square * (fit.misfit->observed - laid.free.size());
+  EXPECT_NEAR(fit.cost_after - of_residuals,
+              0.5 * laid.free.PriorResiduals(fit.theta).squaredNorm(), 1e-3 * fit.cost_after);
 }
 
 // J'r against central differences of half the sum of squares.

@@ -8,7 +8,6 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/model/switch_on.h"
-#include "fitting/diagnosis/rank/nudged_ranking.h"
 #include "fitting/rollout/window_simulator.h"
 #include "tracking/synthetic/recording.h"
 
@@ -185,36 +184,6 @@ TEST(FittedScene, KeepsValuesAtTheirBoundsInside) {
   const FittedScene fitted = MakeFittedScene(std::move(scene), config, fit);
   EXPECT_EQ(fitted.values.parameters.at("bending.stiffness").value, lower);
   EXPECT_NO_THROW(fitted.values.Check("values"));
-}
-
-// Pulled at by what was seen, a cloth is where the recorded one is, and what is missing shows.
-TEST(GuidedRanking, TellsWhereToBegin) {
-  const Recording recording = LivelyCloth();
-  ModelStart start{recording, DefaultConfig(recording)};
-  start.config.initial_order = 1;
-  const auto fitted = FitAfresh(start, Start::kPlain, 3, FitRunner());
-  ASSERT_TRUE(fitted);
-  ASSERT_FALSE(IsNudged(fitted->values));
-  DiagnosisOptions options;
-  for (const TermInfo& term : AllTerms()) {
-    const std::string name = term.name;
-    if (name != "added_mass" && name != "crease" && name != "wind")
-      options.excluded.push_back(name);
-  }
-  RankingStart quick;
-  quick.draws = 1;
-  Ranking ranking = RankCandidates(*fitted, options, quick);
-  const auto held = FitNudged(GoOn(*fitted), kScoringDamping, FitRunner());
-  ASSERT_TRUE(held && IsNudged(held->config));
-  RankNudged(*held, options, &ranking);
-  const RankedCandidate* mass = nullptr;
-  for (const RankedCandidate& candidate : ranking.candidates) {
-    if (candidate.summary.name == "added_mass") mass = &candidate;
-  }
-  ASSERT_NE(mass, nullptr);
-  EXPECT_LT(mass->summary.nudged_p_value.value_or(1.0), 1e-3);
-  ASSERT_FALSE(mass->nudged_starts.empty());
-  EXPECT_NEAR(mass->nudged_starts.front().amounts[0], 0.26, 0.13);
 }
 
 TEST(NudgedFit, NeedsSomethingToPullAt) {

@@ -44,12 +44,11 @@ class Race : public testing::Test {
   }
 
   static std::vector<FittedModel> Run(const std::vector<RankedCandidate>& candidates,
-                                      double null_mean, const DiagnosisOptions& options,
-                                      const ModelScreening::RankAlongNudged& nudge = {}) {
+                                      double null_mean, const DiagnosisOptions& options) {
     Ranking ranking = ranking_;
     ranking.candidates = candidates;
     ranking.null_mean = null_mean;
-    return ModelScreening(told_, options).Run(*current_, nudge, &ranking);
+    return ModelScreening(told_, options).Run(*current_, ranking);
   }
 
   static inline FitConfig told_;
@@ -81,8 +80,7 @@ TEST(Competitors, AreToldOfThoughTheFirstExplainsMost) {
   ranking.extent = {{-0.25, -0.3, -0.5}, {0.25, 0.3, 0.0}, {0.5, 0.5}, 1.2};
   DiagnosisOptions options;
   options.max_models = 1;
-  const std::vector<FittedModel> models =
-      ModelScreening(given, options).Run(*current, {}, &ranking);
+  const std::vector<FittedModel> models = ModelScreening(given, options).Run(*current, ranking);
   ASSERT_EQ(models.size(), 2u);
   for (const FittedModel& model : models)
     EXPECT_LT(model.scene.fit.cost_after, 0.5 * current->fit.cost_after)
@@ -117,41 +115,6 @@ TEST(Competitors, AreFittedBesideWhatWasFoundSince) {
   EXPECT_LT(competitors[0].scene.fit.cost_after, 0.8 * both->fit.cost_after);
   EXPECT_NEAR(competitors[0].scene.values.parameters.at("added_mass.normal").value, kAddedMass,
               0.3 * kAddedMass);
-}
-
-// `nudge` tells where the one that is not short-listed would begin.
-void TellOfMass(Ranking* ranking) {
-  for (RankedCandidate& candidate : ranking->candidates) {
-    if (candidate.summary.name == "added_mass")
-      candidate.nudged_starts = {{{}, Eigen::VectorXd::Constant(1, 0.1)}};
-  }
-}
-
-TEST_F(Race, WhatANudgedMotionTellsOfIsFittedWhereTheFirstExplainLittle) {
-  RankedCandidate mass = ranking_.candidates[0];
-  mass.summary.is_short_listed = false;
-  const std::vector<FittedModel> models = Run({Tilt(), mass}, 0.0, {}, TellOfMass);
-  ASSERT_EQ(models.size(), 2u);
-  EXPECT_EQ(models[0].candidate.summary.name, "added_mass");
-  EXPECT_NEAR(models[0].scene.values.parameters.at("added_mass.normal").value, kAddedMass,
-              0.2 * kAddedMass);
-}
-
-TEST_F(Race, ANudgedStartTakesThePlaceOfAWorseFitOfTheSame) {
-  const std::vector<FittedModel> plain = Run({ranking_.candidates[0]}, 0.0, {});
-  const std::vector<FittedModel> models = Run({ranking_.candidates[0]}, 0.0, {}, TellOfMass);
-  ASSERT_EQ(models.size(), 1u);
-  EXPECT_LE(models[0].scene.fit.cost_after, 1.001 * plain[0].scene.fit.cost_after);
-}
-
-TEST_F(Race, NoNudgedMotionIsSoughtWhereTheFirstExplainMost) {
-  const double left = 2.0 * Run({ranking_.candidates[0]}, 0.0, {})[0].scene.fit.cost_after;
-  int num_asked = 0;
-  const auto nudge = [&](Ranking*) { ++num_asked; };
-  Run({ranking_.candidates[0]}, left, {}, nudge);
-  EXPECT_EQ(num_asked, 0);
-  Run({Tilt()}, left, {}, nudge);
-  EXPECT_EQ(num_asked, 1);
 }
 
 }  // namespace

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/compare/forecast_screening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/base/parallel.h"
+#include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/fitted/refit.h"
+#include "fitting/diagnosis/model/switch_on.h"
+#include "fitting/fit/forecast_fit.h"
+
+namespace clothfit {
+namespace {
+
+constexpr std::size_t kMostJudged = 3;  // that are fitted on the deciding mesh
+constexpr double kMayWin = 0.5;         // of what the best gains on the coarser one
+constexpr int kCoarsest = 13;           // particles a side, below which lifted cloth locks (ADR 7)
+
+// The next coarser mesh: forecasts are short, so that it is right about their order.
+std::array<int, 2> ScreeningGrid(const ClothMesh& mesh) {
+  const int side = std::max(mesh.grid[0], mesh.grid[1]);
+  const int coarser = 1 + static_cast<int>(std::lround((side - 1) / kFiner));
+  return GridWithSide(mesh.grid, std::min(side, std::max(kCoarsest, coarser)));
+}
+
+// The same fit, looked at in its longest forecasts. Empty where they cannot be laid.
+std::optional<FittedScene> InForecasts(FittedScene fitted) {
+  const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
+  const int count = NumForecastLengths(fitted.scene, fitted.config);
+  const std::vector<int> lengths = WindowLengths(fitted.scene, fitted.config);
+  double simulated_frames = 0.0;
+  std::vector<LaidWindow> windows =
+      LayWindows(fitted.scene, fitted.config, free, fitted.fit.theta,
+                 lengths[static_cast<std::size_t>(count - 1)], nullptr, &simulated_frames);
+  if (windows.empty()) return {};
+  fitted.forecasts = std::make_shared<const std::vector<LaidWindow>>(std::move(windows));
+  return fitted;
+}
+
+}  // namespace
+
+double ShareOfForecasts(const FittedScene& before, const FittedScene& model) {
+  const double observed = before.fit.misfit ? before.fit.misfit->observed : 0.0;
+  const double missing = before.fit.cost_after - 0.5 * observed;
+  const double gain = before.fit.cost_after - model.fit.cost_after;
+  return missing > 0.0 ? std::clamp(gain / missing, 0.0, 1.0) : 0.0;
+}
+
+void JudgeModels(const FittedScene& before, std::vector<JudgedModel>* judged) {
+  if (judged->empty()) return;
+  const auto best = std::min_element(
+      judged->begin(), judged->end(),
+      [](const JudgedModel& a, const JudgedModel& b) { return a.model.Cost() < b.model.Cost(); });
+  const ResidualScale scale = ScaleOf(best->model.fine);
+  for (JudgedModel& one : *judged) {
+    one.log_evidence = LogEvidence(before.fit.cost_after, one.model.Cost(),
+                                   static_cast<double>(one.candidate.NumUnknowns()), scale);
+  }
+  std::stable_sort(judged->begin(), judged->end(), [](const JudgedModel& a, const JudgedModel& b) {
+    return a.log_evidence > b.log_evidence;
+  });
+}
+
+std::vector<RankedCandidate> ForecastScreening::Entrants(const Ranking& ranking) const {
+  std::vector<RankedCandidate> entrants;
+  for (const RankedCandidate& candidate : ranking.candidates) {
+    const bool is_worth_it = candidate.summary.kind == CandidateKind::kPhysics &&
+                             candidate.summary.share >= options_.least_share;
+    if (is_worth_it && static_cast<int>(entrants.size()) < options_.max_models)
+      entrants.push_back(candidate);
+  }
+  return entrants;
+}
+
+// From either sign of its amount, where both are likely.
+std::optional<FittedScene> ForecastScreening::FitPhysics(const FittedScene& base,
+                                                         const Ranking& ranking,
+                                                         const RankedCandidate& candidate) const {
+  std::vector<RankedCandidate> starts = {candidate};
+  for (const RankedCandidate::Start& other : candidate.other_starts) {
+    starts.push_back(candidate);
+    starts.back().probe = other.probe;
+    starts.back().amounts = other.amounts;
+  }
+  std::optional<FittedScene> best;
+  for (const RankedCandidate& start : starts) {
+    if (Stopped()) break;
+    best = Cheaper(std::move(best), FitToForecasts(SwitchOn(base, start, ranking.faults),
+                                                   base.scene.mesh.grid, 0, runner_, &base));
+  }
+  return best;
+}
+
+std::vector<JudgedModel> ForecastScreening::Decide(const FittedScene& current,
+                                                   const FittedScene& base,
+                                                   std::vector<FittedModel> models) const {
+  std::stable_sort(models.begin(), models.end(), IsCheaper);
+  const double before = base.fit.cost_after;
+  std::vector<FittedModel> chosen;
+  for (FittedModel& model : models) {
+    Log(fmt::format("with {}: forecasts cost {:.6g} -> {:.6g} on {} particles",
+                    model.candidate.summary.name, before, model.scene.fit.cost_after,
+                    base.scene.mesh.num_particles()));
+    const bool may_win = model.scene.fit.cost_after <=
+                         before - kMayWin * (before - models.front().scene.fit.cost_after);
+    if (may_win && chosen.size() < kMostJudged) chosen.push_back(model);
+  }
+  Say("forecasts on the deciding mesh", 0.65);
+  const std::array<int, 2>& grid = current.scene.mesh.grid;
+  std::vector<std::optional<FittedScene>> fits(chosen.size());
+  ParallelFor(static_cast<int>(chosen.size()), NumThreads(0), [&](int i, int) {
+    const auto k = static_cast<std::size_t>(i);
+    const FittedScene& coarse = chosen[k].scene;
+    if (Stopped()) return;
+    fits[k] = coarse.scene.mesh.grid == grid
+                  ? coarse
+                  : FitToForecasts(GoOn(coarse), grid, 1, runner_, &coarse);
+  });
+  std::vector<JudgedModel> judged;
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    if (fits[k]) judged.push_back({chosen[k].candidate, {*fits[k], *fits[k]}});
+  return judged;
+}
+
+std::optional<ForecastRound> ForecastScreening::Run(
+    const FittedScene& current, const std::vector<FittedModel>& faults,
+    const std::map<std::string, std::vector<Probe>>& more_probes) const {
+  if (!current.scene.mesh.is_grid() || NumForecastLengths(current.scene, current.config) == 0)
+    return {};
+  Say("fitting forecasts", 0.45);
+  const bool is_off = HasLargeResidual(current.scene, current.config, current.fit);
+  const ModelStart start = is_off ? WithMaterialOf(baseline_, GoOn(current)) : GoOn(current);
+  const std::array<int, 2>& deciding = current.scene.mesh.grid;
+  const std::array<int, 2> grid = ScreeningGrid(current.scene.mesh);
+  const std::optional<FittedScene> base = FitToForecasts(start, grid, 0, runner_, &current);
+  if (!base || Stopped()) return {};
+  const std::optional<FittedScene> looked_at = InForecasts(*base);
+  if (!looked_at) return {};
+  ForecastRound round;
+  RankingStart by;
+  by.draws = 0;
+  by.more_probes = more_probes;
+  round.ranking = RankCandidates(*looked_at, options_, by);
+  const std::vector<RankedCandidate> entrants = Entrants(round.ranking);
+  std::vector<std::string> names;
+  for (const RankedCandidate& entrant : entrants) names.push_back(entrant.summary.name);
+  Log(fmt::format("forecasts leave {:.3g} sigmas; looked at: {}", round.ranking.residual_rms,
+                  fmt::join(names, ", ")));
+  Say("fitting forecasts with what could be missing", 0.55);
+  const std::size_t count = entrants.size() + faults.size();
+  std::vector<std::optional<FittedScene>> fits(count);
+  ParallelFor(static_cast<int>(count), NumThreads(0), [&](int i, int) {
+    const auto k = static_cast<std::size_t>(i);
+    if (Stopped()) return;
+    if (k < entrants.size()) {
+      fits[k] = FitPhysics(*base, round.ranking, entrants[k]);
+    } else {
+      ModelStart put_right = GoOn(*base);
+      put_right.recording = faults[k - entrants.size()].scene.scene.recording;
+      fits[k] = FitToForecasts(put_right, grid, 0, runner_, &*base);
+    }
+  });
+  std::vector<FittedModel> models;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!fits[k]) continue;
+    models.push_back({k < entrants.size() ? entrants[k] : faults[k - entrants.size()].candidate,
+                      std::move(*fits[k])});
+  }
+  if (Stopped()) return {};
+  std::optional<FittedScene> before =
+      deciding == grid ? base : FitToForecasts(GoOn(*base), deciding, 1, runner_, &*base);
+  if (!before) return {};
+  round.before = std::move(*before);
+  round.judged = Decide(current, *base, std::move(models));
+  JudgeModels(round.before, &round.judged);
+  return round;
+}
+
+}  // namespace clothfit

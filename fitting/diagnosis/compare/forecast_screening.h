@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is missing, by forecasts of half a second (fitting/fit/forecast_fit.h): absent terms are
+// scored along them, the best are fitted to them, and so are judged.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fitting/diagnosis/compare/two_meshes.h"
+#include "fitting/diagnosis/fitted/fit_runner.h"
+#include "fitting/diagnosis/fitted/options.h"
+#include "fitting/diagnosis/model/fitted_model.h"
+
+namespace clothfit {
+
+struct ForecastRound {
+  FittedScene before;               // the fit without, to forecasts on the deciding mesh
+  Ranking ranking;                  // of physics, along forecasts
+  std::vector<JudgedModel> judged;  // the highest evidence first; both meshes are the deciding one
+};
+
+class ForecastScreening {
+ public:
+  // `baseline`: the config that a diagnosis was given, whose material parameters fits begin from
+  // where the fitted one is far off. Both must outlive this.
+  ForecastScreening(const FitConfig& baseline, const DiagnosisOptions& options)
+      : baseline_(baseline), options_(options), runner_(options) {}
+
+  // `current`: the fit without, on the deciding mesh. `faults`: of the observation, that compete,
+  // by the recordings that they were put right in. `more_probes`: as RankingStart has them. Empty
+  // where there are no forecasts, or where they cannot be fitted.
+  std::optional<ForecastRound> Run(
+      const FittedScene& current, const std::vector<FittedModel>& faults,
+      const std::map<std::string, std::vector<Probe>>& more_probes) const;
+
+ private:
+  std::vector<RankedCandidate> Entrants(const Ranking& ranking) const;
+  std::optional<FittedScene> FitPhysics(const FittedScene& base, const Ranking& ranking,
+                                        const RankedCandidate& candidate) const;
+  // The models that may come first, on the deciding mesh.
+  std::vector<JudgedModel> Decide(const FittedScene& current, const FittedScene& base,
+                                  std::vector<FittedModel> models) const;
+  void Say(const std::string& stage, double fraction) const {
+    if (options_.progress) options_.progress(stage, fraction);
+  }
+  void Log(const std::string& line) const {
+    if (options_.log) options_.log(line);
+  }
+  bool Stopped() const { return runner_.IsStopped(); }
+
+  const FitConfig& baseline_;
+  const DiagnosisOptions& options_;
+  FitRunner runner_;
+};
+
+// Log evidence of models against the fit before; sorts them by it. Costs and residuals are those of
+// `before` and of the models' fits on the deciding mesh: all of forecasts, or none.
+void JudgeModels(const FittedScene& before, std::vector<JudgedModel>* judged);
+
+// Share of what a fit to forecasts leaves beyond noise that a model explains.
+double ShareOfForecasts(const FittedScene& before, const FittedScene& model);
+
+}  // namespace clothfit

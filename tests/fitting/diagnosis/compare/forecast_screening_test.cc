@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/compare/forecast_screening.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "fitting/diagnosis/fitted/refit.h"
+#include "tests/support/small_recording.h"
+
+namespace clothfit {
+namespace {
+
+// A fit of a small recording that knows all but a few material parameters.
+FittedScene BaselineOf(const std::map<std::string, double>& parameters) {
+  const Recording recording = MakeSmallRecording({6, 36, 0.001, parameters});
+  FitConfig told = DefaultConfig(recording);
+  for (auto& [name, setting] : told.parameters) setting.free = false;
+  for (const char* name : {"stretch.stiffness", "bending.stiffness"})
+    told.parameters.at(name).free = true;
+  return FitAfresh({recording, told}, Start::kWindows, 6, FitRunner()).value();
+}
+
+DiagnosisOptions Among(const std::vector<std::string>& names) {
+  DiagnosisOptions options;
+  for (const TermInfo& term : AllTerms()) {
+    if (std::find(names.begin(), names.end(), term.name) == names.end())
+      options.excluded.push_back(term.name);
+  }
+  return options;
+}
+
+TEST(ForecastScreening, PutsWhatIsMissingFirst) {
+  const FittedScene baseline = BaselineOf({{"wind.y", 0.8}});
+  const DiagnosisOptions options = Among({"wind", "hem", "gravity_tilt", "added_mass"});
+  const std::optional<ForecastRound> round =
+      ForecastScreening(baseline.config, options).Run(baseline, {}, {});
+  ASSERT_TRUE(round);
+  EXPECT_TRUE(round->before.of_forecasts);
+  ASSERT_FALSE(round->judged.empty());
+  const JudgedModel& best = round->judged.front();
+  EXPECT_EQ(best.candidate.summary.name, "wind");
+  EXPECT_GT(best.log_evidence, kStrongEvidence);
+  EXPECT_NEAR(best.model.fine.values.parameters.at("wind.y").value, 0.8, 0.08);
+  EXPECT_GT(ShareOfForecasts(round->before, best.model.fine), 0.5);
+}
+
+// Where nothing is missing, states that are a little wrong may speak for something; it explains
+// next to nothing of what forecasts leave.
+TEST(ForecastScreening, FindsNoExplanationWhereNothingIsMissing) {
+  const FittedScene baseline = BaselineOf({});
+  const DiagnosisOptions options = Among({"wind", "hem", "added_mass"});
+  const std::optional<ForecastRound> round =
+      ForecastScreening(baseline.config, options).Run(baseline, {}, {});
+  ASSERT_TRUE(round);
+  for (const JudgedModel& one : round->judged) {
+    const auto whole = FitBeyondForecasts(one.model.fine, 12, FitRunner());
+    ASSERT_TRUE(whole);
+    EXPECT_LT(LogEvidence(baseline.fit.cost_after, whole->fit.cost_after,
+                          static_cast<double>(one.candidate.NumUnknowns()), ScaleOf(*whole)),
+              kStrongEvidence)
+        << one.candidate.summary.name;
+  }
+}
+
+// What was fitted to forecasts is gone on with to all frames.
+TEST(ForecastScreening, IsGoneOnWith) {
+  const FittedScene baseline = BaselineOf({{"wind.y", 0.8}});
+  ModelStart start = GoOn(baseline);
+  for (const char* name : {"wind.x", "wind.y", "wind.z"})
+    start.config.parameters.at(name).free = true;
+  const auto forecasts = FitToForecasts(start, baseline.scene.mesh.grid, 0, FitRunner(), &baseline);
+  ASSERT_TRUE(forecasts && forecasts->of_forecasts);
+  const auto whole = FitBeyondForecasts(*forecasts, 12, FitRunner());
+  ASSERT_TRUE(whole);
+  EXPECT_FALSE(whole->of_forecasts);
+  EXPECT_LT(whole->fit.cost_after, 0.5 * baseline.fit.cost_after);
+  EXPECT_NEAR(whole->values.parameters.at("wind.y").value, 0.8, 0.05);
+}
+
+}  // namespace
+}  // namespace clothfit
