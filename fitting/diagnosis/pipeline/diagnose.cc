@@ -45,13 +45,6 @@ bool IsWorthNudging(const FittedScene& fitted, const Ranking& ranking) {
          MayBeLocalMinimum(fitted.scene, fitted.config, fitted.fit);
 }
 
-// Does a force lead the simulation to the recording, and is it known which way it points?
-bool Tells(const LocatedForce& found) {
-  constexpr double kFollows = 0.5;  // share of the sum of squares
-  const Discrepancy& m = found.location.discrepancy;
-  return found.missing.explained >= kFollows && (!m.is_significant || m.peak > m.peak_sigma);
-}
-
 }  // namespace
 
 void Diagnoser::Spend(const std::string& stage) {
@@ -94,33 +87,18 @@ FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
   return fitted;
 }
 
-const FittedScene* Diagnoser::Nudged(const FittedScene& fitted, const Ranking& ranking) {
-  if (!options_.nudge || !IsWorthNudging(fitted, ranking) || Stopped()) return nullptr;
-  if (!nudged_) {
-    nudged_.emplace(FitNudged(WithMaterialOf(baseline_, GoOn(fitted)), kScoringDamping, runner_));
-    Spend("nudged motion");
-  }
-  return *nudged_ ? &**nudged_ : nullptr;
-}
-
-// A simulation that a force cannot lead to the recorded motion, as it is somewhere else altogether,
-// tells little about that force: then along the motion that is nudged to what was seen.
+// Where the cloth may be somewhere else than the recorded one, no force leads it there: then along
+// the motion that is nudged to what was seen.
 void Diagnoser::LocateDiscrepancy(const FittedScene& fitted, const Ranking& ranking) {
   if (Stopped()) return;
   Say("locating what is missing", 0.4);
-  std::optional<LocatedForce> found = LocateMissingForce(fitted, options_, ranking.errors.get());
+  std::optional<FittedScene> nudged;
+  if (options_.nudge && IsWorthNudging(fitted, ranking))
+    nudged = FitNudged(WithMaterialOf(baseline_, GoOn(fitted)), kScoringDamping, runner_);
+  const std::optional<LocatedForce> found =
+      nudged ? LocateMissingForce(*nudged, options_)
+             : LocateMissingForce(fitted, options_, ranking.errors.get());
   Spend("locating");
-  if (!found || !Tells(*found)) {
-    if (const FittedScene* const held = Nudged(fitted, ranking)) {
-      Log(fmt::format(
-          "a force of {:.2g} N/m^2 explains {:.0f} % of this: located along a nudged motion",
-          found ? found->location.discrepancy.peak : 0.0,
-          found ? 100.0 * found->missing.explained : 0.0));
-      std::optional<LocatedForce> nudged = LocateMissingForce(*held, options_);
-      if (nudged) found = std::move(nudged);
-      Spend("locating");
-    }
-  }
   if (!found) {
     Log("the missing force cannot be estimated: the simulation fails");
     return;
@@ -456,7 +434,6 @@ void Diagnoser::PutInPlaceOf(std::size_t first, std::vector<JudgedModel> both) {
 }
 
 bool Diagnoser::AddEffect() {
-  nudged_.reset();
   const bool is_first = kept_.empty();
   if (!quality_) {
     Say("test of fit", 0.3);

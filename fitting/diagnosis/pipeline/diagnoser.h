@@ -55,9 +55,6 @@ class Diagnoser {
   bool IsExplained(const Ranking& ranking) const;
   // Where, when and of what class a force is missing.
   void LocateDiscrepancy(const FittedScene& fitted, const Ranking& ranking);
-  // The model of `fitted` nudged to what was seen, from the material parameters that the baseline
-  // was given; null where that cannot be or would be of no use. Fitted once for one fit.
-  const FittedScene* Nudged(const FittedScene& fitted, const Ranking& ranking);
   // Where an obstacle would stand that pushes as the missing force does, by term.
   std::map<std::string, std::vector<Probe>> ContactProbes() const;
   // A round by forecasts; empty where there are none.
@@ -134,9 +131,6 @@ class Diagnoser {
   int restarts_ = 0, rounds_left_ = 0;
   std::optional<MissingForce> missing_;
   std::vector<Push> pushes_;  // of it
-  // Of the fit that is looked at now, once it has been asked for: its nudged motion, where that can
-  // be simulated.
-  std::optional<std::optional<FittedScene>> nudged_;
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
 
