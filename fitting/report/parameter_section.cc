@@ -123,7 +123,8 @@ ReportJson ParameterSection(const ReportScene& report) {
   section["lead"] =
       "Each bar is a 95 % interval on the parameter's own scale: pale what was known before the "
       "fit, strong what is known after it. A strong bar as wide as the pale one means that the "
-      "recording says nothing.";
+      "recording says nothing. A strong bar holds noise, and what mesh and step leave where that "
+      "was measured; it does not hold physics that the model lacks.";
   return section;
 }
 

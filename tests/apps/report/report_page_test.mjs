@@ -141,6 +141,66 @@ async function testDiagnosis() {
   await close();
 }
 
+// What is on paper, by day though the screen is dark, without having been scrolled to; and that the
+// screen is as before.
+async function testPaper(kind) {
+  const { page, close } = await open(kind, kDesk, 'dark', { reducedMotion: 'reduce' });
+  const isStill = kind === 'study' || kind === 'comparison';
+  if (!isStill) await page.evaluate(() => clothfit.player.seek(14));
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('img')].every((image) => image.naturalWidth > 0));
+  await page.waitForTimeout(500);
+  await page.evaluate(() => {
+    // Colours that a canvas has, up to three: one is a blank.
+    const coloursOf = (canvas) => {
+      const copy = document.createElement('canvas');
+      copy.width = copy.height = 64;
+      const context = copy.getContext('2d');
+      context.drawImage(canvas, 0, 0, 64, 64);
+      const pixels = new Uint32Array(context.getImageData(0, 0, 64, 64).data.buffer);
+      return new Set(pixels).size;
+    };
+    addEventListener('beforeprint', () => queueMicrotask(() => {
+      const canvases = [...document.querySelectorAll('.on-paper, #sections canvas')];
+      window.paper = {
+        theme: document.documentElement.dataset.theme,
+        blank: canvases.filter((canvas) => coloursOf(canvas) < 2).length,
+        canvases: canvases.length,
+        empty: [...document.querySelectorAll('.plot')].filter((plot) => !plot.firstChild).length,
+        folded: document.querySelectorAll('details.folded:not([open])').length,
+      };
+    }));
+  });
+  const opened = () => page.locator('details[open]').count();
+  const before = await opened();
+  const pdf = await page.pdf({ format: 'A4', path: path.join(out, `${kind}.pdf`) });
+  assert.ok(pdf.length > 20000);
+  const { paper, theme, copies } = await page.evaluate(() => ({
+    paper, theme: document.documentElement.dataset.theme,
+    copies: document.querySelectorAll('.on-paper').length,
+  }));
+  assert.equal(paper.theme, 'light');
+  assert.deepEqual([paper.blank, paper.empty, paper.folded], [0, 0, 0], `${kind}: all is on paper`);
+  if (!isStill) assert.ok(paper.canvases >= 3, `${kind}: ${paper.canvases} canvases`);
+  assert.deepEqual([theme, copies, await opened()], ['dark', 0, before], 'the screen is as before');
+  await close();
+}
+
+// Verdict, cloth and clock are on the first screen of a phone; the other sentences a touch away.
+async function testPhone() {
+  const { page, close } = await open('run', kPhone, 'light', { reducedMotion: 'reduce' });
+  const edge = (selector, side) => page.evaluate(([one, which]) =>
+    document.querySelector(one).getBoundingClientRect()[which], [selector, side]);
+  assert.ok(await edge('#view-3d', 'bottom') <= await edge('.transport', 'top'),
+    'the cloth is whole above the clock');
+  assert.ok(await edge('#view-3d', 'height') >= 200);
+  const sentences = page.locator('.verdict-words li:visible');
+  assert.equal(await sentences.count(), 1);
+  await page.locator('.more').click();
+  assert.ok(await sentences.count() > 1, 'a touch shows the others');
+  await close();
+}
+
 async function takePictures(kind, name, viewport, theme) {
   const { page, close } = await open(kind, viewport, theme, { reducedMotion: 'reduce' });
   await page.evaluate(() => clothfit.player.seek(14));
@@ -163,6 +223,8 @@ await testSlider();
 await testPicking();
 await testSorting();
 await testDiagnosis();
+await testPhone();
+for (const kind of ['run', 'diagnosis', 'comparison', 'study']) await testPaper(kind);
 for (const kind of ['run', 'diagnosis', 'comparison', 'study']) {
   await takePictures(kind, 'light', kDesk, 'light');
   await takePictures(kind, 'dark', kDesk, 'dark');
