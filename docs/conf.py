@@ -16,7 +16,29 @@ html_theme = "furo"
 html_title = "clothfit"
 html_copy_source = False
 html_show_sphinx = False
-html_theme_options = {"source_repository": "", "navigation_with_keys": True}
+# Debian's furo comes without its colours by night.
+html_theme_options = {
+    "navigation_with_keys": True,
+    "dark_css_variables": {
+        "color-foreground-primary": "#eceef0",
+        "color-foreground-secondary": "#b4bcc4",
+        "color-foreground-muted": "#8c959e",
+        "color-foreground-border": "#5a636d",
+        "color-background-primary": "#101316",
+        "color-background-secondary": "#181c20",
+        "color-background-hover": "#262c32",
+        "color-background-hover--transparent": "#262c3200",
+        "color-background-border": "#2b3137",
+        "color-background-item": "#262c32",
+        "color-brand-primary": "#6cb8f5",
+        "color-brand-content": "#6cb8f5",
+        "color-highlighted-background": "#083563",
+        "color-inline-code-background": "#181c20",
+        "color-admonition-background": "#181c20",
+        "color-card-background": "#181c20",
+        "color-card-border": "#2b3137",
+    },
+}
 pygments_style = "default"
 nitpicky = True
 suppress_warnings = ["myst.header"]  # levels that a page passes over
