@@ -62,6 +62,19 @@ ReportJson IntervalItem(const NamedParameter& named, const ReportJson& estimate,
           {"note", Note(estimate)}};
 }
 
+// "9 of 10 intervals hold the truth." of what the data determine; empty where no truth is known.
+std::string CountTruth(const ReportJson& items) {
+  int known = 0, held = 0;
+  for (const ReportJson& item : items) {
+    const ReportJson& truth = item.at("truth");
+    const ReportJson& ends = item.at("interval");
+    if (item.at("muted") == true || !truth.is_number() || !ends.at(0).is_number()) continue;
+    ++known;
+    held += truth >= ends.at(0) && truth <= ends.at(1) ? 1 : 0;
+  }
+  return known == 0 ? "" : fmt::format("{} of {} intervals hold the truth.", held, known);
+}
+
 // Parameters that were held, and what they were held at.
 ReportJson FixedTable(const ReportJson& parameters, const std::vector<NamedParameter>& table) {
   ReportJson rows = ReportJson::array();
@@ -110,6 +123,8 @@ ReportJson ParameterSection(const ReportScene& report) {
   const std::vector<std::string> statements = Statements(summary);
   if (!statements.empty()) blocks.push_back(TextBlock(statements));
   if (!items.empty()) blocks.push_back({{"kind", "intervals"}, {"items", items}});
+  const std::string count = CountTruth(items);
+  if (!count.empty()) blocks.push_back(TextBlock({count}));
   int others = 0;
   for (const auto& [name, estimate] : parameters.items()) {
     others += estimate.at("free") == true && FindParameter(table, name) < 0 ? 1 : 0;

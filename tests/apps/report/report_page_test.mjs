@@ -66,8 +66,9 @@ async function testPlaying() {
   const paused = await frameOf(page);
   await page.waitForTimeout(300);
   assert.equal(await frameOf(page), paused, 'the space bar pauses');
+  await page.evaluate(() => clothfit.player.seek(5));  // wherever it paused, the last frame may be
   await page.keyboard.press('ArrowRight');
-  assert.notEqual(await frameOf(page), paused, 'arrow keys step');
+  assert.equal(await frameOf(page), 6, 'arrow keys step');
   const eye = () => page.evaluate(() => clothfit.viewPanel.viewer.eye.position.toArray().join());
   const from = await eye();
   await page.keyboard.press('d');
@@ -89,6 +90,16 @@ async function testSlider() {
   await page.waitForSelector('#errors .u-over');
   await page.locator('#errors .u-over').first().click({ position: { x: 5, y: 40 } });
   assert.ok(await frameOf(page) < 3, 'a click on a chart goes to its frame');
+  await close();
+}
+
+// The recording is synthetic: the page says how many intervals hold its truth.
+async function testParameters() {
+  const { page, close } = await open('run', kDesk, 'light', { reducedMotion: 'reduce' });
+  const text = await page.locator('#parameters').innerText();
+  const [, held, known] = text.match(/(\d+) of (\d+) intervals hold the truth\./);
+  assert.ok(Number(known) > 0 && Number(held) <= Number(known));
+  assert.ok(await page.locator('#parameters .interval-row .truth').count() >= Number(known));
   await close();
 }
 
@@ -151,20 +162,20 @@ async function testPaper(kind) {
     [...document.querySelectorAll('img')].every((image) => image.naturalWidth > 0));
   await page.waitForTimeout(500);
   await page.evaluate(() => {
-    // Colours that a canvas has, up to three: one is a blank.
-    const coloursOf = (canvas) => {
+    // Nothing drawn; of the 3D view one colour is nothing, of a map it may be all there is.
+    const isBlank = (canvas) => {
       const copy = document.createElement('canvas');
       copy.width = copy.height = 64;
       const context = copy.getContext('2d');
       context.drawImage(canvas, 0, 0, 64, 64);
-      const pixels = new Uint32Array(context.getImageData(0, 0, 64, 64).data.buffer);
-      return new Set(pixels).size;
+      const colours = new Set(new Uint32Array(context.getImageData(0, 0, 64, 64).data.buffer));
+      return colours.size === 1 && (colours.has(0) || canvas.matches('.on-paper'));
     };
     addEventListener('beforeprint', () => queueMicrotask(() => {
       const canvases = [...document.querySelectorAll('.on-paper, #sections canvas')];
       window.paper = {
         theme: document.documentElement.dataset.theme,
-        blank: canvases.filter((canvas) => coloursOf(canvas) < 2).length,
+        blank: canvases.filter(isBlank).length,
         canvases: canvases.length,
         empty: [...document.querySelectorAll('.plot')].filter((plot) => !plot.firstChild).length,
         folded: document.querySelectorAll('details.folded:not([open])').length,
@@ -221,6 +232,7 @@ async function takePictures(kind, name, viewport, theme) {
 await testPlaying();
 await testSlider();
 await testPicking();
+await testParameters();
 await testSorting();
 await testDiagnosis();
 await testPhone();
