@@ -12,8 +12,8 @@ BUILD := build/$(PRESET)
 export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo portable test test-deep build bench format format-check tidy clean packages configure \
-        report-assets
+.PHONY: help demo portable test test-browser test-deep build docs bench format format-check tidy clean \
+        packages test-packages configure report-modules report-assets
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -28,8 +28,11 @@ demo: configure ## Build the command and fit a cloth to the pictures in data/lif
 portable: packages ## Build a program for every x86-64 processor into build/portable/clothfit
 	JOBS=$(JOBS) tools/portable build/portable/clothfit
 
-test: build ## Build everything and run all tests and source checks
+test: test-packages build ## Build everything and run all tests and source checks
 	ctest --preset $(PRESET)
+
+test-browser: report-modules build ## The tests of the report's page, in Chromium, which this installs
+	ctest --preset $(PRESET) -R '^(report_|export_gltf)' --output-on-failure
 
 test-deep: test ## The same under the sanitizers, then clang-tidy: many minutes
 	$(MAKE) --no-print-directory test PRESET=asan-ubsan
@@ -37,6 +40,11 @@ test-deep: test ## The same under the sanitizers, then clang-tidy: many minutes
 
 build: configure ## Build everything (PRESET=release, JOBS=all cores)
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
+
+docs: configure ## Build the manual as a site, into build/manual/html
+	@tools/install_packages docs/packages.txt
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target apps/clothfit
+	tools/manual $(BUILD)/apps/clothfit build/manual
 
 bench: configure ## Build and run the benchmarks (BENCH_ARGS=--benchmark_filter=...)
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target clothfit_benchmarks \
@@ -60,15 +68,22 @@ tidy: packages ## Run clang-tidy over our sources: some minutes
 	run-clang-tidy -quiet -j $(JOBS) -p build/dev -extra-arg=-Wno-error \
 	  '$(CURDIR)/(autodiff_sim|tracking|fitting|apps|tests)/'
 
-# Only for work on the page itself: what it makes is kept in apps/report/dist.
-report-assets: ## Bundle the page of `clothfit report` anew (needs Node.js and npm)
+# What the page is bundled with and tested by. Node.js of elsewhere comes with an npm of its own.
+report-modules:
+	@command -v node npm chromium >/dev/null || tools/install_packages tests/apps/report/packages.txt
 	mkdir -p build/report-assets
 	cp apps/report/package.json apps/report/package-lock.json apps/report/.npmrc build/report-assets/
 	cd build/report-assets && npm ci
+
+# Only for work on the page itself: what it makes is kept in apps/report/dist.
+report-assets: report-modules ## Bundle the page of `clothfit report` anew
 	node apps/report/build.mjs build/report-assets/node_modules
 
 clean: ## Remove everything that was built
 	rm -rf build
+
+test-packages: ## Install what tests, documentation and packaging need besides
+	@tools/install_packages tests/packages.txt docs/packages.txt
 
 packages: ## Install the Debian packages of packages.txt that are missing
 	@tools/install_packages

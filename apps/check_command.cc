@@ -8,6 +8,7 @@
 
 #include "apps/commands.h"
 #include "apps/config_options.h"
+#include "apps/next_step.h"
 #include "fitting/runs/fit_run.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/recording/summary.h"
@@ -37,6 +38,7 @@ int RunCheckCommand(const std::string& folder) {
         "clothfit: warning: held-out frames cannot be judged: where {} {} then is not known\n",
         JoinNames(unknown), unknown.size() == 1 ? "is" : "are");
   }
+  PrintNext("clothfit fit " + ShellWord(folder));
   return kExitSuccess;
 }
 

@@ -14,10 +14,11 @@
 #include <opencv2/core/utility.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
+#include "apps/command_line.h"
 #include "apps/commands.h"
+#include "apps/help_text.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/files/version.h"
-#include "tracking/text/text.h"
 
 extern "C" void openblas_set_num_threads(int num_threads);
 
@@ -30,85 +31,67 @@ int Fail(std::string problem, int status) {
   return status;
 }
 
+using AddCommand = void (*)(CLI::App* app, Action* action);
+
+// Listed so by --help, under what they are for.
+struct CommandGroup {
+  const char* title;
+  std::vector<AddCommand> commands;
+};
+
+void AddHelpCommand(CLI::App* app, Action*) {
+  app->add_subcommand("help", "what a command does and which options it has");  // CompleteCommands
+}
+
+std::vector<CommandGroup> CommandGroups() {
+  return {
+      {"Make and check recordings",
+       {AddImportCommand, AddTrackCommand, AddSynthesizeCommand, AddCheckCommand}},
+      {"Fit and explain them",
+       {AddFitCommand, AddDiagnoseCommand, AddSimulateCommand, AddBatchCommand}},
+      {"Look at results and use them",
+       {AddReportCommand, AddDrawCommand, AddPredictCommand, AddExportCommand, AddEvaluateCommand}},
+      {"Measure clothfit itself",
+       {AddCompareCommand, AddGradcheckCommand, AddStudyCommand, AddTrialsCommand}},
+      {"Look up", {AddTermsCommand, AddHelpCommand}}};
+}
+
 void DeclareCommands(CLI::App* app, Action* action) {
   app->require_subcommand(1);
   const std::string instruction_set = CLOTHFIT_INSTRUCTION_SET;
+  app->formatter_fn(HelpText);
   app->set_version_flag(
       "--version",
-      "clothfit " + Version() + (instruction_set.empty() ? "" : " (" + instruction_set + ")"));
+      "clothfit " + Version() + (instruction_set.empty() ? "" : " (" + instruction_set + ")"),
+      "show the version");
   app->set_help_flag("-h,--help", "show this help");
   app->footer(
       "Examples:\n"
       "  clothfit check data/demo\n"
       "  clothfit fit data/demo -o runs/demo\n"
-      "  clothfit predict runs/demo --at points.csv -o predicted.csv\n"
-      "'clothfit COMMAND --help' tells more. Exit status: 0 done, 1 failed, 2 bad input.");
-  AddFitCommand(app, action);
-  AddBatchCommand(app, action);
-  AddTrackCommand(app, action);
-  AddSimulateCommand(app, action);
-  AddPredictCommand(app, action);
-  AddEvaluateCommand(app, action);
-  AddDrawCommand(app, action);
-  AddReportCommand(app, action);
-  AddExportCommand(app, action);
-  AddCheckCommand(app, action);
-  AddCompareCommand(app, action);
-  AddDiagnoseCommand(app, action);
-  AddTermsCommand(app, action);
-  AddGradcheckCommand(app, action);
-  AddSynthesizeCommand(app, action);
-  AddStudyCommand(app, action);
-  AddTrialsCommand(app, action);
-  AddImportCommand(app, action);
-}
-
-// The innermost command that was named: motive for "import motive".
-const CLI::App& InnermostCommand(const CLI::App& app) {
-  const std::vector<CLI::App*> parsed = app.get_subcommands();
-  return parsed.empty() ? app : InnermostCommand(*parsed.front());
-}
-
-std::vector<std::string> NamesOfCommands(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::App* one : command.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(one->get_name());
-  }
-  return names;
-}
-
-// "did you mean '--frames'?" for an option that is none, or a command.
-std::string NearestName(const CLI::App& command, const std::string& wrong) {
-  std::vector<std::string> names;
-  if (wrong.rfind('-', 0) == 0) {
-    for (const CLI::Option* option : command.get_options()) {
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      "  clothfit report runs/demo -o demo.html\n\n"
+      "'clothfit help COMMAND' tells more. The beginning of a command is enough where only one\n"
+      "begins so. Exit status: 0 done, 1 failed, 2 bad input, 130 interrupted.");
+  for (const CommandGroup& group : CommandGroups()) {
+    for (const AddCommand add : group.commands) {
+      add(app, action);
+      app->get_subcommands([](CLI::App*) { return true; }).back()->group(group.title);
     }
-  } else {
-    names = NamesOfCommands(command);
   }
-  return names.empty() ? "one argument too many" : Suggestion(wrong, names);
-}
-
-std::string Describe(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<std::string> unknown = app.remaining(true);
-  const CLI::App& command = InnermostCommand(app);
-  const bool is_unknown = !unknown.empty() && (dynamic_cast<const CLI::ExtrasError*>(&error) ||
-                                               !NamesOfCommands(command).empty());
-  if (is_unknown) return unknown.front() + ": " + NearestName(command, unknown.front());
-  return std::string(error.what()) + "; see --help";
 }
 
 int Run(int argc, char** argv) {
-  CLI::App app("clothfit fits a simulated cloth to recordings of a real one.", "clothfit");
+  CLI::App app("fits a simulated cloth to recordings of a real one", "clothfit");
   Action action;
   DeclareCommands(&app, &action);
+  std::vector<std::string> words = CompleteCommands(app, {argv + 1, argv + argc});
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
   try {
-    app.parse(argc, argv);
+    app.parse(words);
   } catch (const CLI::Success& success) {  // --help and --version
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    return Fail(Describe(app, error), kExitBadInput);
+    return Fail(DescribeParseError(app, error), kExitBadInput);
   }
   const int status = action();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

@@ -12,6 +12,7 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/interrupt.h"
+#include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/runs/fit_run.h"
@@ -59,7 +60,7 @@ FitConfig ConfigOf(const CompareOptions& options, const Recording& recording) {
   if (options.alpha) config.alpha = *options.alpha;
   if (options.beta) config.beta = *options.beta;
   if (options.frames) config.frames = {(*options.frames)[0], (*options.frames)[1]};
-  config.Check("command line");
+  CheckConfig(config);
   return config;
 }
 
@@ -140,20 +141,17 @@ int RunCompareCommand(CompareOptions options) {
   WriteComparison(folder / "comparison.json", comparison);
   WriteTables(folder, comparison);
   if (!options.quiet) fmt::print("{}\n{}\n", ComparisonAsMarkdown(comparison), folder.string());
+  if (!options.quiet && !*callbacks.stop)
+    PrintNext("clothfit report " + ShellWord(folder.string()));
   std::fflush(stdout);
   if (!*callbacks.stop) return kExitSuccess;
   fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
   return kExitInterrupted;
 }
 
-void AddCompareOptions(CLI::App* command, CompareOptions* options) {
-  ComparisonOptions& comparison = options->comparison;
-  comparison.num_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  command->add_option("-o,--output", options->output, "folder of the tables, curves and picture")
-      ->type_name("FOLDER")
-      ->required();
-  AddConfigOptions(command, &options->config);
-  AddFreeOptions(command, &options->config);
+void AddContenderOptions(CLI::App* command, ComparisonOptions* comparison,
+                         CompareOptions* options) {
+  BeginGroup(command, "Who is compared, and how long");
   command
       ->add_option("--contenders", options->contenders,
                    "OPTIMISER/STRATEGY, separated by commas; the last is the one that the others "
@@ -161,35 +159,59 @@ void AddCompareOptions(CLI::App* command, CompareOptions* options) {
       ->type_name("LIST")
       ->delimiter(',')
       ->capture_default_str();
-  command->add_option("--starts", comparison.num_starts, "the config's and moved ones")
+  command->add_option("--starts", comparison->num_starts, "how many: the config's, and moved ones")
       ->type_name("N")
       ->capture_default_str();
   command
-      ->add_option("--spread", comparison.spread,
+      ->add_option("--spread", comparison->spread,
                    "of moved starts: logarithms, or sigmas of the prior")
       ->type_name("S")
       ->capture_default_str();
-  command->add_option("--seed", comparison.seed, "of the starts and of what draws lots")
+  command->add_option("--seed", comparison->seed, "of the starts and of what draws lots")
       ->type_name("N")
       ->capture_default_str();
-  command->add_option("--max-simulations", comparison.budget.evaluations, "of each run")
-      ->type_name("N");
-  command->add_option("--max-seconds", comparison.budget.seconds, "of each run")->type_name("S");
   command
-      ->add_option("--threads", comparison.num_threads,
+      ->add_option("--max-simulations", comparison->budget.evaluations,
+                   "of each run; else until it converges")
+      ->type_name("N");
+  command
+      ->add_option("--max-seconds", comparison->budget.seconds,
+                   "of each run; else until it converges")
+      ->type_name("S");
+  command
+      ->add_option("--threads", comparison->num_threads,
                    "of pattern search; the others have no use for more than one")
       ->type_name("N")
-      ->capture_default_str();
-  command->add_option("--frames", options->frames, "first and last frame to fit")
-      ->type_name("A B")
-      ->expected(2);
-  command->add_option("--alpha", options->alpha, "weight of the silhouettes")->type_name("W");
-  command->add_option("--beta", options->beta, "weight of markers and tracks")->type_name("W");
+      ->default_str("all cores");
+}
+
+void AddCompareOptions(CLI::App* command, CompareOptions* options) {
+  ComparisonOptions& comparison = options->comparison;
+  comparison.num_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  BeginGroup(command, "The comparison");
+  command->add_option("-o,--output", options->output, "folder of the tables, curves and picture")
+      ->type_name("FOLDER")
+      ->required();
   command->add_flag("--force", options->force,
                     "replace the comparison that is there; other files stay");
   command->add_flag("--resume", options->resume, "go on with an interrupted comparison")
       ->excludes("--force");
   command->add_flag("--quiet", options->quiet, "print errors only");
+  AddConfigOptions(command, &options->config);
+  AddFreeOptions(command, &options->config);
+  AddContenderOptions(command, &comparison, options);
+  BeginGroup(command, "What is fitted");
+  command
+      ->add_option("--frames", options->frames,
+                   "first and last frame to fit; else all that are not held out")
+      ->type_name("A B")
+      ->expected(2);
+  DefaultIsKey("observations.alpha",
+               command->add_option("--alpha", options->alpha, "weight of the silhouettes"))
+      ->type_name("W");
+  DefaultIsKey("observations.beta",
+               command->add_option("--beta", options->beta, "weight of markers and tracks"))
+      ->type_name("W");
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 
 #include "autodiff_sim/base/error.h"
+#include "fitting/config/keys.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/recording/summary.h"
 
@@ -18,6 +20,21 @@ CLI::Option* AddRepeated(CLI::App* command, const std::string& name,
                          std::vector<std::string>* values, const std::string& type,
                          const std::string& doc) {
   return command->add_option(name, *values, doc)->type_name(type)->allow_extra_args(false);
+}
+
+// The options that set a key of the config.
+const std::map<std::string, std::string>& OptionsOfKeys() {
+  static const std::map<std::string, std::string> options = {
+      {"cloth.resolution", "--resolution"},
+      {"initial_state.order", "--initial-order"},
+      {"observations.alpha", "--alpha"},
+      {"observations.beta", "--beta"},
+      {"observations.frames", "--frames"},
+      {"strategy.max_iterations", "--max-iterations"},
+      {"strategy.max_simulations", "--max-simulations"},
+      {"strategy.optimiser", "--optimiser"},
+      {"strategy.window", "--window"}};
+  return options;
 }
 
 void CheckFreedOnce(const ConfigOptions& options) {
@@ -45,9 +62,36 @@ void FreeAndFix(const ConfigOptions& options, FitConfig* config) {
 
 }  // namespace
 
+void BeginGroup(CLI::App* command, const std::string& title) {
+  command->option_defaults()->group(title);
+}
+
+CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option) {
+  for (const ConfigKey& one : ConfigKeys()) {
+    if (one.full_name() == key) return option->default_str(one.write(FitConfig()));
+  }
+  throw std::logic_error(key + ": no such key");
+}
+
+void CheckConfig(const FitConfig& config) {
+  for (const ConfigKey& key : ConfigKeys()) {
+    const std::string problem = key.problem(config);
+    const auto option = OptionsOfKeys().find(key.full_name());
+    if (problem.empty() || option == OptionsOfKeys().end()) continue;
+    throw InputError(option->second, key.write(config) + ": " + problem);
+  }
+  if (config.alpha == 0.0 && config.beta == 0.0)
+    throw InputError("--alpha, --beta", "both are 0: nothing is left to fit");
+  config.Check("command line");
+}
+
 void AddConfigOptions(CLI::App* command, ConfigOptions* options) {
-  command->add_option("RECORDING", options->recording, "folder of the recording");
-  command->add_option("--config", options->config, "YAML file of the keys that are changed")
+  command->add_option("RECORDING", options->recording,
+                      "folder of the recording; may be left out where --config names it");
+  BeginGroup(command, kModelGroup);
+  command
+      ->add_option("--config", options->config,
+                   "YAML file of the keys that differ from the defaults")
       ->type_name("FILE");
   AddRepeated(command, "--set", &options->set, "TERM.PARAMETER=VALUE",
               "start value of a parameter (its value where it is fixed); may be repeated");
@@ -55,7 +99,9 @@ void AddConfigOptions(CLI::App* command, ConfigOptions* options) {
               "put a force term at its off values; may be repeated");
   command->add_flag("--self-contact", options->self_contact,
                     "the cloth does not pass through itself; see the parameters contact.*");
-  command->add_option("--resolution", options->resolution, "particles along u and v")
+  command
+      ->add_option("--resolution", options->resolution,
+                   "particles along u and v; else as the recording says")
       ->type_name("NU NV")
       ->expected(2);
   command->add_flag("--keep-outliers", options->keep_outliers,
@@ -63,8 +109,9 @@ void AddConfigOptions(CLI::App* command, ConfigOptions* options) {
 }
 
 void AddFreeOptions(CLI::App* command, ConfigOptions* options) {
+  BeginGroup(command, kModelGroup);
   AddRepeated(command, "--free", &options->free, "NAME",
-              "estimate a parameter, or all of a term; may be repeated");
+              "estimate a parameter, or all of a term; may be repeated; see 'clothfit terms'");
   AddRepeated(command, "--fix", &options->fix, "NAME",
               "hold a parameter, or all of a term, at its value; may be repeated");
 }

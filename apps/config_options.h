@@ -26,10 +26,21 @@ struct ConfigOptions {
   bool keep_outliers = false;  // gross errors of markers and tracks
 };
 
-// RECORDING, --config, --set, --without, --self-contact, --resolution and --keep-outliers.
+// RECORDING, --config, --set, --without, --self-contact, --resolution and --keep-outliers, in the
+// group kModelGroup.
 void AddConfigOptions(CLI::App* command, ConfigOptions* options);
-// --free and --fix.
+// --free and --fix, in the same group.
 void AddFreeOptions(CLI::App* command, ConfigOptions* options);
+inline constexpr const char* kModelGroup = "The model";
+
+// Options that are added to the command from here on stand under this title in its help.
+void BeginGroup(CLI::App* command, const std::string& title);
+// Shows in the help that a key of the config, "strategy.window", stands where this is left out;
+// returns `option`.
+CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option);
+
+// FitConfig::Check of what the command line has changed: names the option where one sets the key.
+void CheckConfig(const FitConfig& config);
 
 // Reads the recording that the options, or their config file, name.
 Recording ReadRecordingOf(const ConfigOptions& options);

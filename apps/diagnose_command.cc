@@ -11,7 +11,8 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/interrupt.h"
-#include "apps/share_display.h"
+#include "apps/next_step.h"
+#include "apps/progress_display.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/answer/folder.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
@@ -31,7 +32,7 @@ struct DiagnoseOptions {
 int RunDiagnoseCommand(DiagnoseOptions options) {
   Recording recording = ReadRecordingOf(options.config);
   const FitConfig config = ReadConfigOf(options.config, recording);
-  config.Check("command line");
+  CheckConfig(config);
   LeaveOutOutliers(config, &recording);
   CheckFittable(MakeScene(recording, config));
   const DiagnosisFolder folder(options.output, ExistingIf(options.force, options.resume));
@@ -42,63 +43,73 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   options.diagnosis.stop = StopOnInterrupt();
   options.diagnosis.kept_fits = folder.KeptFits();
   options.diagnosis.log = [&folder](const std::string& line) { folder.AppendLog(line); };
-  ShareDisplay display;
+  ProgressDisplay display(ProgressDisplay::Lines::kNowAndThen);
   if (!options.quiet) {
     options.diagnosis.progress = [&display](const std::string& stage, double fraction) {
-      display.Show(fraction, stage);
+      display.Show(stage, "", fraction);
     };
   }
   const Diagnosis diagnosis = Diagnose(recording, config, options.diagnosis);
   display.Finish();
   folder.Write(diagnosis);
   if (!options.quiet) fmt::print("{}\n{}\n", diagnosis.words, folder.path().string());
-  if (diagnosis.verdict != Verdict::kInterrupted) return kExitSuccess;
+  if (diagnosis.verdict != Verdict::kInterrupted) {
+    if (!options.quiet) PrintNext("clothfit report " + ShellWord(folder.path().string()));
+    return kExitSuccess;
+  }
   fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
   return kExitInterrupted;
+}
+
+void AddLookOptions(CLI::App* command, DiagnoseOptions* options) {
+  BeginGroup(command, "What is looked for");
+  DiagnosisOptions& diagnosis = options->diagnosis;
+  command
+      ->add_option("--exclude", diagnosis.excluded,
+                   "a term that is not looked for; may be repeated")
+      ->type_name("TERM");
+  command->add_option("--max-effects", diagnosis.max_effects, "effects to add at most, 1 to 10")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10))
+      ->capture_default_str();
+  command
+      ->add_option("--max-models", diagnosis.max_models,
+                   "physical candidates to fit for each effect, 1 to 40")
+      ->type_name("N")
+      ->check(CLI::Range(1, 40))
+      ->capture_default_str();
+  command
+      ->add_option("--finest", diagnosis.finest_side,
+                   "particles a side of the mesh that decides, at most; more tell more and take "
+                   "longer; 3 to 100")
+      ->type_name("N")
+      ->check(CLI::Range(3, 100))
+      ->capture_default_str();
+  command->add_option("--seed", diagnosis.seed, "of the null and of the bootstrap")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void AddAblationOptions(CLI::App* command, DiagnoseOptions* options) {
+  BeginGroup(command, "Parts left out, to measure what they are worth");
+  command->add_flag("--no-projection", options->no_projection,
+                    "score candidates without taking out what others can do");
+  command->add_flag("--table-null", options->table_null,
+                    "noise alone instead of the null that is simulated again");
+  command->add_flag("--no-guide", options->no_guide,
+                    "score along the free motion only, not along a nudged one, too");
 }
 
 }  // namespace
 
 void AddDiagnoseCommand(CLI::App* app, Action* action) {
-  CLI::App* const command = app->add_subcommand(
-      "diagnose",
-      "locate what the simulation cannot explain, say what physics was left out, prove it");
+  CLI::App* const command =
+      app->add_subcommand("diagnose", "find out what physics was left out: where, which, how sure");
   const auto options = std::make_shared<DiagnoseOptions>();
+  BeginGroup(command, "The answer");
   command->add_option("-o,--output", options->output, "folder of the answer")
-      ->type_name("RUN")
+      ->type_name("OUT")
       ->required();
-  AddConfigOptions(command, &options->config);
-  AddFreeOptions(command, &options->config);
-  command
-      ->add_option("--exclude", options->diagnosis.excluded,
-                   "a term that is not looked for; may be repeated")
-      ->type_name("TERM");
-  command->add_option("--max-effects", options->diagnosis.max_effects, "effects to add at most")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10))
-      ->capture_default_str();
-  command
-      ->add_option("--max-models", options->diagnosis.max_models,
-                   "physical candidates to fit for each effect")
-      ->type_name("N")
-      ->check(CLI::Range(1, 40))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--finest", options->diagnosis.finest_side,
-          "particles a side of the mesh that decides, at most; more tell more and take longer")
-      ->type_name("N")
-      ->check(CLI::Range(3, 100))
-      ->capture_default_str();
-  command->add_option("--seed", options->diagnosis.seed, "of the null and of the bootstrap")
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_flag("--no-projection", options->no_projection,
-                    "ablation: score candidates without taking out what others can do");
-  command->add_flag("--table-null", options->table_null,
-                    "ablation: noise alone instead of the null that is simulated again");
-  command->add_flag("--no-guide", options->no_guide,
-                    "ablation: score along the free motion only, not along a nudged one, too");
   CLI::Option* const force = command->add_flag(
       "--force", options->force, "replace an earlier diagnosis there; other files stay");
   command
@@ -106,9 +117,13 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
                  "go on with an interrupted diagnosis there; begins where there is none")
       ->excludes(force);
   command->add_flag("--quiet", options->quiet, "print errors only");
+  AddConfigOptions(command, &options->config);
+  AddFreeOptions(command, &options->config);
+  AddLookOptions(command, options.get());
+  AddAblationOptions(command, options.get());
   command->footer(
       "The baseline is the config: what it switches off is looked for. Writes diagnosis.json,\n"
-      "diagnosis.md and config.yaml, which fit, simulate and predict take.\n"
+      "diagnosis.md and config.yaml, which fit and simulate take.\n"
       "Ctrl-C stops (exit status 130); the same command with --resume does not repeat fits that\n"
       "were finished by then.\n\n"
       "Example:\n"

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/next_step.h"
 #include "fitting/pictures/picture.h"
 
 namespace clothfit {
@@ -28,6 +29,7 @@ int RunDrawCommand(DrawOptions options) {
   const RunFolder run = RunFolder::Open(options.run);
   DrawRun(ReadFittedRun(run), run, options.picture, options.output, OverwriteIf(options.force));
   fmt::print("picture: {}\n", options.output);
+  PrintNext("clothfit report " + ShellWord(options.run));
   return kExitSuccess;
 }
 
@@ -42,11 +44,13 @@ void AddDrawCommand(CLI::App* app, Action* action) {
       ->type_name("FILE")
       ->required();
   command->add_option("--frames", options->picture.frames, "frames to draw; four if left out")
-      ->type_name("N");
+      ->type_name("N ...");
   command
       ->add_option("--azimuth", options->azimuth, "degrees about the vertical, from -y towards x")
+      ->type_name("DEGREES")
       ->capture_default_str();
   command->add_option("--elevation", options->elevation, "degrees above the horizon")
+      ->type_name("DEGREES")
       ->capture_default_str();
   command->add_flag("--force", options->force, "replace FILE");
   command->footer(

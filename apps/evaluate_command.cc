@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.h"
+#include "apps/next_step.h"
 #include "fitting/report/run_record.h"
 #include "fitting/runs/surface_evaluation.h"
 #include "tracking/recording/truth.h"
@@ -60,6 +61,7 @@ int RunEvaluateCommand(const EvaluateOptions& options) {
   const SurfaceEvaluation evaluation = EvaluateSurface(run, options.truth);
   if (!options.output.empty()) WriteOutputFile(options.output, SurfaceAsCsv(evaluation), overwrite);
   fmt::print("{}{}", SurfaceAsMarkdown(evaluation), IntervalsAgainstTruth(run, options.truth));
+  PrintNext("clothfit report " + ShellWord(options.run));
   return kExitSuccess;
 }
 
@@ -69,7 +71,7 @@ void AddEvaluateCommand(CLI::App* app, Action* action) {
   CLI::App* const command =
       app->add_subcommand("evaluate", "compare a run's surface with a recording's truth");
   const auto options = std::make_shared<EvaluateOptions>();
-  command->add_option("run", options->run, "folder of the run")->type_name("RUN")->required();
+  command->add_option("RUN", options->run, "folder of the run")->required();
   command->add_option("--truth", options->truth, "recording with truth/")
       ->type_name("RECORDING")
       ->required();

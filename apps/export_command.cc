@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/next_step.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/export/export.h"
 #include "tracking/text/text.h"
@@ -22,21 +23,30 @@ struct ExportOptions {
   bool force = false;
 };
 
-const ExportFormat& FindFormat(const std::string& name) {
+// The format that is named, else the one whose files end as the output's name does.
+const ExportFormat& FindFormat(const std::string& name, const std::string& output) {
   std::vector<std::string> names;
+  const std::string extension = std::filesystem::path(output).extension().string();
   for (const ExportFormat& format : ExportFormats()) {
-    if (format.name == name) return format;
+    if (format.name == name || (name.empty() && format.extension == extension)) return format;
     names.push_back(format.name);
   }
+  if (name.empty()) throw InputError("--format", "is missing: expected one of " + JoinNames(names));
   throw InputError("--format", "'" + name + "': " + Suggestion(name, names));
 }
 
 int RunExportCommand(const ExportOptions& options) {
-  const ExportFormat& format = FindFormat(options.format);
+  if (std::filesystem::path(options.output).extension() == ".gltf") {
+    throw InputError(options.output,
+                     "expected a name that ends in .glb: glTF is written in its binary form");
+  }
+  const ExportFormat& format = FindFormat(options.format, options.output);
   const RunFolder run = RunFolder::Open(options.run);
   const int frames =
       ExportRun(run, format.name, options.overlay, options.output, OverwriteIf(options.force));
   fmt::print("{} frames: {}\n", frames, options.output);
+  PrintNext(format.name == "gltf" ? "open " + ShellWord(options.output) + ", in Blender for example"
+                                  : "read " + ShellWord(options.output) + " in another program");
   return kExitSuccess;
 }
 
@@ -55,7 +65,8 @@ void AddExportCommand(CLI::App* app, Action* action) {
       app->add_subcommand("export", "a run's motion in the files of other programs");
   const auto options = std::make_shared<ExportOptions>();
   command->add_option("RUN", options->run, "folder of the run")->required();
-  command->add_option("--format", options->format, "see below")->type_name("NAME")->required();
+  command->add_option("--format", options->format, "see below; else as OUT ends")
+      ->type_name("NAME");
   command->add_option("-o,--output", options->output, "file to write, or folder for a file a frame")
       ->type_name("OUT")
       ->required();

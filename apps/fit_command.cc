@@ -11,6 +11,7 @@
 #include "apps/config_options.h"
 #include "apps/fit_result_text.h"
 #include "apps/interrupt.h"
+#include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
@@ -53,7 +54,7 @@ void ApplyOptions(const FitOptions& options, FitConfig* config) {
   if (options.max_simulations) config->max_simulations = *options.max_simulations;
   if (options.no_polish) config->polish = false;
   if (options.attract) Attract(config);
-  config->Check("command line");
+  CheckConfig(*config);
 }
 
 fs::path DefaultRun(const Recording& recording) {
@@ -106,9 +107,11 @@ int Report(const FitResult& result, const RunFolder& run, bool quiet) {
       fmt::format("; 'clothfit fit --resume -o {}' goes on", run.path().string());
   switch (result.status) {
     case FitStatus::kConverged:
+      if (!quiet) PrintNext("clothfit report " + ShellWord(run.path().string()));
       return kExitSuccess;
     case FitStatus::kNotConverged:
       fmt::print(stderr, "clothfit: warning: not converged{}\n", run.HasCheckpoint() ? hint : "");
+      if (!quiet) PrintNext("clothfit report " + ShellWord(run.path().string()));
       return kExitSuccess;
     case FitStatus::kInterrupted:
       fmt::print(stderr, "clothfit: interrupted{}\n", hint);
@@ -180,59 +183,80 @@ int RunFitCommand(FitOptions options) {
   return Report(FitWithDisplay(scene, config, run, options), run, options.quiet);
 }
 
-void AddFitOptions(CLI::App* command, FitOptions* options) {
+void AddObservationOptions(CLI::App* command, FitOptions* options) {
   const std::map<std::string, LossKind> losses = {
       {"none", LossKind::kNone}, {"huber", LossKind::kHuber}, {"cauchy", LossKind::kCauchy}};
-  command->add_option("-o,--output", options->run, "folder of the run; runs/NAME if left out")
-      ->type_name("RUN");
-  AddConfigOptions(command, &options->config);
-  AddFreeOptions(command, &options->config);
+  BeginGroup(command, "What is fitted");
   command
-      ->add_option("--window", options->window,
-                   "seconds of the first windows, which grow; 0: all frames at once")
+      ->add_option("--frames", options->frames,
+                   "first and last frame to fit; else all that are not held out")
+      ->type_name("A B")
+      ->expected(2);
+  command
+      ->add_option("--loss", options->loss,
+                   "how outliers count (default: none; huber with tracks or masks)")
+      ->transform(CLI::Transformer(losses))
+      ->option_text("none|huber|cauchy");
+  DefaultIsKey("observations.alpha",
+               command->add_option("--alpha", options->alpha,
+                                   "weight of the silhouettes; 0 leaves them out"))
+      ->type_name("W");
+  DefaultIsKey("observations.beta",
+               command->add_option("--beta", options->beta,
+                                   "weight of markers and tracks; 0 leaves them out"))
+      ->type_name("W");
+  command
+      ->add_option("--initial-order", options->initial_order,
+                   "polynomial offsets of the state at frame 0: -1 none, 0 constant, 1 bilinear, "
+                   "2 biquadratic (default: -1; 0 where measured points place the cloth)")
+      ->type_name("K");
+}
+
+void AddSearchOptions(CLI::App* command, FitOptions* options) {
+  BeginGroup(command, "How it is searched");
+  DefaultIsKey("strategy.window",
+               command->add_option("--window", options->window,
+                                   "seconds of the first windows, which grow; 0: all frames at "
+                                   "once"))
       ->type_name("S");
   command->add_flag("--no-polish", options->no_polish,
                     "leave out the fit of all frames after the windows");
   command
-      ->add_option("--initial-order", options->initial_order,
-                   "polynomial offsets of the state at frame 0: -1 none, 0 constant, 1 bilinear, "
-                   "2 biquadratic")
-      ->type_name("K");
-  command
       ->add_option("--max-iterations", options->max_iterations,
-                   "of the fit of all frames; of windows at most 8 each")
+                   "of the fit of all frames; of windows at most 8 each (default: 60; 100 of "
+                   "outlines alone)")
       ->type_name("N");
-  command->add_option("--frames", options->frames, "first and last frame to fit")
-      ->type_name("A B")
-      ->expected(2);
-  command->add_option("--loss", options->loss, "how outliers count: none, huber or cauchy")
-      ->type_name("LOSS")
-      ->transform(CLI::Transformer(losses))
-      ->option_text("none|huber|cauchy");
-  command->add_option("--alpha", options->alpha, "weight of the silhouettes; 0 leaves them out")
-      ->type_name("W");
-  command->add_option("--beta", options->beta, "weight of markers and tracks; 0 leaves them out")
-      ->type_name("W");
-  command
-      ->add_option("--strategy", options->strategy,
-                   "which unknowns are searched together: joint, two-loop or one-loop")
+  DefaultIsKey("strategy.loops", command->add_option("--strategy", options->strategy,
+                                                     "which unknowns are searched together"))
+      ->option_text("joint|two-loop|one-loop");
+  DefaultIsKey("strategy.optimiser",
+               command->add_option(
+                   "--optimiser", options->optimiser,
+                   "lm (Levenberg-Marquardt) on the soft error; on the hard error " +
+                       JoinNames({std::next(OptimiserNames().begin()), OptimiserNames().end()})))
       ->type_name("NAME");
-  command
-      ->add_option("--optimiser", options->optimiser,
-                   "lm on the soft error; on the hard error " +
-                       JoinNames({std::next(OptimiserNames().begin()), OptimiserNames().end()}))
-      ->type_name("NAME");
-  command
-      ->add_option("--max-simulations", options->max_simulations,
-                   "of the recording, of all optimisers but lm; 0: until they converge")
+  DefaultIsKey("strategy.max_simulations",
+               command->add_option("--max-simulations", options->max_simulations,
+                                   "of the recording, of all optimisers but lm; 0: until they "
+                                   "converge"))
       ->type_name("N");
   command->add_flag("--attract", options->attract,
                     "let markers and rays pull at the cloth while fitting (attraction_point.*, "
                     "attraction_ray.*)");
+}
+
+void AddFitOptions(CLI::App* command, FitOptions* options) {
+  BeginGroup(command, "The run");
+  command->add_option("-o,--output", options->run, "folder of the run; runs/NAME if left out")
+      ->type_name("RUN");
   command->add_flag("--force", options->force, "replace the run that is there; other files stay");
   command->add_flag("--resume", options->resume, "go on with an interrupted run")
       ->excludes("--force");
   command->add_flag("--quiet", options->quiet, "print errors only");
+  AddConfigOptions(command, &options->config);
+  AddFreeOptions(command, &options->config);
+  AddObservationOptions(command, options);
+  AddSearchOptions(command, options);
 }
 
 }  // namespace

@@ -45,19 +45,24 @@ std::string EstimateRow(const ParameterEstimate& estimate) {
 // The free physical parameters; the rest is only counted.
 std::string EstimateTable(const std::vector<ParameterEstimate>& estimates) {
   const std::vector<NamedParameter> table = MakeParameterTable();
-  std::string rows;
+  std::string rows, shrinkage;
   int others = 0;
   for (const ParameterEstimate& estimate : estimates) {
     if (!estimate.free) continue;
     if (FindParameter(table, estimate.name) >= 0) {
       rows += EstimateRow(estimate);
+      if (estimate.name.rfind("cloth.shrink", 0) == 0)
+        shrinkage =
+            "  cloth.shrink_*: free, since the markers' places on the cloth are known to some "
+            "millimetres only\n";
     } else {
       ++others;
     }
   }
-  std::string text = fmt::format("  {:<24}{:>12}{:>12}  {:<26}{}\n", "parameter", "start", "value",
-                                 "95 % interval", "unit") +
-                     rows;
+  const std::string head = fmt::format("  {:<24}{:>12}{:>12}  {:<26}{}\n", "parameter", "start",
+                                       "value", "95 % interval", "unit");
+  std::string text = rows.empty() ? "  all parameters are held at their values\n" : head + rows;
+  text += shrinkage;
   if (others > 0) {
     text += fmt::format("  and {} entries of handle paths and the initial state\n", others);
   }

@@ -9,6 +9,7 @@
 
 #include "apps/commands.h"
 #include "apps/config_options.h"
+#include "apps/next_step.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/fit/gradient_report.h"
 #include "fitting/runs/fit_run.h"
@@ -56,7 +57,7 @@ FitConfig MakeGradcheckConfig(const GradcheckOptions& options, const Recording& 
   for (const std::string& name : options.parameters) {
     SetFree("--parameters", name, true, &config);
   }
-  config.Check("command line");
+  CheckConfig(config);
   return config;
 }
 
@@ -74,6 +75,7 @@ int RunGradcheckCommand(const GradcheckOptions& options) {
   CheckContact(scene, config);
   const GradientReport report = CheckFitGradient(scene, config, frames - 1);
   PrintReport(report, frames);
+  if (report.Passes()) PrintNext("clothfit fit " + ShellWord(recording.path.string()));
   return report.Passes() ? kExitSuccess : kExitFailure;
 }
 
@@ -83,7 +85,7 @@ void AddGradcheckCommand(CLI::App* app, Action* action) {
   CLI::App* const command =
       app->add_subcommand("gradcheck", "compare the exact derivatives of a fit with differences");
   const auto options = std::make_shared<GradcheckOptions>();
-  AddConfigOptions(command, &options->config);
+  BeginGroup(command, "The check");
   command->add_option("--frames", options->frames, "how many frames; 10 if left out")
       ->type_name("N");
   command
@@ -91,6 +93,7 @@ void AddGradcheckCommand(CLI::App* app, Action* action) {
                    "parameter or term to check in place of the free ones; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  AddConfigOptions(command, &options->config);
   command->footer(
       "Exit status 1 where a derivative is wrong, or where none can be decided.\n\n"
       "Example:\n"

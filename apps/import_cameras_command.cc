@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/config_options.h"
 #include "apps/import_commands.h"
 #include "autodiff_sim/base/error.h"
 #include "tracking/camera/world_change.h"
@@ -83,6 +84,7 @@ int RunImportOpencv(const CamerasOptions& options) {
 }
 
 void AddCamerasOptions(CLI::App* command, CamerasOptions* options) {
+  BeginGroup(command, "The cameras, and the recording");
   command->add_option("-o,--output", options->output, "folder of the recording, old or new")
       ->type_name("RECORDING")
       ->required();
@@ -95,13 +97,13 @@ void AddCamerasOptions(CLI::App* command, CamerasOptions* options) {
   command
       ->add_option("--transform", options->transform,
                    "4 x 4 similarity from the calibration's world, row by row, in place of both")
-      ->type_name("N x 16")
+      ->type_name("S11 .. S44")
       ->expected(16)
       ->excludes("--scale")
       ->excludes("--up");
+  command->add_flag("--force", options->force, "replace cameras.yaml, if it was imported");
   AddSceneOptions(command, &options->scene);
   command->add_option("--frames", options->scene.frames, "number of frames")->type_name("N");
-  command->add_flag("--force", options->force, "replace cameras.yaml, if it was imported");
 }
 
 }  // namespace
@@ -115,6 +117,7 @@ void AddImportColmap(CLI::App* import, Action* action) {
   command
       ->add_option("--names", options->naming,
                    "a camera for each image (stem) or each folder of images (folder)")
+      ->type_name("auto|stem|folder")
       ->check(CLI::IsMember({"auto", "stem", "folder"}))
       ->capture_default_str();
   AddCamerasOptions(command, options.get());

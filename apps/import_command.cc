@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/config_options.h"
 #include "apps/import_commands.h"
+#include "apps/next_step.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -31,6 +33,7 @@ bool SceneOptions::AnyGiven() const {
 }
 
 void AddSceneOptions(CLI::App* command, SceneOptions* options) {
+  BeginGroup(command, "The scene, for a recording that is new");
   command->add_option("--size", options->size, "of the cloth, m along u and v")
       ->type_name("U V")
       ->expected(2);
@@ -59,12 +62,20 @@ void PrintWhatIsMissing(const std::filesystem::path& folder, const SceneStart& s
     fmt::print("{} is needed too: see 'clothfit import colmap' and 'opencv'\n",
                (folder / "cameras.yaml").string());
   }
+  if (std::filesystem::exists(folder / "recording.yaml") &&
+      std::filesystem::exists(folder / "cameras.yaml"))
+    PrintNext("clothfit check " + ShellWord(folder.string()));
 }
 
 void AddImportCommand(CLI::App* app, Action* action) {
   CLI::App* const import = app->add_subcommand(
       "import", "make recordings of motion capture, calibrated cameras and videos");
   import->require_subcommand(1);
+  import->footer(
+      "Examples:\n"
+      "  clothfit import motive take.csv -o take\n"
+      "  clothfit import opencv cam0.yml cam1.yml -o drape --scale 0.001\n"
+      "  clothfit import video cam0=a.mp4 cam1=b.mp4 -o drape --size 0.5 0.7 --ground 0");
   AddImportMotive(import, action);
   AddImportColmap(import, action);
   AddImportOpencv(import, action);

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/config_options.h"
 #include "apps/import_commands.h"
+#include "apps/next_step.h"
 #include "tracking/import/motive.h"
 #include "tracking/import/take_recording.h"
 #include "tracking/recording/start.h"
@@ -63,10 +65,12 @@ int RunImportMotive(const MotiveOptions& options) {
              recording.cloth.size.x(), recording.cloth.size.y());
   for (const std::string& note : notes) fmt::print("{}\n", note);
   fmt::print("{}", layout);
+  PrintNext("clothfit check " + ShellWord(options.output));
   return kExitSuccess;
 }
 
 void AddClothOptions(CLI::App* command, MotiveOptions* options) {
+  BeginGroup(command, "The scene");
   TakeOptions& take = options->take;
   command
       ->add_option("--size", options->size,
@@ -92,6 +96,7 @@ void AddClothOptions(CLI::App* command, MotiveOptions* options) {
 }
 
 void AddMarkerOptions(CLI::App* command, MotiveOptions* options) {
+  BeginGroup(command, "The markers");
   TakeOptions& take = options->take;
   command
       ->add_option("--handle,--handles", take.handles,
@@ -131,20 +136,22 @@ void AddImportMotive(CLI::App* import, Action* action) {
       import->add_subcommand("motive", "markers that OptiTrack Motive exported as CSV");
   const auto options = std::make_shared<MotiveOptions>();
   command->add_option("FILE", options->file, "exported by Motive with its header")->required();
+  BeginGroup(command, "The file, and the recording");
   command->add_option("-o,--output", options->output, "folder of the recording")
       ->type_name("RECORDING")
       ->required();
-  command->add_option("--up", options->up, "axis of FILE that points up")
+  command->add_option("--up", options->up, "axis of FILE that points up: y or z")
+      ->type_name("AXIS")
       ->check(CLI::IsMember({"y", "z"}))
       ->capture_default_str();
   command->add_flag("--skip-bad-rows", options->skip_bad_rows,
                     "leave out rows that cannot be read");
-  AddMarkerOptions(command, options.get());
-  AddClothOptions(command, options.get());
   command->add_flag("--force", options->force,
                     "replace what was imported before; cameras and videos stay");
+  AddMarkerOptions(command, options.get());
+  AddClothOptions(command, options.get());
   command->footer(
-      "Example:\n"
+      "Examples:\n"
       "  clothfit import motive take.csv -o take --every 4 --held-out 0.33\n"
       "  clothfit import motive take.csv -o take --handle 'left=Unlabeled 1022' "
       "--obstacle Bar=capsule:radius=0.02");

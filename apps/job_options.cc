@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "apps/config_options.h"
 #include "apps/interrupt.h"
+#include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "apps/study_commands.h"
 #include "autodiff_sim/base/error.h"
@@ -16,6 +18,7 @@
 namespace clothfit {
 
 void AddJobOptions(CLI::App* command, JobOptions* options) {
+  BeginGroup(command, "The results");
   command->add_option("-o,--output", options->output, "folder of results and tables")
       ->type_name("FOLDER")
       ->required();
@@ -85,6 +88,8 @@ int FinishJobs(const StudyRun& run, const JobOptions& options, const StudyRunOpt
                  run.num_problems, run.first_problem);
     }
   }
+  if (is_first && !options.quiet && status == kExitSuccess)
+    PrintNext("clothfit report " + ShellWord(options.output));
   std::fflush(nullptr);
   if (run.num_hanging > 0) std::_Exit(status);
   return status;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/config_options.h"
 #include "apps/progress_display.h"
 #include "apps/study_commands.h"
 
@@ -64,6 +65,7 @@ int RunJobStudy(const Study& study, const JobStudyOptions& given) {
 }
 
 void AddRecordingOptions(CLI::App* command, JobStudyOptions* options) {
+  BeginGroup(command, "The recordings");
   command
       ->add_option("--recordings", options->recordings,
                    "folder of recordings, made where they are missing, which studies of the same "
@@ -81,6 +83,7 @@ void AddRecordingOptions(CLI::App* command, JobStudyOptions* options) {
 }
 
 void AddFitOptions(CLI::App* command, const Study& study, JobStudyOptions* options) {
+  BeginGroup(command, "The fits");
   if (!study.values.empty())
     command->add_option("--values", options->values, study.values)->type_name("V")->delimiter(',');
   command->add_option("--particles", options->particles, "a side, of fits")->type_name("N");

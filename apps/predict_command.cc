@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/next_step.h"
 #include "fitting/runs/prediction.h"
 
 namespace clothfit {
@@ -26,6 +27,7 @@ int RunPredictCommand(const PredictOptions& options) {
   const std::vector<PredictionQuery> queries = ReadQueries(options.points, fitted.scene);
   WritePredictions(options.output, queries, Predict(fitted, run, queries), overwrite);
   fmt::print("{} points: {}\n", queries.size(), options.output);
+  PrintNext("clothfit draw " + ShellWord(options.run) + " -o cloth.png");
   return kExitSuccess;
 }
 
@@ -37,12 +39,12 @@ void AddPredictCommand(CLI::App* app, Action* action) {
   const auto options = std::make_shared<PredictOptions>();
   command->add_option("RUN", options->run, "folder of the run")->required();
   command->add_option("--at", options->points, "CSV file with the columns frame,u,v (u, v in m)")
-      ->type_name("POINTS")
+      ->type_name("FILE")
       ->required();
   command->add_option("-o,--output", options->output, "CSV file to write: frame,u,v,x,y,z (m)")
-      ->type_name("OUT")
+      ->type_name("FILE")
       ->required();
-  command->add_flag("--force", options->force, "replace OUT");
+  command->add_flag("--force", options->force, "replace the file that is there");
   command->footer(
       "Frames beyond the fitted ones are simulated on along the known paths of the handles.\n\n"
       "Example:\n"

@@ -28,13 +28,6 @@ std::string Minutes(double seconds) {
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-// Empty as long as too little is done to tell.
-std::string TimeLeft(double seconds, double fraction) {
-  constexpr double kEnough = 0.02;
-  if (fraction < kEnough) return "";
-  return fmt::format(", {} left", Minutes(seconds * (1.0 - fraction) / fraction));
-}
-
 // The stage names the frames or the window.
 std::string Describe(const FitProgress& progress, int recorded_frames) {
   if (!progress.detail.empty()) return progress.detail;
@@ -51,29 +44,45 @@ std::string Bar(double fraction) {
 
 }  // namespace
 
-ProgressDisplay::ProgressDisplay() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
+std::string ProgressText(double fraction, double seconds, bool with_bar) {
+  constexpr double kLeast = 0.02, kMost = 0.99;
+  const double done = std::clamp(fraction, 0.0, kMost);
+  std::string text = with_bar ? Bar(done) + " " : "";
+  text += fmt::format("{:3.0f} %", std::floor(100.0 * done + 1e-9));
+  if (done < kLeast || done >= kMost) return text;
+  return text + fmt::format(", {} left", Minutes(seconds * (1.0 - done) / done));
+}
+
+ProgressDisplay::ProgressDisplay(Lines lines)
+    : is_terminal_(isatty(STDERR_FILENO) != 0), lines_(lines) {}
 
 void ProgressDisplay::Show(const FitProgress& progress, int recorded_frames) {
   Show(progress.stage, Describe(progress, recorded_frames), progress.fraction);
 }
 
 void ProgressDisplay::Show(const std::string& stage, const std::string& state, double fraction) {
-  const double done = std::clamp(fraction, 0.0, 1.0);
-  const std::string text = fmt::format("{:3.0f} %{}  {}, {}", 100.0 * done,
-                                       TimeLeft(SecondsSince(start_), done), stage, state);
-  if (is_terminal_) {
-    const size_t width = TerminalWidth() - 1;
-    std::string line = Bar(done) + " " + text;
-    if (line.size() > width) line = text;  // numbers say more than a bar
-    if (line.size() > width) line.resize(width);
-    std::fprintf(stderr, "\r\x1b[K%s", line.c_str());  // erase to the end of the line
-    std::fflush(stderr);
-    has_bar_ = true;
-    return;
-  }
-  const std::string line = text + "\n";
-  if (stage == stage_ && SecondsSince(last_) < kPlainInterval) {
-    unshown_ = line;
+  done_ = std::max(done_, std::isfinite(fraction) ? fraction : 0.0);
+  const std::string rest = "  " + stage + (state.empty() ? "" : ", " + state);
+  const double seconds = SecondsSince(start_);
+  const std::string text = ProgressText(done_, seconds, false) + rest;
+  if (!is_terminal_) return ShowLine(stage, text + "\n");
+  const std::string with_bar = ProgressText(done_, seconds, true) + rest;
+  ShowOnTerminal(with_bar.size() < TerminalWidth() ? with_bar : text);  // numbers say more
+}
+
+void ProgressDisplay::ShowOnTerminal(const std::string& text) {
+  constexpr double kInterval = 0.1;  // s; more often than one reads is work for nothing
+  if (lines_ == Lines::kNowAndThen && SecondsSince(last_) < kInterval) return;
+  last_ = Clock::now();
+  std::fprintf(stderr, "\r\x1b[K%s", text.substr(0, TerminalWidth() - 1).c_str());
+  std::fflush(stderr);
+  has_bar_ = true;
+}
+
+void ProgressDisplay::ShowLine(const std::string& stage, const std::string& line) {
+  const bool is_new = lines_ == Lines::kEachStage && stage != stage_;
+  if (!is_new && SecondsSince(last_) < kPlainInterval) {
+    if (lines_ == Lines::kEachStage) unshown_ = line;
     return;
   }
   stage_ = stage;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/next_step.h"
 #include "apps/report/assets.h"
 
 namespace clothfit {
@@ -31,6 +32,7 @@ int RunReportCommand(const ReportCommandOptions& options) {
   for (const std::string& note : page.notes) fmt::print("  {}\n", note);
   fmt::print("report: {} ({:.1f} MB)\n", file.string(),
              1e-6 * static_cast<double>(page.html.size()));
+  PrintNext("open " + ShellWord(file.string()) + " in a browser");
   return kExitSuccess;
 }
 
@@ -52,7 +54,7 @@ void AddReportCommand(CLI::App* app, Action* action) {
       ->type_name("RECORDING");
   command
       ->add_option("--picture-width", options->report.picture.width,
-                   "width of the pictures at most, px")
+                   "width of the pictures at most, px; 16 to 4096")
       ->type_name("PX")
       ->check(CLI::Range(16, 4096))
       ->capture_default_str();

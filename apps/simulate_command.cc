@@ -8,6 +8,7 @@
 
 #include "apps/commands.h"
 #include "apps/config_options.h"
+#include "apps/next_step.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/runs/fit_run.h"
 
@@ -33,7 +34,7 @@ int RunSimulateCommand(const SimulateOptions& options) {
   Recording recording = ReadRecordingOf(options.config);
   FitConfig config = ReadConfigOf(options.config, recording);
   if (options.check_intersections) config.check_intersections = true;
-  config.Check("command line");
+  CheckConfig(config);
   LeaveOutOutliers(config, &recording);
   const int frames = CountFrames(options, recording);
   const Scene scene = MakeScene(recording, config);
@@ -52,7 +53,11 @@ int RunSimulateCommand(const SimulateOptions& options) {
         "--self-contact prevents it",
         steps.intersections));
   }
-  if (reached == frames) return kExitSuccess;
+  if (reached == frames) {
+    const std::string out = ShellWord(run.path().string());
+    PrintNext("clothfit export " + out + " --format gltf -o cloth.glb");
+    return kExitSuccess;
+  }
   throw std::runtime_error(
       fmt::format("the simulation fails after frame {} of {}", reached - 1, frames));
 }
@@ -63,16 +68,17 @@ void AddSimulateCommand(CLI::App* app, Action* action) {
   CLI::App* const command = app->add_subcommand(
       "simulate", "simulate a recording's scene with given parameters, without a fit");
   const auto options = std::make_shared<SimulateOptions>();
+  BeginGroup(command, "The simulation");
   command->add_option("-o,--output", options->output, "folder for the trajectory")
       ->type_name("OUT")
       ->required();
-  AddConfigOptions(command, &options->config);
   command->add_option("--frames", options->frames, "how many frames; all if left out")
       ->type_name("N");
   command->add_flag("--check-intersections", options->check_intersections,
                     "count after every step where the cloth passes through itself, an obstacle or "
                     "the ground; exit status 1 where it does");
   command->add_flag("--force", options->force, "replace the run that is there; other files stay");
+  AddConfigOptions(command, &options->config);
   command->footer(
       "Writes trajectory.npy (frames x particles x 3, m), mesh.obj, residuals.csv and "
       "config.yaml.\n\n"

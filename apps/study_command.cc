@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/next_step.h"
 #include "apps/study_commands.h"
 #include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
@@ -56,6 +57,7 @@ int RunRecoveryCommand(StudyOptions options) {
   output.WriteAll(
       {{"recovery.csv", RecoveryAsCsv(seeds)}, {"recovery.md", RecoveryAsMarkdown(seeds)}});
   fmt::print("{}", RecoveryAsMarkdown(seeds));
+  PrintNext("clothfit report " + ShellWord(options.output));
   return kExitSuccess;
 }
 
@@ -125,6 +127,7 @@ int RunTrackingStudy(const TrackingStudyOptions& options) {
     if (found.num_frames < recording.frame_count) return kExitInterrupted;
   }
   fmt::print("{}{}", table, filters);
+  PrintNext("clothfit report " + ShellWord(options.output));
   return kExitSuccess;
 }
 
@@ -132,9 +135,7 @@ void AddTrackingStudy(CLI::App* study, Action* action) {
   CLI::App* const tracking = study->add_subcommand(
       "tracking", "track in synthetic recordings; how far from the truth is what is found?");
   const auto options = std::make_shared<TrackingStudyOptions>();
-  tracking->add_option("recordings", options->recordings, "recordings with truth/")
-      ->type_name("RECORDING")
-      ->required();
+  tracking->add_option("RECORDING", options->recordings, "recordings with truth/")->required();
   tracking->add_option("-o,--output", options->output, "folder of the tables and of what is found")
       ->type_name("FOLDER")
       ->required();
@@ -170,7 +171,10 @@ int RunChaosCommand(ChaosStudyOptions options) {
                    {"chaos.svg", ChaosAsSvg(result)}});
   DrawChaos(options.chaos, result, (output.path() / "chaos.png").string());
   fmt::print("{}", ChaosAsMarkdown(options.chaos, result));
-  if (result.complete) return kExitSuccess;
+  if (result.complete) {
+    PrintNext("clothfit report " + ShellWord(options.output));
+    return kExitSuccess;
+  }
   throw std::runtime_error(
       fmt::format("the simulation fails after frame {}", result.frames.size() - 1));
 }
@@ -202,6 +206,7 @@ void AddChaosStudy(CLI::App* study, Action* action) {
 void AddStudyCommand(CLI::App* app, Action* action) {
   CLI::App* const study = app->add_subcommand("study", "measure clothfit itself");
   study->require_subcommand(1);
+  study->footer("Example:\n  clothfit study recovery --seeds 20 -o studies/recovery");
   AddRecoveryStudy(study, action);
   AddTrackingStudy(study, action);
   AddChaosStudy(study, action);

@@ -12,7 +12,8 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/share_display.h"
+#include "apps/next_step.h"
+#include "apps/progress_display.h"
 #include "autodiff_sim/base/error.h"
 #include "tracking/synthetic/keys.h"
 #include "tracking/synthetic/presets.h"
@@ -60,15 +61,16 @@ int RunSynthesizeCommand(const SynthesizeOptions& options) {
   SyntheticOptions made = MakeSyntheticOptions(SettingsOf(options));
   made.name = NameOf(options.output);
   made.Check("synthesize");
-  ShareDisplay display;
+  ProgressDisplay display(ProgressDisplay::Lines::kNowAndThen);
   const SyntheticRecording synthetic =
       Synthesize(made, options.output, OverwriteIf(options.force),
-                 [&](double share, const std::string& stage) { display.Show(share, stage); });
+                 [&](double share, const std::string& stage) { display.Show(stage, "", share); });
   display.Finish();
   fmt::print("{}: {} frames, {} markers, {} tracks, {} pictures\n", options.output,
              made.frame_count, synthetic.recording.markers.size(),
              synthetic.recording.tracks.size(),
              made.images ? made.frame_count * made.num_cameras : 0);
+  PrintNext("clothfit fit " + ShellWord(options.output));
   return kExitSuccess;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // clothfit terms: the force terms and their parameters, from the one place where they stand.
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.h"
+#include "apps/next_step.h"
+#include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/names.h"
 #include "autodiff_sim/terms/parameter_table.h"
 
 namespace clothfit {
@@ -84,19 +88,43 @@ std::string KindOf(const TermInfo& term) {
   return kind;
 }
 
-void PrintTable() {
+constexpr const char* kCloth = "cloth";  // what the cloth is, beside the terms
+
+void PrintTerm(const TermInfo& term) {
+  fmt::print("\n{}: {} ({})\n  {}\n", term.name, term.doc, term.reference, KindOf(term));
+  for (const Parameter& p : term.parameters)
+    fmt::print("{}", ParameterRow(term.name + "." + p.name, p));
+}
+
+void PrintCloth() {
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  fmt::print("\n{}: what the cloth is\n", kCloth);
+  for (int i = 0; i < kNumClothParameters; ++i)
+    fmt::print("{}", ParameterRow(table[i].name, table[i].parameter));
+}
+
+void PrintSummary() {
+  fmt::print("{:<22}{}\n", kCloth, "what the cloth is");
+  for (const TermInfo& term : AllTerms()) fmt::print("{:<22}{}\n", term.name, term.doc);
+  PrintNext("clothfit terms TERM for its parameters, --all for those of all");
+}
+
+// Those that are named, or all.
+void PrintTables(const std::vector<std::string>& names) {
+  std::vector<std::string> right = {kCloth};
+  for (const TermInfo& term : AllTerms()) right.emplace_back(term.name);
+  for (const std::string& name : names) {
+    if (std::find(right.begin(), right.end(), name) == right.end())
+      throw InputError("TERM", "'" + name + "': " + Suggestion(name, right));
+  }
+  const auto is_asked = [&names](const std::string& name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+  };
   fmt::print("  {:<28}{:<12}{:>10}{:>10}  {:<22}{:<8}{}\n", "parameter", "unit", "initial", "off",
              "bounds", "scale", "meaning");
-  const std::vector<NamedParameter> table = MakeParameterTable();
-  fmt::print("\ncloth: what the cloth is\n");
-  for (int i = 0; i < kNumClothParameters; ++i) {
-    fmt::print("{}", ParameterRow(table[i].name, table[i].parameter));
-  }
+  if (is_asked(kCloth)) PrintCloth();
   for (const TermInfo& term : AllTerms()) {
-    fmt::print("\n{}: {} ({})\n  {}\n", term.name, term.doc, term.reference, KindOf(term));
-    for (const Parameter& p : term.parameters) {
-      fmt::print("{}", ParameterRow(term.name + "." + p.name, p));
-    }
+    if (is_asked(term.name)) PrintTerm(term);
   }
 }
 
@@ -143,14 +171,26 @@ void PrintJson() {
 }  // namespace
 
 void AddTermsCommand(CLI::App* app, Action* action) {
+  struct TermsOptions {
+    std::vector<std::string> terms;
+    bool all = false, json = false;
+  };
   CLI::App* const command =
-      app->add_subcommand("terms", "list the force terms and their parameters");
-  const auto as_json = std::make_shared<bool>(false);
-  command->add_flag("--json", *as_json, "as JSON");
-  command->footer("Example:\n  clothfit terms");
-  command->callback([as_json, action] {
-    *action = [as_json] {
-      *as_json ? PrintJson() : PrintTable();
+      app->add_subcommand("terms", "list the force terms, or the parameters of some");
+  const auto options = std::make_shared<TermsOptions>();
+  command->add_option("TERM", options->terms, "terms whose parameters are listed");
+  command->add_flag("--all", options->all, "list the parameters of all terms");
+  command->add_flag("--json", options->json, "all terms and parameters as JSON");
+  command->footer("Examples:\n  clothfit terms\n  clothfit terms air_drag wind");
+  command->callback([options, action] {
+    *action = [options] {
+      if (options->json) {
+        PrintJson();
+      } else if (options->terms.empty() && !options->all) {
+        PrintSummary();
+      } else {
+        PrintTables(options->terms);
+      }
       return kExitSuccess;
     };
   });

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/config_options.h"
 #include "apps/interrupt.h"
+#include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "apps/tracking_options.h"
 #include "tracking/features/tracking_folder.h"
@@ -37,6 +39,8 @@ int RunTrackCommand(const TrackOptions& options) {
     fmt::print("{}\n", DescribeTracking(recording, result));
     fmt::print("{:.1f} s, {:.1f} pictures a second\nrecording: {}\n", seconds,
                static_cast<double>(result.pictures.size()) / seconds, options.output);
+    if (result.num_frames == recording.frame_count)
+      PrintNext("clothfit fit " + ShellWord(options.output));
     std::fflush(stdout);
   }
   if (result.num_frames == recording.frame_count) return kExitSuccess;
@@ -51,9 +55,8 @@ void AddTrackCommand(CLI::App* app, Action* action) {
   CLI::App* const command =
       app->add_subcommand("track", "find masks, tracks and markers in a recording's pictures");
   const auto options = std::make_shared<TrackOptions>();
-  command->add_option("recording", options->recording, "folder of the recording")
-      ->type_name("RECORDING")
-      ->required();
+  command->add_option("RECORDING", options->recording, "folder of the recording")->required();
+  BeginGroup(command, "The result");
   command
       ->add_option("-o,--output", options->output,
                    "folder of what is found, a recording without pictures")

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/config_options.h"
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
 #include "tracking/features/tracking_folder.h"
@@ -71,11 +72,15 @@ void AddMarkerOptions(CLI::App* command, MarkerTrackerOptions* markers) {
 }  // namespace
 
 void AddTrackingOptions(CLI::App* command, TrackingOptions* options) {
+  BeginGroup(command, "What is found");
   AddSwitch(command, "masks", &options->find_masks, "do not extract silhouettes");
   AddSwitch(command, "tracks", &options->find_points, "do not follow points in the views");
   AddSwitch(command, "markers", &options->find_markers, "do not make markers in space");
+  BeginGroup(command, "Points in each view");
   AddPointOptions(command, &options->points);
+  BeginGroup(command, "Markers in space");
   AddMarkerOptions(command, &options->markers);
+  BeginGroup(command, "Options");
   command
       ->add_option("--threads", options->num_threads,
                    "cameras at the same time, 0: all cores; no influence on the result")

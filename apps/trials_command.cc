@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/config_options.h"
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
 #include "apps/study_commands.h"
@@ -162,9 +163,8 @@ int RunTrialsCommand(const TrialsOptions& options) {
 }
 
 void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
-  command->add_option("plan", options->plan, "one of " + JoinNames(TrialPlanNames()))
-      ->type_name("PLAN")
-      ->required();
+  BeginGroup(command, "Which trials");
+  command->add_option("PLAN", options->plan, "one of " + JoinNames(TrialPlanNames()))->required();
   command->add_option("--seeds", options->size.num_seeds, "how often the whole plan is drawn")
       ->type_name("N")
       ->capture_default_str();
@@ -190,7 +190,8 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
       ->type_name("N")
       ->capture_default_str();
   command
-      ->add_option("--finest", options->finest_side, "particles a side that a fit may use, at most")
+      ->add_option("--finest", options->finest_side,
+                   "particles a side that a fit may use, at most; 3 to 100")
       ->type_name("N")
       ->check(CLI::Range(3, 100))
       ->capture_default_str();
@@ -207,6 +208,7 @@ void AddRunOptions(CLI::App* command, TrialsOptions* options) {
   options->jobs.patience = 1800.0;  // a diagnosis says little while it fits
   AddJobOptions(command, &options->jobs);
   command->get_option("--output")->required(false);  // nothing is written by what only prints
+  BeginGroup(command, "How they are done");
   command->add_flag("--no-projection", options->no_projection,
                     "candidates do not compete with the baseline and the faults");
   command->add_flag("--table-null", options->table_null,

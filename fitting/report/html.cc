@@ -52,7 +52,9 @@ std::string ErrorTable(const Json& errors) {
       is_known = true;
     }
     if (!is_known) continue;
-    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", kind,
+    // Of outlines the error is an area, not a distance.
+    const std::string title = std::string(kind) == "silhouettes" ? "outlines, area" : kind;
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", title,
                         cells[0], cells[1]);
   }
   return rows;

@@ -62,6 +62,19 @@ ReportJson IntervalItem(const NamedParameter& named, const ReportJson& estimate,
           {"note", Note(estimate)}};
 }
 
+// "9 of 10 intervals hold the truth." of what the data determine; empty where no truth is known.
+std::string CountTruth(const ReportJson& items) {
+  int known = 0, held = 0;
+  for (const ReportJson& item : items) {
+    const ReportJson& truth = item.at("truth");
+    const ReportJson& ends = item.at("interval");
+    if (item.at("muted") == true || !truth.is_number() || !ends.at(0).is_number()) continue;
+    ++known;
+    held += truth >= ends.at(0) && truth <= ends.at(1) ? 1 : 0;
+  }
+  return known == 0 ? "" : fmt::format("{} of {} intervals hold the truth.", held, known);
+}
+
 // Parameters that were held, and what they were held at.
 ReportJson FixedTable(const ReportJson& parameters, const std::vector<NamedParameter>& table) {
   ReportJson rows = ReportJson::array();
@@ -110,6 +123,8 @@ ReportJson ParameterSection(const ReportScene& report) {
   const std::vector<std::string> statements = Statements(summary);
   if (!statements.empty()) blocks.push_back(TextBlock(statements));
   if (!items.empty()) blocks.push_back({{"kind", "intervals"}, {"items", items}});
+  const std::string count = CountTruth(items);
+  if (!count.empty()) blocks.push_back(TextBlock({count}));
   int others = 0;
   for (const auto& [name, estimate] : parameters.items()) {
     others += estimate.at("free") == true && FindParameter(table, name) < 0 ? 1 : 0;
@@ -123,7 +138,8 @@ ReportJson ParameterSection(const ReportScene& report) {
   section["lead"] =
       "Each bar is a 95 % interval on the parameter's own scale: pale what was known before the "
       "fit, strong what is known after it. A strong bar as wide as the pale one means that the "
-      "recording says nothing.";
+      "recording says nothing. A strong bar holds noise, and what mesh and step leave where that "
+      "was measured; it does not hold physics that the model lacks.";
   return section;
 }
 

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The command line itself, and the commands that need no fit.
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/terms/parameter_table.h"
@@ -16,9 +20,6 @@ namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-const char* const kCommands[] = {"fit",   "simulate",  "predict", "check",
-                                 "terms", "gradcheck", "report",  "export"};
 
 SmallRecordingOptions Tiny() {
   SmallRecordingOptions options;
@@ -35,36 +36,124 @@ TEST(CommandLine, TellsItsVersion) {
   EXPECT_EQ(result.err, "");
 }
 
-TEST(CommandLine, HelpsOnEverythingWithAnExample) {
+// The commands that `help` lists, in its order: lines that are indented by two under a title.
+std::vector<std::string> ListedCommands(const std::string& help) {
+  std::vector<std::string> names;
+  std::istringstream lines(help);
+  bool is_list = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "Options:" || line == "Examples:") is_list = false;
+    if (line == "Make and check recordings:" || line == "Commands:") is_list = true;
+    const bool is_row = is_list && line.size() > 2 && line[1] == ' ' && line[2] != ' ';
+    if (is_row) names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+  return names;
+}
+
+// No line that a terminal would break, and no word of the parser.
+void ExpectPlain(const std::string& help) {
+  for (const char* word :
+       {"Excludes", "REQUIRED", "Positionals", " x 2", ":INT", "{", "[]", "SUBCOMMAND"})
+    EXPECT_THAT(help, testing::Not(HasSubstr(word)));
+  std::istringstream lines(help.substr(0, help.find("Example")));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+}
+
+TEST(CommandLine, HelpsOnEveryCommandWithAnExample) {
   const TestFolder folder;
-  const CommandResult help = RunCommand({"--help"}, folder.path());
+  const CommandResult help = RunCommand({"help"}, folder.path());
   EXPECT_EQ(help.status, 0);
-  for (const char* name : kCommands) {
-    EXPECT_THAT(help.out, HasSubstr(name));
-    const CommandResult one = RunCommand({name, "--help"}, folder.path());
+  EXPECT_EQ(help.out, RunCommand({"--help"}, folder.path()).out);
+  const std::vector<std::string> names = ListedCommands(help.out);
+  ASSERT_EQ(names.size(), 19U);
+  for (const std::string& name : names) {
+    if (name == "help") continue;
+    const CommandResult one = RunCommand({"help", name}, folder.path());
     EXPECT_EQ(one.status, 0);
     EXPECT_EQ(one.err, "");
-    EXPECT_THAT(one.out, HasSubstr("Example"));
-    EXPECT_THAT(one.out, HasSubstr(std::string("\n  clothfit ") + name));
+    EXPECT_THAT(one.out, StartsWith("clothfit " + name + ": "));
+    EXPECT_THAT(one.out, HasSubstr("\n  clothfit " + name)) << "an example";
+    ExpectPlain(one.out);
   }
+  EXPECT_EQ(RunCommand({"help", "fit"}, folder.path()).out,
+            RunCommand({"fit", "--help"}, folder.path()).out);
+  const std::string motive = RunCommand({"help", "import", "motive"}, folder.path()).out;
+  EXPECT_THAT(motive, StartsWith("clothfit import motive: "));
+  EXPECT_THAT(motive, HasSubstr("Usage: clothfit import motive -o RECORDING FILE [OPTIONS]\n"));
+}
+
+TEST(CommandLine, GroupsOptionsAndTellsDefaults) {
+  const TestFolder folder;
+  const std::string fit = RunCommand({"help", "fit"}, folder.path()).out;
+  for (const char* title : {"The run:", "The model:", "What is fitted:", "How it is searched:"})
+    EXPECT_THAT(fit, HasSubstr("\n" + std::string(title) + "\n"));
+  EXPECT_THAT(fit, testing::ContainsRegex("--window S[^-]*\\(default: 0.25\\)"));
+  EXPECT_THAT(fit, testing::ContainsRegex("--optimiser NAME[^-]*\\(Lev[^\\)]*\\)"));
+  EXPECT_THAT(fit, HasSubstr("(default: lm)"));
+}
+
+TEST(CommandLine, TakesTheBeginningsOfCommands) {
+  const TestFolder folder;
+  const std::string check = RunCommand({"check", "--help"}, folder.path()).out;
+  EXPECT_EQ(RunCommand({"ch", "--help"}, folder.path()).out, check);
+  EXPECT_EQ(RunCommand({"help", "ch"}, folder.path()).out, check);
+  EXPECT_EQ(RunCommand({"im", "mo", "--help"}, folder.path()).out,
+            RunCommand({"import", "motive", "--help"}, folder.path()).out);
+  EXPECT_THAT(BadInputLine(RunCommand({"s", "rec"}, folder.path())),
+              HasSubstr("s: may be synthesize, simulate, study"));
+  EXPECT_THAT(BadInputLine(RunCommand({"help", "fti"}, folder.path())),
+              HasSubstr("fti: did you mean 'fit'?"));
 }
 
 TEST(CommandLine, AnswersWrongNamesWithTheNearestRightOne) {
   const TestFolder folder;
-  EXPECT_THAT(BadInputLine(RunCommand({"fti"}, folder.path())),
-              HasSubstr("fti: did you mean 'fit'?"));
-  EXPECT_THAT(BadInputLine(RunCommand({"fit", "rec", "--frmes", "3"}, folder.path())),
-              HasSubstr("--frmes: did you mean '--frames'?"));
-  EXPECT_THAT(BadInputLine(RunCommand({"check", "a", "b"}, folder.path())),
-              HasSubstr("b: one argument too many"));
-  EXPECT_THAT(BadInputLine(RunCommand({}, folder.path())), HasSubstr("subcommand is required"));
-  EXPECT_THAT(BadInputLine(RunCommand({"fit", "rec", "--window", "abc"}, folder.path())),
-              HasSubstr("--window"));
+  const auto line = [&](const std::vector<std::string>& words) {
+    return BadInputLine(RunCommand(words, folder.path()));
+  };
+  EXPECT_THAT(line({"fti"}), HasSubstr("fti: did you mean 'fit'?"));
+  EXPECT_THAT(line({"wash"}),
+              HasSubstr("wash: no command of 'clothfit'; 'clothfit help' lists them"));
+  EXPECT_THAT(line({"fit", "rec", "--frmes", "3"}), HasSubstr("--frmes: did you mean '--frames'?"));
+  EXPECT_THAT(line({"fit", "rec", "--out", "x"}), HasSubstr("--out: did you mean '--output'?"));
+  EXPECT_THAT(line({"fit", "rec", "--washing-machine"}),
+              HasSubstr("no option of 'clothfit fit'; 'clothfit help fit' lists them"));
+  EXPECT_THAT(line({"-v"}), HasSubstr("-v: did you mean '--version'?"));
+  EXPECT_THAT(line({"fit", "--version"}),
+              HasSubstr("--version: did you mean 'clothfit --version'?"));
+  EXPECT_THAT(line({"check", "a", "b"}), HasSubstr("b: one argument too many"));
+  EXPECT_THAT(line({}), HasSubstr("expected a command; 'clothfit help' lists them"));
+  EXPECT_THAT(line({"import"}), HasSubstr("expected a command; 'clothfit help import' lists them"));
+  EXPECT_THAT(line({"fit", "rec", "--window", "abc"}),
+              HasSubstr("--window: 'abc': expected a number"));
+}
+
+TEST(CommandLine, ErrorsNameTheOptionThatWasTyped) {
+  const TestFolder folder;
+  WriteRecording(MakeSmallRecording(Tiny()), folder.path() / "rec");
+  const auto line = [&](const std::string& option, const std::vector<std::string>& values) {
+    std::vector<std::string> words = {"fit", "rec", option};
+    words.insert(words.end(), values.begin(), values.end());
+    return BadInputLine(RunCommand(words, folder.path()));
+  };
+  EXPECT_THAT(line("--optimiser", {"adam"}),
+              HasSubstr("error: --optimiser: adam: expected one of"));
+  EXPECT_THAT(line("--resolution", {"2", "1"}), HasSubstr("error: --resolution: [2, 1]: expected"));
+  EXPECT_THAT(line("--frames", {"5", "1"}), HasSubstr("error: --frames: [5, 1]: expected"));
+  EXPECT_THAT(line("--window", {"-1"}), HasSubstr("error: --window: -1: expected 0 or more"));
+  EXPECT_THAT(line("--alpha", {"0", "--beta", "0"}),
+              HasSubstr("error: --alpha, --beta: both are 0"));
+}
+
+TEST(CommandLine, SaysWhatToDoNext) {
+  const TestFolder folder;
+  WriteRecording(MakeSmallRecording(Tiny()), folder.path() / "my rec");
+  EXPECT_THAT(RunCommand({"check", "my rec"}, folder.path()).out,
+              testing::EndsWith("\nnext: clothfit fit 'my rec'\n"));
 }
 
 TEST(Terms, ListsEveryParameter) {
   const TestFolder folder;
-  const CommandResult table = RunCommand({"terms"}, folder.path());
+  const CommandResult table = RunCommand({"terms", "--all"}, folder.path());
   const CommandResult json = RunCommand({"terms", "--json"}, folder.path());
   EXPECT_EQ(table.status, 0);
   EXPECT_EQ(json.status, 0);
@@ -77,6 +166,38 @@ TEST(Terms, ListsEveryParameter) {
     EXPECT_THAT(table.out, HasSubstr("  " + named.name + " "));
     EXPECT_THAT(json.out, HasSubstr("\"" + named.name + "\""));
   }
+}
+
+TEST(Terms, ListsThemFirstAndEachOnRequest) {
+  const TestFolder folder;
+  const std::string list = RunCommand({"terms"}, folder.path()).out;
+  for (const TermInfo& term : AllTerms()) EXPECT_THAT(list, HasSubstr(term.name + " "));
+  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), static_cast<int>(AllTerms().size()) + 2);
+  const std::string obstacle = RunCommand({"terms", "obstacle"}, folder.path()).out;
+  EXPECT_THAT(obstacle, HasSubstr("\nobstacle: "));
+  EXPECT_THAT(obstacle, testing::Not(HasSubstr("bending")));
+  EXPECT_THAT(BadInputLine(RunCommand({"terms", "obstacel"}, folder.path())),
+              HasSubstr("TERM: 'obstacel': did you mean 'obstacle'?"));
+}
+
+TEST(Check, KnowsAFileFromARecording) {
+  const TestFolder folder;
+  std::ofstream(folder.path() / "take.csv") << "Format Version,1.23\n";
+  EXPECT_THAT(BadInputLine(RunCommand({"check", "take.csv"}, folder.path())),
+              HasSubstr("take.csv: is a file; 'clothfit import' makes a recording of it"));
+}
+
+TEST(Export, GoesByTheNameOfTheFile) {
+  const TestFolder folder;
+  WriteRecording(MakeSmallRecording(Tiny()), folder.path() / "rec");
+  ASSERT_EQ(RunCommand({"simulate", "rec", "-o", "run"}, folder.path()).status, 0);
+  EXPECT_EQ(RunCommand({"export", "run", "-o", "a.glb"}, folder.path()).status, 0);
+  EXPECT_THAT(ReadTextFile(folder.path() / "a.glb"), StartsWith("glTF"));
+  EXPECT_THAT(BadInputLine(
+                  RunCommand({"export", "run", "--format", "gltf", "-o", "a.gltf"}, folder.path())),
+              HasSubstr("a.gltf: expected a name that ends in .glb"));
+  EXPECT_THAT(BadInputLine(RunCommand({"export", "run", "-o", "a.xyz"}, folder.path())),
+              HasSubstr("--format: is missing"));
 }
 
 TEST(Check, SummarisesARecording) {

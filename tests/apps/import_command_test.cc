@@ -86,8 +86,8 @@ TEST_F(ImportCommand, RefusesBadTakes) {
               HasSubstr("layout.csv: marker 'm1' of take.csv is missing"));
   EXPECT_THAT(BadInputLine(Import({"motive", "take.csv", "-o", "rec", "--hande", "m0"})),
               HasSubstr("--hande: did you mean '--handle'?"));
-  EXPECT_THAT(BadInputLine(Import({"motiv", "take.csv", "-o", "rec"})),
-              HasSubstr("motiv: did you mean 'motive'?"));
+  EXPECT_THAT(BadInputLine(Import({"motvie", "take.csv", "-o", "rec"})),
+              HasSubstr("motvie: did you mean 'motive'?"));
   EXPECT_FALSE(fs::exists(path() / "rec"));
   folder_.Write("rec/recording.yaml", "mine");
   EXPECT_THAT(BadInputLine(Import({"motive", "take.csv", "-o", "rec"})),
@@ -114,7 +114,8 @@ TEST_F(ImportCommand, PutsCamerasAndVideosTogether) {
   EXPECT_EQ(recording.frame_count, 4);
   EXPECT_EQ(std::get<FlatPlacement>(recording.cloth.initial).origin,
             Eigen::Vector3d(-0.2, -0.1, 1.0));
-  EXPECT_THAT(BadInputLine(Import({"video", "left=a.avi", "-o", "rec"})),
+  EXPECT_EQ(Import({"video", "left=a.avi", "-o", "rec"}).status, 0) << "the same again";
+  EXPECT_THAT(BadInputLine(Import({"video", "left=b.avi", "-o", "rec"})),
               HasSubstr("left.avi: exists already; --force replaces it"));
   EXPECT_THAT(BadInputLine(Import({"colmap", "model", "-o", "rec"})),
               HasSubstr("cameras.yaml: exists already; --force replaces it"));

@@ -49,7 +49,7 @@ TEST_F(ReportCommand, SaysInOneLineWhatIsWrong) {
 TEST_F(ReportCommand, ExportsAndRefusesToOverwrite) {
   const CommandResult result = Run({"export", "run", "--format", "gltf", "-o", "a.glb"});
   ASSERT_EQ(result.status, 0) << result.err;
-  EXPECT_EQ(result.out, "12 frames: a.glb\n");
+  EXPECT_EQ(result.out, "12 frames: a.glb\nnext: open a.glb, in Blender for example\n");
   EXPECT_THAT(BadInputLine(Run({"export", "run", "--format", "gltf", "-o", "a.glb"})),
               HasSubstr("--force replaces it"));
   EXPECT_THAT(BadInputLine(Run({"export", "run", "--format", "glft", "-o", "b.glb"})),

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -95,12 +97,21 @@ std::string UpdatedScene(const fs::path& file, const ImportedVideos& found, Over
 
 std::string PlaceOf(const fs::path& file) { return "videos/" + file.filename().string(); }
 
+// One file, or a copy of it.
+bool IsSameVideo(const fs::path& copy, const fs::path& file) {
+  std::error_code ignored;
+  if (fs::equivalent(copy, file, ignored)) return true;
+  if (!fs::is_regular_file(copy) || fs::file_size(copy) != fs::file_size(file)) return false;
+  std::ifstream one(copy, std::ios::binary), other(file, std::ios::binary);
+  return std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other));
+}
+
 // Whole or not at all.
 void CopyVideo(const NamedVideo& video, OutputFolder* folder) {
   const std::string name = "videos/" + video.camera + video.file.extension().string();
   const fs::path copy = folder->path() / name;
+  if (IsSameVideo(copy, video.file)) return;
   std::error_code error;
-  if (fs::equivalent(copy, video.file, error)) return;
   folder->Add({name});
   PartFile part(copy);
   fs::copy_file(video.file, part.path(), fs::copy_options::overwrite_existing, error);
@@ -122,8 +133,7 @@ ImportedVideos InspectAll(const std::vector<NamedVideo>& videos, const OutputFol
     const NamedVideo& video = videos[i];
     CheckName(video);
     for (const fs::path& there : VideosThere(folder, video.camera)) {
-      std::error_code ignored;
-      if (!fs::equivalent(there, video.file, ignored)) output.CheckMayWrite(PlaceOf(there));
+      if (!IsSameVideo(there, video.file)) output.CheckMayWrite(PlaceOf(there));
     }
     const VideoFacts facts = InspectVideo(video.file);
     if (fs::exists(cameras_file)) CheckCamera(video, facts, cameras);

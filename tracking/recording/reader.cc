@@ -172,6 +172,8 @@ void ReadCamerasAndFiles(Recording* recording) {
 }  // namespace
 
 Recording ReadRecording(const fs::path& folder) {
+  if (fs::is_regular_file(folder))
+    throw InputError(folder.string(), "is a file; 'clothfit import' makes a recording of it");
   if (!fs::is_directory(folder)) throw InputError(folder.string(), "no such folder");
   Recording recording;
   recording.path = folder;

@@ -41,6 +41,10 @@ void WarnOfHandles(const Recording& recording, std::vector<std::string>* warning
   if (recording.handles.empty() && !recording.ground_height) {
     warnings->emplace_back("there is neither a handle nor ground: the cloth falls freely");
   }
+  if (recording.handles.empty() && recording.obstacles.empty() && recording.ground_height) {
+    warnings->emplace_back(
+        "there is no handle and no obstacle: nothing moves the cloth but its fall to the ground");
+  }
 }
 
 void WarnOfScene(const Recording& recording, std::vector<std::string>* warnings) {

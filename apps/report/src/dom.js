@@ -47,18 +47,47 @@ export function select(label, choices, value, onChange) {
   return element;
 }
 
-// Calls once() when the element first comes near the screen.
+// What waits until it is seen: functions that show it now.
+const waiting = new Set();  // for the first time
+const followers = new Set();  // for every frame
+
+// Calls once() when the element first comes near the screen, or when all is to be shown.
 export function whenNear(element, once) {
-  const observer = new IntersectionObserver((entries) => {
-    if (!entries.some((entry) => entry.isIntersecting)) return;
+  const show = () => {
     observer.disconnect();
-    once();
+    if (waiting.delete(show)) once();
+  };
+  const observer = new IntersectionObserver((entries) => {
+    if (entries.some((entry) => entry.isIntersecting)) show();
   }, { rootMargin: '300px' });
+  waiting.add(show);
   observer.observe(element);
 }
 
-// Tells whenever the element comes into view or leaves it.
+// Tells whenever the element comes into view or leaves it. All that is to be shown, such as on
+// paper, is told to be seen for a moment.
 export function onSeen(element, tell) {
-  new IntersectionObserver((entries) => tell(entries[entries.length - 1].isIntersecting))
-    .observe(element);
+  let isSeen = false;
+  new IntersectionObserver((entries) => {
+    isSeen = entries[entries.length - 1].isIntersecting;
+    tell(isSeen);
+  }).observe(element);
+  followers.add(() => {
+    if (isSeen) return;
+    tell(true);
+    tell(false);
+  });
+}
+
+// Shows the next thing that waits; false where nothing did.
+export function showNext() {
+  const [next] = waiting;
+  next?.();
+  return Boolean(next);
+}
+
+// Shows everything, at the present frame.
+export function showAll() {
+  while (showNext());
+  for (const show of followers) show();
 }

@@ -6,6 +6,7 @@ import { decode, readReport } from './data.js';
 import { h } from './dom.js';
 import { PicturePanel } from './pictures/picture_panel.js';
 import { PictureContext } from './pictures/camera_view.js';
+import { preparePaper } from './paper.js';
 import { Player } from './player.js';
 import { makeLinks, makeSection } from './sections.js';
 import { makeThemeButton } from './theme.js';
@@ -51,6 +52,21 @@ async function makeStage(report, player, stage) {
   return { viewPanel, pictures, picturePanel };
 }
 
+// On a phone the first sentence stands above the cloth, the others wait for a touch.
+function shortenVerdict() {
+  const words = document.querySelector('.verdict-words');
+  if (words.querySelectorAll('li').length < 2) return;
+  const button = h('button', {
+    type: 'button', class: 'more', 'aria-expanded': 'false',
+    onclick: () => {
+      const isOpen = words.classList.toggle('open');
+      button.setAttribute('aria-expanded', String(isOpen));
+      button.textContent = isOpen ? 'Less' : 'More';
+    },
+  }, 'More');
+  words.append(button);
+}
+
 // A comparison or a study has no clock and nothing that moves.
 const kStill = { frames: 1, rate: 1, held_out: [], last_fitted: 0 };
 
@@ -69,6 +85,8 @@ async function start() {
   const context = { report, player, clock, ...parts };
   const sections = document.getElementById('sections');
   for (const section of report.sections) sections.append(makeSection(section, context));
+  preparePaper(player, parts.viewPanel?.viewer);
+  if (hasMotion) shortenVerdict();
   document.documentElement.dataset.ready = 'true';
   window.clothfit = { player, ...parts };  // for the console, and for tests
   if (hasMotion && !matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();

@@ -39,6 +39,13 @@ function apply(theme) {
   for (const listener of listeners) listener();
 }
 
+// Sets a theme for the time being; returns what sets the one before again.
+export function withTheme(theme) {
+  const before = document.documentElement.dataset.theme;
+  apply(theme);
+  return () => apply(before);
+}
+
 export function makeThemeButton() {
   const system = matchMedia('(prefers-color-scheme: dark)');
   apply(stored() ?? (system.matches ? 'dark' : 'light'));

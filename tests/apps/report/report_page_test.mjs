@@ -66,8 +66,9 @@ async function testPlaying() {
   const paused = await frameOf(page);
   await page.waitForTimeout(300);
   assert.equal(await frameOf(page), paused, 'the space bar pauses');
+  await page.evaluate(() => clothfit.player.seek(5));  // wherever it paused, the last frame may be
   await page.keyboard.press('ArrowRight');
-  assert.notEqual(await frameOf(page), paused, 'arrow keys step');
+  assert.equal(await frameOf(page), 6, 'arrow keys step');
   const eye = () => page.evaluate(() => clothfit.viewPanel.viewer.eye.position.toArray().join());
   const from = await eye();
   await page.keyboard.press('d');
@@ -89,6 +90,16 @@ async function testSlider() {
   await page.waitForSelector('#errors .u-over');
   await page.locator('#errors .u-over').first().click({ position: { x: 5, y: 40 } });
   assert.ok(await frameOf(page) < 3, 'a click on a chart goes to its frame');
+  await close();
+}
+
+// The recording is synthetic: the page says how many intervals hold its truth.
+async function testParameters() {
+  const { page, close } = await open('run', kDesk, 'light', { reducedMotion: 'reduce' });
+  const text = await page.locator('#parameters').innerText();
+  const [, held, known] = text.match(/(\d+) of (\d+) intervals hold the truth\./);
+  assert.ok(Number(known) > 0 && Number(held) <= Number(known));
+  assert.ok(await page.locator('#parameters .interval-row .truth').count() >= Number(known));
   await close();
 }
 
@@ -141,6 +152,66 @@ async function testDiagnosis() {
   await close();
 }
 
+// What is on paper, by day though the screen is dark, without having been scrolled to; and that the
+// screen is as before.
+async function testPaper(kind) {
+  const { page, close } = await open(kind, kDesk, 'dark', { reducedMotion: 'reduce' });
+  const isStill = kind === 'study' || kind === 'comparison';
+  if (!isStill) await page.evaluate(() => clothfit.player.seek(14));
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('img')].every((image) => image.naturalWidth > 0));
+  await page.waitForTimeout(500);
+  await page.evaluate(() => {
+    // Nothing drawn; of the 3D view one colour is nothing, of a map it may be all there is.
+    const isBlank = (canvas) => {
+      const copy = document.createElement('canvas');
+      copy.width = copy.height = 64;
+      const context = copy.getContext('2d');
+      context.drawImage(canvas, 0, 0, 64, 64);
+      const colours = new Set(new Uint32Array(context.getImageData(0, 0, 64, 64).data.buffer));
+      return colours.size === 1 && (colours.has(0) || canvas.matches('.on-paper'));
+    };
+    addEventListener('beforeprint', () => queueMicrotask(() => {
+      const canvases = [...document.querySelectorAll('.on-paper, #sections canvas')];
+      window.paper = {
+        theme: document.documentElement.dataset.theme,
+        blank: canvases.filter(isBlank).length,
+        canvases: canvases.length,
+        empty: [...document.querySelectorAll('.plot')].filter((plot) => !plot.firstChild).length,
+        folded: document.querySelectorAll('details.folded:not([open])').length,
+      };
+    }));
+  });
+  const opened = () => page.locator('details[open]').count();
+  const before = await opened();
+  const pdf = await page.pdf({ format: 'A4', path: path.join(out, `${kind}.pdf`) });
+  assert.ok(pdf.length > 20000);
+  const { paper, theme, copies } = await page.evaluate(() => ({
+    paper, theme: document.documentElement.dataset.theme,
+    copies: document.querySelectorAll('.on-paper').length,
+  }));
+  assert.equal(paper.theme, 'light');
+  assert.deepEqual([paper.blank, paper.empty, paper.folded], [0, 0, 0], `${kind}: all is on paper`);
+  if (!isStill) assert.ok(paper.canvases >= 3, `${kind}: ${paper.canvases} canvases`);
+  assert.deepEqual([theme, copies, await opened()], ['dark', 0, before], 'the screen is as before');
+  await close();
+}
+
+// Verdict, cloth and clock are on the first screen of a phone; the other sentences a touch away.
+async function testPhone() {
+  const { page, close } = await open('run', kPhone, 'light', { reducedMotion: 'reduce' });
+  const edge = (selector, side) => page.evaluate(([one, which]) =>
+    document.querySelector(one).getBoundingClientRect()[which], [selector, side]);
+  assert.ok(await edge('#view-3d', 'bottom') <= await edge('.transport', 'top'),
+    'the cloth is whole above the clock');
+  assert.ok(await edge('#view-3d', 'height') >= 200);
+  const sentences = page.locator('.verdict-words li:visible');
+  assert.equal(await sentences.count(), 1);
+  await page.locator('.more').click();
+  assert.ok(await sentences.count() > 1, 'a touch shows the others');
+  await close();
+}
+
 async function takePictures(kind, name, viewport, theme) {
   const { page, close } = await open(kind, viewport, theme, { reducedMotion: 'reduce' });
   await page.evaluate(() => clothfit.player.seek(14));
@@ -161,8 +232,11 @@ async function takePictures(kind, name, viewport, theme) {
 await testPlaying();
 await testSlider();
 await testPicking();
+await testParameters();
 await testSorting();
 await testDiagnosis();
+await testPhone();
+for (const kind of ['run', 'diagnosis', 'comparison', 'study']) await testPaper(kind);
 for (const kind of ['run', 'diagnosis', 'comparison', 'study']) {
   await takePictures(kind, 'light', kDesk, 'light');
   await takePictures(kind, 'dark', kDesk, 'dark');

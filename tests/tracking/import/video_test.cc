@@ -135,6 +135,8 @@ TEST_F(VideoImport, OverwritesNothingUnlessAllowed) {
   EXPECT_FALSE(fs::exists(recording() / "videos" / "left.MJPG"));  // a camera has one video
   ImportVideos({{"left", second}}, {}, recording(), Overwrite::kAllow);
   EXPECT_EQ(InspectVideo(recording() / "videos" / "left.avi").frame_count, 4);
+  // The same video again is no other one.
+  ImportVideos({{"left", second}}, {}, recording(), Overwrite::kRefuse);
   // A video that is in its place already stays there.
   ImportVideos({{"left", recording() / "videos" / "left.avi"}}, {}, recording(), Overwrite::kAllow);
   EXPECT_EQ(InspectVideo(recording() / "videos" / "left.avi").frame_count, 4);

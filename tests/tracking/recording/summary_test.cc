@@ -120,6 +120,13 @@ INSTANTIATE_TEST_SUITE_P(
                },
                "the initial points are up to 20 % farther apart than on the cloth: (u, v) = (0, 0) "
                "and (1, 0)"},
+        Oddity{"NothingMovesIt",
+               [](Recording* r) {
+                 r->handles.clear();
+                 r->obstacles.clear();
+                 r->ground_height = -1.0;
+               },
+               "there is no handle and no obstacle"},
         Oddity{"BelowGround", [](Recording* r) { r->ground_height = 0.05; },
                "the initial placement reaches 0.0500 m below the ground"},
         Oddity{"GapInPath", [](Recording* r) { (*r->handles[0].path)[1] = std::nullopt; },

@@ -73,12 +73,11 @@ export class CameraView {
   draw() {
     if (!this.isSeen) return;
     this.fit();
-    const frame = this.frame();
-    this.drawn = frame;
     const context = this.canvas.getContext('2d', { ...kByProcessor, alpha: false });
     const scale = this.canvas.width / this.camera.size[0];
     context.setTransform(1, 0, 0, 1, 0, 0);
-    this.drawPicture(context);
+    const frame = this.drawPicture(context);
+    this.drawn = frame;
     const { layers } = this.context;
     const line = Math.max(1.25, this.canvas.width / 420);
     if (layers.has('measured') && this.outlines?.has(frame)) {
@@ -105,21 +104,23 @@ export class CameraView {
     }
   }
 
+  // Returns the frame that is shown: that of the last picture until the present one is decoded.
   drawPicture(context) {
     const { width, height } = this.canvas;
     context.fillStyle = '#20252b';
     context.fillRect(0, 0, width, height);
     if (this.store.isEmpty) {
       this.note.textContent = 'no pictures: outlines only';
-      return;
+      return this.player.frame;
     }
     const index = this.store.indexAt(this.player.frame);
     const image = this.store.get(index, () => this.draw());
-    if (image) this.last = image;
-    if (this.last?.width) context.drawImage(this.last, 0, 0, width, height);
+    if (image) this.last = { image, frame: this.store.frameOf(index) };
+    if (this.last?.image.width) context.drawImage(this.last.image, 0, 0, width, height);
     if (this.player.isPlaying) this.store.prefetch(index);
-    const frame = this.store.frameOf(index);
+    const frame = this.last?.frame ?? this.store.frameOf(index);
     this.note.textContent = frame === this.player.frame ? '' : `frame ${frame}`;
+    return frame;
   }
 
   // Tracks as dots, and lines from them to where the fitted cloth has the same points.

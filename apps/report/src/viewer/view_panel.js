@@ -75,8 +75,9 @@ export class ViewPanel {
     this.report = report;
     this.panes = panes;
     this.particle = null;
-    // Where no picture stands beside it, the start does.
-    this.first = report.cameras.length ? panes[panes.length - 1].motion.name : '';
+    // Where no picture stands beside it, and there is room, the start does.
+    const isAlone = report.cameras.length > 0 || matchMedia('(max-width: 480px)').matches;
+    this.first = isAlone ? panes[panes.length - 1].motion.name : '';
     this.legend = h('div', { class: 'legend' });
     this.titles = h('div', { class: 'pane-titles', 'aria-hidden': 'true' });
     this.divider = h('div', { class: 'pane-divider' });
