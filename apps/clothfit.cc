@@ -60,6 +60,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddSynthesizeCommand(app, action);
   AddStudyCommand(app, action);
   AddTrialsCommand(app, action);
+  AddJobCommands(app, action);
   AddImportCommand(app, action);
 }
 

@@ -39,5 +39,10 @@ void AddExportCommand(CLI::App* app, Action* action);
 void AddReportCommand(CLI::App* app, Action* action);
 void AddImportCommand(CLI::App* app, Action* action);
 void AddBatchCommand(CLI::App* app, Action* action);
+// job, jobs and status.
+void AddJobCommands(CLI::App* app, Action* action);
+
+// Of `study`, those that are lists of jobs: attraction, reconstructions, ...
+void AddJobStudies(CLI::App* study, Action* action);
 
 }  // namespace clothfit
