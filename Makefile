@@ -12,8 +12,8 @@ BUILD := build/$(PRESET)
 export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo portable test test-deep build bench format format-check tidy clean packages configure \
-        report-assets
+.PHONY: help demo portable test test-deep build bench format format-check tidy clean packages \
+        test-packages configure report-assets
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -28,7 +28,7 @@ demo: configure ## Build the command and fit a cloth to the pictures in data/lif
 portable: packages ## Build a program for every x86-64 processor into build/portable/clothfit
 	JOBS=$(JOBS) tools/portable build/portable/clothfit
 
-test: build ## Build everything and run all tests and source checks
+test: test-packages build ## Build everything and run all tests and source checks
 	ctest --preset $(PRESET)
 
 test-deep: test ## The same under the sanitizers, then clang-tidy: many minutes
@@ -41,11 +41,13 @@ build: configure ## Build everything (PRESET=release, JOBS=all cores)
 bench: configure ## Build and run the benchmarks (BENCH_ARGS=--benchmark_filter=...)
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target clothfit_benchmarks \
 	  clothfit_silhouette_benchmarks clothfit_contact_benchmarks clothfit_job_benchmarks \
+	  clothfit_pattern_search_schedule \
 	  clothfit_wind_recovery clothfit_mesh_convergence
 	$(BUILD)/tests/benchmarks/clothfit_benchmarks $(BENCH_ARGS)
 	$(BUILD)/tests/benchmarks/clothfit_silhouette_benchmarks $(BENCH_ARGS)
 	$(BUILD)/tests/benchmarks/clothfit_contact_benchmarks $(BENCH_ARGS)
 	$(BUILD)/tests/benchmarks/clothfit_job_benchmarks $(BENCH_ARGS)
+	$(BUILD)/tests/benchmarks/clothfit_pattern_search_schedule
 	$(BUILD)/tests/benchmarks/clothfit_wind_recovery
 	$(BUILD)/tests/benchmarks/clothfit_mesh_convergence
 
@@ -69,6 +71,9 @@ report-assets: ## Bundle the page of `clothfit report` anew (needs Node.js and n
 
 clean: ## Remove everything that was built
 	rm -rf build
+
+test-packages: ## Install what tests, documentation and packaging need besides
+	@tools/install_packages tests/packages.txt
 
 packages: ## Install the Debian packages of packages.txt that are missing
 	@tools/install_packages
