@@ -49,11 +49,13 @@ docs: configure ## Build the manual as a site, into build/manual/html
 bench: configure ## Build and run the benchmarks (BENCH_ARGS=--benchmark_filter=...)
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target clothfit_benchmarks \
 	  clothfit_silhouette_benchmarks clothfit_contact_benchmarks clothfit_job_benchmarks \
+	  clothfit_pattern_search_schedule \
 	  clothfit_wind_recovery clothfit_mesh_convergence
 	$(BUILD)/tests/benchmarks/clothfit_benchmarks $(BENCH_ARGS)
 	$(BUILD)/tests/benchmarks/clothfit_silhouette_benchmarks $(BENCH_ARGS)
 	$(BUILD)/tests/benchmarks/clothfit_contact_benchmarks $(BENCH_ARGS)
 	$(BUILD)/tests/benchmarks/clothfit_job_benchmarks $(BENCH_ARGS)
+	$(BUILD)/tests/benchmarks/clothfit_pattern_search_schedule
 	$(BUILD)/tests/benchmarks/clothfit_wind_recovery
 	$(BUILD)/tests/benchmarks/clothfit_mesh_convergence
 

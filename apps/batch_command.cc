@@ -3,10 +3,10 @@
 //
 // clothfit batch: many recordings, one table.
 #include <memory>
+#include <utility>
 
 #include "apps/commands.h"
-#include "apps/progress_display.h"
-#include "apps/study_commands.h"
+#include "apps/job_options.h"
 #include "fitting/batch/batch.h"
 #include "tracking/text/text.h"
 
@@ -31,30 +31,10 @@ std::string Description(const std::string& list, const std::vector<BatchFit>& fi
 int RunBatchCommand(const BatchOptions& options) {
   CheckJobOptions(options.jobs);
   const std::vector<BatchFit> fits = ReadBatchList(options.list);
-  const std::filesystem::path folder = options.jobs.output;
-  ProgressDisplay display;
-  std::string stage = "fits";
-  StudyRunOptions run = MakeRunOptions(options.jobs, &display, &stage);
-  const FolderLock lock =
-      PrepareJobFolder(folder, BatchContents(fits, Description(options.list, fits)), run.folder);
-  run.jobs.folder = folder / "jobs";
-  const JobRunResult done = RunJobs(
-      BatchJobs(fits),
-      [fits, folder](const Job& job, const JobContext& context) {
-        for (const BatchFit& fit : fits) {
-          if (fit.name == job.name) return RunBatchFit(folder, fit, context);
-        }
-        throw std::logic_error("no such fit");
-      },
-      run.jobs);
-  display.Finish();
-  StudyRun result;
-  result.Add(done);
-  if (done.complete) {
-    result.table = RunReportOnCommand(
-        [folder, results = done.results] { return WriteBatchTables(folder, results); }, run.jobs);
-  }
-  return FinishJobs(result, options.jobs, run);
+  FolderLock lock =
+      PrepareJobFolder(options.jobs.output, BatchContents(fits, Description(options.list, fits)),
+                       ExistingIf(options.jobs.force, options.jobs.resume));
+  return RunPreparedJobs(std::move(lock), options.jobs);
 }
 
 }  // namespace
@@ -68,11 +48,11 @@ void AddBatchCommand(CLI::App* app, Action* action) {
   AddJobOptions(command, &options->jobs);
   command->footer(
       "LIST has under `fits` a list of maps with the keys recording, name, config, set, free and\n"
-      "fix, and may name a config for all; docs/cluster.md has an example. Runs go to\n"
+      "fix, and may name a config for all; docs/file-formats.md has an example. Runs go to\n"
       "FOLDER/runs/NAME.\n\n"
       "Examples:\n"
       "  clothfit batch takes.yaml -o batches/takes\n"
-      "  mpirun --enable-recovery -n 64 clothfit batch takes.yaml -o batches/takes");
+      "  clothfit batch takes.yaml --slurm --sbatch=--time=2:00:00 -o batches/takes");
   command->callback(
       [options, action] { *action = [options] { return RunBatchCommand(*options); }; });
 }

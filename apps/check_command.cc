@@ -9,6 +9,7 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/next_step.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/recording/summary.h"

@@ -53,6 +53,7 @@ std::vector<CommandGroup> CommandGroups() {
        {AddReportCommand, AddDrawCommand, AddPredictCommand, AddExportCommand, AddEvaluateCommand}},
       {"Measure clothfit itself",
        {AddCompareCommand, AddGradcheckCommand, AddStudyCommand, AddTrialsCommand}},
+      {"Do lists of jobs", {AddJobCommand, AddJobsCommand, AddStatusCommand}},
       {"Look up", {AddTermsCommand, AddHelpCommand}}};
 }
 

@@ -39,5 +39,11 @@ void AddExportCommand(CLI::App* app, Action* action);
 void AddReportCommand(CLI::App* app, Action* action);
 void AddImportCommand(CLI::App* app, Action* action);
 void AddBatchCommand(CLI::App* app, Action* action);
+void AddJobCommand(CLI::App* app, Action* action);
+void AddJobsCommand(CLI::App* app, Action* action);
+void AddStatusCommand(CLI::App* app, Action* action);
+
+// Of `study`, those that are lists of jobs: attraction, reconstructions, ...
+void AddJobStudies(CLI::App* study, Action* action);
 
 }  // namespace clothfit

@@ -15,6 +15,7 @@
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "autodiff_sim/base/error.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
 #include "fitting/studies/comparison.h"
 #include "tracking/files/output_folder.h"

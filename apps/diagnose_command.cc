@@ -16,6 +16,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/answer/folder.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
 
 namespace clothfit {

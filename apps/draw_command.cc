@@ -9,6 +9,7 @@
 
 #include "apps/commands.h"
 #include "apps/next_step.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/pictures/picture.h"
 
 namespace clothfit {

@@ -13,6 +13,7 @@
 
 #include "apps/commands.h"
 #include "apps/next_step.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/report/run_record.h"
 #include "fitting/runs/surface_evaluation.h"
 #include "tracking/recording/truth.h"

@@ -12,6 +12,7 @@
 #include "apps/next_step.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/export/export.h"
+#include "fitting/jobs/shell.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -15,6 +15,7 @@
 #include "apps/progress_display.h"
 #include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/optimise/optimiser.h"
 #include "fitting/report/run_record.h"
 #include "fitting/runs/fit_run.h"

@@ -12,6 +12,7 @@
 #include "apps/next_step.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/fit/gradient_report.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
 
 namespace clothfit {

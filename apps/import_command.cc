@@ -8,6 +8,7 @@
 #include "apps/config_options.h"
 #include "apps/import_commands.h"
 #include "apps/next_step.h"
+#include "fitting/jobs/shell.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

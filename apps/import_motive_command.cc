@@ -10,6 +10,7 @@
 #include "apps/config_options.h"
 #include "apps/import_commands.h"
 #include "apps/next_step.h"
+#include "fitting/jobs/shell.h"
 #include "tracking/import/motive.h"
 #include "tracking/import/take_recording.h"
 #include "tracking/recording/start.h"

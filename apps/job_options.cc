@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lists of jobs on the command line: where, by how many, and how they end.
+// Lists of jobs on the command line: where, by whom, and how they end.
+#include "apps/job_options.h"
+
 #include <cstdio>
-#include <cstdlib>
-#include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,87 +13,138 @@
 #include "apps/interrupt.h"
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
-#include "apps/study_commands.h"
 #include "autodiff_sim/base/error.h"
+#include "fitting/batch/batch.h"
+#include "fitting/jobs/shell.h"
+#include "fitting/jobs/slurm.h"
+#include "fitting/studies/study_plan.h"
+#include "fitting/trials/trial_jobs.h"
 
 namespace clothfit {
+namespace {
+
+namespace fs = std::filesystem;
+
+int PrintPrepared(const std::string& folder) {
+  const std::string program = ShellWord(OwnProgram()), place = ShellWord(folder);
+  fmt::print(
+      "{0} jobs {1} --list     # commands that can be run now, by anything, until there are none\n"
+      "{0} jobs {1} --gather   # then the tables\n",
+      program, place);
+  return kExitSuccess;
+}
+
+int Submit(const JobOptions& options) {
+  const fs::path folder = options.output;
+  SlurmOptions slurm;
+  slurm.program = OwnProgram();
+  slurm.array_size = options.array_size;
+  slurm.sbatch = options.sbatch;
+  const std::string submitted = SubmitToSlurm(folder, ReadJobList(folder), slurm);
+  if (!options.quiet) {
+    fmt::print("{}", submitted);
+    PrintNext("clothfit status " + ShellWord(options.output));
+  }
+  return kExitSuccess;
+}
+
+}  // namespace
+
+void AddThreadsOption(CLI::App* command, int* threads) {
+  command
+      ->add_option("--threads", *threads,
+                   "jobs at the same time, 0: all cores; no influence on the results")
+      ->type_name("N")
+      ->capture_default_str();
+}
 
 void AddJobOptions(CLI::App* command, JobOptions* options) {
   BeginGroup(command, "The results");
   command->add_option("-o,--output", options->output, "folder of results and tables")
       ->type_name("FOLDER")
       ->required();
-  command
-      ->add_option("--threads", options->threads,
-                   "jobs at the same time, 0: all cores, and of many processes one each; no "
-                   "influence on the results")
-      ->type_name("N")
-      ->capture_default_str();
-  command
-      ->add_option("--patience", options->patience,
-                   "s without a sign of life until a job is given to somebody else")
-      ->type_name("S")
-      ->capture_default_str();
+  AddThreadsOption(command, &options->threads);
   command->add_flag("--force", options->force,
                     "replace the results that are there; other files stay");
   command->add_flag("--resume", options->resume, "go on with what is there")->excludes("--force");
   command->add_flag("--quiet", options->quiet, "print errors only");
+  BeginGroup(command, "On a cluster");
+  CLI::Option* const slurm = command->add_flag(
+      "--slurm", options->slurm, "submit what has no result to Slurm, and do nothing here");
+  command
+      ->add_option("--array-size", options->array_size,
+                   "tasks of a job array at most; a task does as many jobs as that takes")
+      ->type_name("N")
+      ->capture_default_str()
+      ->needs(slurm);
+  command->add_option("--sbatch", options->sbatch, "options for sbatch: --time, --mem, ...")
+      ->type_name("OPTIONS")
+      ->needs(slurm);
+  command->add_flag("--prepare", options->prepare, "write the list of jobs only, see clothfit jobs")
+      ->excludes(slurm);
 }
 
 void CheckJobOptions(const JobOptions& options) {
   if (options.threads < 0)
     throw InputError("--threads", fmt::format("{}: expected 0 or more", options.threads));
-  if (!(options.patience > 0.0))
-    throw InputError("--patience", fmt::format("{}: expected a number above 0", options.patience));
+  if (options.array_size < 1)
+    throw InputError("--array-size", fmt::format("{}: expected 1 or more", options.array_size));
+  if (options.sbatch.find('\n') != std::string::npos)
+    throw InputError("--sbatch", "has more than one line; expected options as on a command line");
 }
 
-StudyRunOptions MakeRunOptions(const JobOptions& options, ProgressDisplay* display,
-                               std::string* stage) {
-  StudyRunOptions run;
-  run.folder.ranks = FindRanks();
-  run.folder.force = options.force;
-  run.folder.resume = options.resume;
-  run.jobs.folder = options.output;
-  run.jobs.num_threads = options.threads == 0 && run.folder.ranks.size > 1 ? 1 : options.threads;
-  run.jobs.patience = options.patience;
-  run.jobs.stop = StopOnInterrupt();
-  run.stage = [stage](const std::string& name) { *stage = name; };
-  if (options.quiet || run.folder.ranks.rank > 0) return run;
-  run.jobs.progress = [display, stage](int done, int total) {
-    display->Show(*stage, fmt::format("{} of {}", done, total),
-                  total > 0 ? static_cast<double>(done) / total : 1.0);
-  };
-  return run;
-}
-
-std::string RunReportOnCommand(const std::function<std::string()>& write,
-                               const JobRunOptions& options) {
-  const JobRunResult written = RunReport(write, options);
-  if (!written.complete) return "";
-  if (!written.results[0].IsDone()) throw std::runtime_error(written.FirstProblem());
-  return written.results[0].output.get<std::string>();
-}
-
-int FinishJobs(const StudyRun& run, const JobOptions& options, const StudyRunOptions& run_options) {
-  const bool is_first = run_options.folder.ranks.rank == 0;
-  if (is_first && !options.quiet && !run.table.empty())
-    fmt::print("{}\n{}\n", run.table, options.output);
-  int status = kExitSuccess;
-  if (*run_options.jobs.stop) {
-    status = kExitInterrupted;
-    fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
-  } else if (run.num_problems > 0) {
-    status = kExitFailure;
-    if (is_first) {
-      fmt::print(stderr, "clothfit: error: {} of the jobs failed; the first: {}\n",
-                 run.num_problems, run.first_problem);
-    }
+JobPlan OpenJobPlan(const fs::path& folder) {
+  JobList list = ReadJobList(folder);
+  try {
+    if (list.command == "batch") return BatchPlan(std::move(list), folder);
+    if (list.command == "trials") return PlanOfTrials(std::move(list), folder);
+    if (const std::optional<Study> study = StudyOf(list))
+      return StudyPlan(*study, std::move(list), folder);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError((folder / kJobListFile).string(), std::string("options: ") + error.what());
   }
-  if (is_first && !options.quiet && status == kExitSuccess)
-    PrintNext("clothfit report " + ShellWord(options.output));
-  std::fflush(nullptr);
-  if (run.num_hanging > 0) std::_Exit(status);
-  return status;
+  throw InputError((folder / kJobListFile).string(),
+                   "command: '" + list.command + "'; expected a study, trials or batch");
+}
+
+int RunAllJobs(const JobPlan& plan, const fs::path& folder, int threads, bool quiet) {
+  ProgressDisplay display;
+  JobRunOptions run;
+  run.num_threads = threads;
+  run.stop = StopOnInterrupt();
+  run.progress = [&](int done, int total) {
+    if (plan.reports_partly && done > 0 && done < total) GatherResults(plan, folder);
+    if (quiet) return;
+    display.Show("jobs", fmt::format("{} of {}", done, total),
+                 total > 0 ? static_cast<double>(done) / total : 1.0);
+  };
+  const PlanResult result = RunPlan(plan, folder, run);
+  display.Finish();
+  const int status = FinishJobs(result, folder, quiet);
+  if (!*run.stop) return status;
+  fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
+  return kExitInterrupted;
+}
+
+int FinishJobs(const PlanResult& result, const fs::path& folder, bool quiet) {
+  if (!quiet && !result.table.empty()) fmt::print("{}\n{}\n", result.table, folder.string());
+  if (result.jobs.CountProblems() == 0) {
+    if (!quiet && result.jobs.complete) PrintNext("clothfit report " + ShellWord(folder.string()));
+    return kExitSuccess;
+  }
+  fmt::print(stderr, "clothfit: error: {} of the jobs failed; the first: {}\n",
+             result.jobs.CountProblems(), result.jobs.FirstProblem());
+  return kExitFailure;
+}
+
+int RunPreparedJobs(FolderLock lock, const JobOptions& options) {
+  if (options.prepare) return PrintPrepared(options.output);
+  if (options.slurm) {
+    { const FolderLock ended = std::move(lock); }  // tasks may begin while others are submitted
+    return Submit(options);
+  }
+  const fs::path folder = options.output;
+  return RunAllJobs(OpenJobPlan(folder), folder, options.threads, options.quiet);
 }
 
 }  // namespace clothfit

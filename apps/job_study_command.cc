@@ -4,10 +4,11 @@
 // clothfit study NAME, of studies that are lists of jobs.
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "apps/config_options.h"
-#include "apps/progress_display.h"
-#include "apps/study_commands.h"
+#include "apps/job_options.h"
+#include "fitting/studies/study_plan.h"
 
 namespace clothfit {
 namespace {
@@ -15,10 +16,10 @@ namespace {
 struct JobStudyOptions {
   JobOptions jobs;
   std::string recordings;  // empty: FOLDER/recordings
-  bool full = false, share_search = false;
+  bool full = false;
   std::optional<std::vector<std::string>> experiments, fabric;
   std::optional<std::vector<double>> values;
-  std::optional<int> frames, generator, picture, particles, points, starts;
+  std::optional<int> under_way, frames, generator, picture, particles, points, starts;
   std::optional<double> simulations;
   std::optional<std::string> search;
   std::optional<unsigned> seed;
@@ -32,10 +33,10 @@ void Take(const std::optional<Value>& given, Value* value) {
 // The reduced or the full size, with what the command line changes.
 StudyOptions SizeOf(const JobStudyOptions& given) {
   StudyOptions options = given.full ? FullSize() : StudyOptions();
-  options.share_search = given.share_search;
   Take(given.experiments, &options.experiments);
   Take(given.fabric, &options.fabric);
   Take(given.values, &options.values);
+  Take(given.under_way, &options.under_way);
   Take(given.frames, &options.frames);
   Take(given.generator, &options.generator);
   Take(given.picture, &options.picture);
@@ -51,17 +52,9 @@ StudyOptions SizeOf(const JobStudyOptions& given) {
 
 int RunJobStudy(const Study& study, const JobStudyOptions& given) {
   CheckJobOptions(given.jobs);
-  const StudyOptions options = SizeOf(given);
-  StudyPlace place;
-  place.folder = given.jobs.output;
-  place.recordings = given.recordings;
-  if (given.recordings.empty()) place.recordings = place.folder / "recordings";
-  ProgressDisplay display;
-  std::string stage;
-  const StudyRunOptions run = MakeRunOptions(given.jobs, &display, &stage);
-  const StudyRun result = RunStudy(study, options, place, run);
-  display.Finish();
-  return FinishJobs(result, given.jobs, run);
+  FolderLock lock = PrepareStudy(study, SizeOf(given), given.jobs.output, given.recordings,
+                                 ExistingIf(given.jobs.force, given.jobs.resume));
+  return RunPreparedJobs(std::move(lock), given.jobs);
 }
 
 void AddRecordingOptions(CLI::App* command, JobStudyOptions* options) {
@@ -100,8 +93,11 @@ void AddFitOptions(CLI::App* command, const Study& study, JobStudyOptions* optio
       ->add_option("--points", options->points,
                    "markers a frame, and tracks a camera and frame, at most")
       ->type_name("N");
-  command->add_flag("--share-search", options->share_search,
-                    "all processes do the outer pattern search of one fit together, fit after fit");
+  command
+      ->add_option("--under-way", options->under_way,
+                   "points of a fit's pattern search that are evaluated at a time, by as many "
+                   "threads; decides its course")
+      ->type_name("N");
   command->add_option("--starts", options->starts, "of each search that is compared")
       ->type_name("N");
 }
@@ -110,18 +106,19 @@ void AddJobStudy(CLI::App* parent, const Study& study, Action* action) {
   CLI::App* const command = parent->add_subcommand(study.name, study.doc);
   const auto options = std::make_shared<JobStudyOptions>();
   AddJobOptions(command, &options->jobs);
+  BeginGroup(command, "The study");
   command->add_flag(
       "--full", options->full,
       "the size of the paper's experiments, for a cluster; else minutes of two cores");
+  command->add_option("--seed", options->seed, "of recordings, starts and searches")
+      ->type_name("N");
   if (study.uses_recordings) {
     AddRecordingOptions(command, options.get());
     AddFitOptions(command, study, options.get());
   }
-  command->add_option("--seed", options->seed, "of recordings, starts and searches")
-      ->type_name("N");
   command->footer("Examples:\n  clothfit study " + study.name + " -o studies/" + study.name +
-                  "\n  mpirun --enable-recovery -n 64 clothfit study " + study.name +
-                  " --full -o studies/" + study.name);
+                  "\n  clothfit study " + study.name +
+                  " --full --slurm --sbatch=--time=12:00:00 -o studies/" + study.name);
   command->callback(
       [study, options, action] { *action = [=] { return RunJobStudy(study, *options); }; });
 }

@@ -11,7 +11,4 @@ namespace clothfit {
 // Prints "next: TEXT" to the standard output.
 void PrintNext(const std::string& text);
 
-// A path as a word of a shell's command line, in quotes where it needs them.
-std::string ShellWord(const std::string& path);
-
 }  // namespace clothfit

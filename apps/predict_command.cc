@@ -9,6 +9,7 @@
 
 #include "apps/commands.h"
 #include "apps/next_step.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/runs/prediction.h"
 
 namespace clothfit {

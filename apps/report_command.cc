@@ -10,6 +10,7 @@
 #include "apps/commands.h"
 #include "apps/next_step.h"
 #include "apps/report/assets.h"
+#include "fitting/jobs/shell.h"
 
 namespace clothfit {
 namespace {

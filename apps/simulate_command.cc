@@ -10,6 +10,7 @@
 #include "apps/config_options.h"
 #include "apps/next_step.h"
 #include "autodiff_sim/base/error.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
 
 namespace clothfit {

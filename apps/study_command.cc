@@ -11,9 +11,9 @@
 
 #include "apps/commands.h"
 #include "apps/next_step.h"
-#include "apps/study_commands.h"
 #include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/studies/chaos_study.h"
 #include "fitting/studies/recovery_study.h"
 #include "fitting/trials/finite_elements/generator.h"
@@ -26,13 +26,13 @@ namespace {
 
 constexpr int kFiniteElementRefinement = 2;  // elements along a spacing of the fit's particles
 
-struct StudyOptions {
+struct RecoveryStudyOptions {
   RecoveryOptions recovery;
   std::string output;
   bool force = false, finite_elements = false;
 };
 
-int RunRecoveryCommand(StudyOptions options) {
+int RunRecoveryCommand(RecoveryStudyOptions options) {
   if (options.finite_elements) {
     options.recovery.generator = FiniteElementGenerator({}, {}, nullptr);
     options.recovery.recording.refinement = kFiniteElementRefinement;
@@ -64,7 +64,7 @@ int RunRecoveryCommand(StudyOptions options) {
 void AddRecoveryStudy(CLI::App* study, Action* action) {
   CLI::App* const recovery =
       study->add_subcommand("recovery", "fit recordings of known truth; do the intervals hold it?");
-  const auto options = std::make_shared<StudyOptions>();
+  const auto options = std::make_shared<RecoveryStudyOptions>();
   options->recovery.recording = DemoRecording();
   recovery->add_option("-o,--output", options->output, "folder of the tables")
       ->type_name("FOLDER")

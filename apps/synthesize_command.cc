@@ -15,6 +15,7 @@
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "autodiff_sim/base/error.h"
+#include "fitting/jobs/shell.h"
 #include "tracking/synthetic/keys.h"
 #include "tracking/synthetic/presets.h"
 #include "tracking/text/text.h"

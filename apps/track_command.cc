@@ -14,6 +14,7 @@
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "apps/tracking_options.h"
+#include "fitting/jobs/shell.h"
 #include "tracking/features/tracking_folder.h"
 
 namespace clothfit {

@@ -53,7 +53,6 @@ Recording TrackInto(const RunFolder& run, const Recording& recording, const JobC
   options.num_threads = 1;
   TrackingCallbacks callbacks;
   callbacks.stop = context.stop;
-  callbacks.on_frame = [&](int) { context.alive(); };
   const TrackingResult found =
       TrackIntoFolder(recording, options, folder, Overwrite::kRefuse, callbacks);
   if (found.num_frames < recording.frame_count) throw std::runtime_error("stopped");
@@ -99,7 +98,6 @@ FitResult FitInto(const fs::path& folder, const fs::path& place, const BatchFit&
   CheckContact(scene, config);
   FitCallbacks callbacks;
   callbacks.stop = context.stop;
-  callbacks.progress = [&](const FitProgress&) { context.alive(); };
   return FitIntoRun(scene, config, run, callbacks, false);
 }
 
@@ -113,24 +111,32 @@ std::string Cell(const nlohmann::json& value, bool markdown) {
 JobFolderContents BatchContents(const std::vector<BatchFit>& fits, std::string description) {
   JobFolderContents contents;
   contents.kind = FolderKind::kBatch;
-  contents.command = "batch";
+  contents.list.command = "batch";
   contents.file = "batch.yaml";
   contents.description = std::move(description);
-  contents.jobs = BatchJobs(fits);
   contents.files = {"batch.csv", "parameters.csv", "batch.md", "report.html"};
-  for (const BatchFit& fit : fits) contents.files.push_back("runs/" + fit.name + "/");
+  for (const BatchFit& fit : fits) {
+    contents.list.jobs.push_back({fit.name, fit});
+    contents.files.push_back("runs/" + fit.name + "/");
+  }
   return contents;
 }
 
-std::vector<Job> BatchJobs(const std::vector<BatchFit>& fits) {
-  std::vector<Job> jobs;
-  for (const BatchFit& fit : fits) jobs.push_back({fit.name, nullptr});
-  return jobs;
+JobPlan BatchPlan(JobList list, const fs::path& folder) {
+  JobPlan plan;
+  plan.list = std::move(list);
+  plan.work = [folder](const Job& job, const JobContext& context) {
+    return RunBatchFit(folder, job.input.get<BatchFit>(), context);
+  };
+  plan.report = [folder](const std::vector<JobResult>& results) {
+    return WriteBatchTables(folder, results);
+  };
+  return plan;
 }
 
 nlohmann::json RunBatchFit(const fs::path& folder, const BatchFit& fit, const JobContext& context) {
   const fs::path place = folder / "runs" / fit.name;
-  PartFolder part(place);  // a worker that was taken for dead may still write one of its own
+  PartFolder part(place);
   const FitResult result = FitInto(part.path(), place, fit, context);
   part.MoveToPlace();
   if (result.status == FitStatus::kFailed)

@@ -10,13 +10,16 @@
 
 #include "fitting/batch/list.h"
 #include "fitting/jobs/folder.h"
+#include "fitting/jobs/plan.h"
 
 namespace clothfit {
 
-std::vector<Job> BatchJobs(const std::vector<BatchFit>& fits);
-
-// All that a batch writes into its folder.
+// All that a batch writes into its folder. The description is the list and the files of settings
+// that it names.
 JobFolderContents BatchContents(const std::vector<BatchFit>& fits, std::string description);
+
+// Of a list with these contents.
+JobPlan BatchPlan(JobList list, const std::filesystem::path& folder);
 
 // Fits one into folder/runs/NAME, after tracking into folder/runs/NAME/observations where there are
 // pictures only. The run is whole or not there.

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "fitting/config/config.h"
 
 namespace clothfit {
@@ -29,6 +31,8 @@ struct BatchFit {
   std::vector<std::string> set;                // term.parameter=value
   std::vector<std::string> free, fix;          // terms or full names
 };
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BatchFit, name, recording, configs, set, free, fix)
 
 // Throws InputError with file, key and value where the list is malformed, two fits have one name,
 // or a recording or config cannot be read.

@@ -54,7 +54,8 @@ class Searcher {
         error_(scene, config),
         judge_(scene, config, free_, options.attract, nullptr),
         ledger_(scene, options),
-        start_(options.start.size() > 0 ? options.start : free_.start()) {}
+        start_(options.start.size() > 0 ? options.start : free_.start()),
+        costs_(static_cast<std::size_t>(NumWorkers()), 0.0) {}
 
   SearchResult Run() {
     SearchResult result = config_.loops == Strategy::kTwoLoop   ? TwoLoops()
@@ -92,9 +93,19 @@ class Searcher {
     options.attract = options_.attract;
     return options;
   }
-  void Spend(const FrameByFrameResult& pass) {
-    ledger_.Spend(pass.simulated_frames, pass.differentiated_frames);
+  // A pattern search may have many values under way, each of which counts when it is taken, so that
+  // the budget ends at the same one for any number of threads.
+  void Spend(double simulated, double differentiated, int worker) {
+    if (config_.optimiser == "pattern") {
+      costs_[static_cast<std::size_t>(worker)] = simulated;
+      return;
+    }
+    ledger_.Spend(simulated, differentiated);
     if (ledger_.IsSpent()) stop_ = true;
+  }
+  bool TakeCost(double simulated) {
+    ledger_.Spend(simulated, 0.0);
+    return !ledger_.IsSpent();
   }
   void TakePass(FrameByFrameResult pass, SearchResult* result) const;
 
@@ -106,6 +117,7 @@ class Searcher {
   WindowSimulator judge_;
   SearchLedger ledger_;
   Eigen::VectorXd start_;
+  std::vector<double> costs_;  // frames, of each worker's last value
   std::atomic<bool> stop_ = false;
 };
 
@@ -160,11 +172,13 @@ Minimum Searcher::MinimiseOver(
   OptimiserOptions settings;
   settings.seed = options_.seed;
   settings.stop = &stop_;
+  settings.under_way = options_.under_way;
+  objective.cost = [&](int worker) { return costs_[static_cast<std::size_t>(worker)]; };
+  settings.taken = [&](double cost) { return TakeCost(cost); };
   settings.improved = [&](const Eigen::VectorXd& x, double error, int) {
     if (ledger_.Improve(error) && options_.improved) options_.improved(whole(x));
   };
-  Minimum minimum = options_.minimise ? options_.minimise(objective, settings)
-                                      : Minimise(optimiser, objective, settings);
+  Minimum minimum = Minimise(optimiser, objective, settings);
   minimum.x = whole(minimum.x);
   return minimum;
 }
@@ -180,8 +194,7 @@ SearchResult Searcher::Joint() {
     const double before = simulator.simulated_frames();
     const double error =
         OpenLoopError(error_, scene_.last_fitted_frame, &simulator, theta, nullptr);
-    ledger_.Spend(simulator.simulated_frames() - before, 0.0);
-    if (ledger_.IsSpent()) stop_ = true;
+    Spend(simulator.simulated_frames() - before, 0.0, worker);
     return error;
   };
   std::vector<int> all(static_cast<std::size_t>(free_.size()));
@@ -213,7 +226,7 @@ SearchResult Searcher::TwoLoops() {
   std::mutex mutex;
   const auto value = [&](const Eigen::VectorXd& theta, int worker) {
     FrameByFrameResult pass = passes[static_cast<std::size_t>(worker)]->Run(theta);
-    Spend(pass);
+    Spend(pass.simulated_frames, pass.differentiated_frames, worker);
     const std::lock_guard<std::mutex> lock(mutex);
     const double error = pass.complete ? pass.error : kInfinity;
     if (error < result.error) TakePass(std::move(pass), &result);
@@ -222,6 +235,7 @@ SearchResult Searcher::TwoLoops() {
   const std::vector<int> fabric = free_.Fabric();
   if (fabric.empty()) {
     ledger_.Improve(value(start_, 0));
+    if (config_.optimiser == "pattern" && !TakeCost(costs_[0])) stop_ = true;
     result.converged = !stop_;
     result.reason = "one pass: the fabric is known";
     return result;
@@ -230,7 +244,8 @@ SearchResult Searcher::TwoLoops() {
                               : fabric.size() > 1       ? "bobyqa"
                                                         : "sbplx";
   const Minimum minimum = MinimiseOver(fabric, outside, value);
-  if (options_.minimise && !stop_) {  // the best pass may have been another process's
+  // Of passes with equal errors, which one came first is a matter of chance.
+  if (std::max(options_.under_way, NumWorkers()) > 1 && !stop_) {
     result.error = kInfinity;
     value(minimum.x, 0);
   }
@@ -242,7 +257,7 @@ SearchResult Searcher::TwoLoops() {
 SearchResult Searcher::OneLoop() {
   FrameByFrame search(scene_, config_, free_, PassOptions(true), &stop_);
   FrameByFrameResult pass = search.Run(start_);
-  Spend(pass);
+  ledger_.Spend(pass.simulated_frames, pass.differentiated_frames);
   SearchResult result;
   result.theta = start_;
   result.error = kInfinity;

@@ -34,11 +34,12 @@ struct SearchOptions {
   Budget budget;  // evaluations: simulations of the whole recording, those with derivatives at cost
   unsigned seed = 1;
   int num_threads = 1;  // of pattern search
+  // Points that pattern search has under way at a time, which decides its course; at least one a
+  // thread.
+  int under_way = 1;
   // What a simulation with derivatives along all of the free vector costs, in simulations without.
   double derivative_cost = 2.0;
   const std::atomic<bool>* stop = nullptr;
-  // Minimises in place of Minimise: by many processes, say. Not of the inner loop, nor of "lm".
-  std::function<Minimum(const Objective& objective, const OptimiserOptions& options)> minimise;
   // What has been spent and the best error so far, after every evaluation; one call at a time.
   std::function<void(const SearchPoint&)> progress;
   std::function<void(const Eigen::VectorXd& theta)> improved;  // of joint searches

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One of many pieces of work that do not depend on one another, such as the fits of a study.
+// One of many pieces of work, such as the fits of a study.
 #pragma once
 
 #include <atomic>
@@ -17,6 +17,7 @@ namespace clothfit {
 struct Job {
   std::string name;  // of its files: letters, digits, '-', '_' and '.'
   nlohmann::json input;
+  int stage = 0;  // a job begins when all of earlier stages are done; they do not fall in a list
 };
 
 struct JobResult {
@@ -30,8 +31,7 @@ struct JobResult {
 
 struct JobContext {
   const std::atomic<bool>* stop = nullptr;  // set: what the job returns is not used
-  // To be called as often as the work gets on: who is silent for long is taken for dead.
-  std::function<void()> alive;
+  int num_threads = 1;                      // that the job may use
 };
 
 // Does a job; exceptions are its problem. Called from several threads at once.

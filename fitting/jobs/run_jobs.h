@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Does a list of jobs, together with whoever else does the same list.
+// Does jobs by the threads of this process. See docs/adr/0013-clusters-bring-their-scheduler.md for
+// more than one process.
 #pragma once
 
 #include <atomic>
@@ -15,11 +16,9 @@
 namespace clothfit {
 
 struct JobRunOptions {
-  std::filesystem::path folder;  // of the ledger; what it has done already is not done again
-  int num_threads = 1;           // of this process; 0: all cores
-  // s without a sign of life after which a worker counts as lost. Longer than any single
-  // simulation, and than the file system takes to show one machine what another wrote.
-  double patience = 300.0;
+  std::filesystem::path folder;  // of the results; what has one is not done again
+  int num_threads = 1;           // 0: all cores
+  int threads_a_job = 1;         // that a job can make use of
   const std::atomic<bool>* stop = nullptr;
   std::function<void(int done, int total)> progress;  // one call at a time
 };
@@ -27,22 +26,15 @@ struct JobRunOptions {
 struct JobRunResult {
   std::vector<JobResult> results;  // in the list's order; of those that have one
   bool complete = false;           // all of them
-  // Threads that hang: the process should leave by _Exit, for they cannot be ended.
-  int num_hanging = 0;
 
   // The first problem; empty where all jobs are done.
   std::string FirstProblem() const;
   int CountProblems() const;
 };
 
-// Calls `work` for each job that nobody else does, and returns when all have results, from here or
-// elsewhere, or when it is stopped. A thread that hangs is replaced. `work` and what it refers to
-// have to outlive the process where threads hang.
+// Does the jobs that have no result yet, stage by stage; a stage in which a job has a problem is
+// the last. Makes the folder. Throws InputError where a result can be neither read nor written.
 JobRunResult RunJobs(const std::vector<Job>& jobs, const JobWork& work,
                      const JobRunOptions& options);
-
-// Has one of the processes, whichever, write the tables of jobs that are done: a job like the
-// others, named "report". Its output is the text that `write` returns, in all processes.
-JobRunResult RunReport(const std::function<std::string()>& write, const JobRunOptions& options);
 
 }  // namespace clothfit

@@ -25,6 +25,8 @@ struct Objective {
   // with a worker of its own from 0 to num_workers - 1.
   std::function<double(const Eigen::VectorXd& x, int worker)> value;
   int num_workers = 1;
+  // What the worker's last value cost, in any unit; empty: nobody counts.
+  std::function<double(int worker)> cost;
   // The value as half a sum of squares, with derivatives; empty where it has none, as the hard
   // silhouette error. As SimulationCost::Evaluator.
   std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd* residuals,
@@ -50,6 +52,12 @@ struct OptimiserOptions {
   Budget budget;
   double tolerance = 0.01;  // of derivative-free searches, in first steps; of others, see there
   unsigned seed = 1;        // of those that draw lots
+  // Of pattern search: points that are evaluated at a time, which decides its course; at least one
+  // a worker.
+  int under_way = 1;
+  // Of pattern search: called with the cost of each value as it is taken, one call at a time. False
+  // plans no more points.
+  std::function<bool(double cost)> taken;
   // Called with each new best, one call at a time; `evaluations` so far.
   std::function<void(const Eigen::VectorXd& x, double value, int evaluations)> improved;
   const std::atomic<bool>* stop = nullptr;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <exception>
+#include <list>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -114,62 +115,134 @@ void PatternSearch::Take(const Planned& trial, double value) {
 
 bool PatternSearch::HasConverged() const { return queue_.empty() && under_way_.empty(); }
 
-Minimum SearchPattern(const Objective& objective, const OptimiserOptions& options) {
-  const BudgetWatch watch(options);
-  PatternSearchOptions search_options;
-  search_options.tolerance = options.tolerance;
-  const double at_start = objective.value(objective.start, 0);
-  PatternSearch search(objective, at_start, search_options);
-  if (options.improved) options.improved(objective.start, at_start, 1);
-  int evaluations = 1;
-  std::mutex mutex;
-  std::condition_variable changed;
-  std::exception_ptr failure;
-  std::string reason;
-  const auto spent = [&] {
-    if (failure == nullptr && reason.empty()) reason = watch.Spent(evaluations);
-    return failure != nullptr || !reason.empty();
-  };
-  const auto work = [&](int worker) {
+namespace {
+
+// A point under way, or one whose value waits for those before it.
+struct PointUnderWay {
+  PatternSearch::Trial trial;
+  bool is_taken_up = false, has_value = false;
+  double value = 0.0, cost = 0.0;
+};
+
+// The search by several threads. Every member is used under the mutex, but for the values.
+class ThreadedSearch {
+ public:
+  ThreadedSearch(const Objective& objective, const OptimiserOptions& options)
+      : objective_(objective),
+        options_(options),
+        watch_(options),
+        at_start_(objective.value(objective.start, 0)),
+        search_(objective, at_start_, WithTolerance(options.tolerance)) {
+    TellCost(objective.cost ? objective.cost(0) : 0.0);
+    if (options.improved) options.improved(objective.start, at_start_, 1);
+  }
+
+  Minimum Run() {
+    std::vector<std::thread> threads;
+    for (int w = 1; w < objective_.num_workers; ++w) threads.emplace_back([this, w] { Work(w); });
+    Work(0);
+    for (std::thread& thread : threads) thread.join();
+    if (failure_ != nullptr) std::rethrow_exception(failure_);
+    const bool converged = search_.HasConverged();
+    return {search_.best(), search_.best_value(), evaluations_, converged,
+            converged ? "all steps are shorter than the tolerance" : reason_};
+  }
+
+ private:
+  static PatternSearchOptions WithTolerance(double tolerance) {
+    PatternSearchOptions options;
+    options.tolerance = tolerance;
+    return options;
+  }
+  bool IsAborted() const {
+    return failure_ != nullptr || (options_.stop != nullptr && *options_.stop);
+  }
+  void TellCost(double cost) {
+    if (options_.taken && !options_.taken(cost)) reason_ = "stopped";
+  }
+
+  void Plan() {
+    const auto slots =
+        static_cast<std::size_t>(std::max(options_.under_way, objective_.num_workers));
+    while (under_way_.size() < slots) {
+      if (reason_.empty()) reason_ = watch_.Spent(evaluations_);
+      if (!reason_.empty()) return;
+      const std::optional<PatternSearch::Trial> trial = search_.Next();
+      if (!trial) return;
+      ++evaluations_;
+      under_way_.push_back({*trial});
+    }
+  }
+
+  // Those at the front whose values are there.
+  void TakeValues() {
+    while (!under_way_.empty() && under_way_.front().has_value) {
+      const PointUnderWay point = std::move(under_way_.front());
+      under_way_.pop_front();
+      TellCost(point.cost);
+      const double before = search_.best_value();
+      search_.Report(point.trial.id, point.value);
+      if (options_.improved && search_.best_value() < before)
+        options_.improved(search_.best(), search_.best_value(), evaluations_);
+      Plan();
+    }
+  }
+
+  void Evaluate(PointUnderWay* point, int worker, std::unique_lock<std::mutex>* lock) {
+    point->is_taken_up = true;
+    lock->unlock();
+    std::exception_ptr failure;
+    double value = 0.0;
+    try {
+      value = objective_.value(point->trial.x, worker);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    const double cost = objective_.cost ? objective_.cost(worker) : 0.0;
+    lock->lock();
+    if (failure != nullptr) failure_ = failure;
+    point->value = value;
+    point->cost = cost;
+    point->has_value = true;
+  }
+
+  void Work(int worker) {
     std::optional<InsideParallelWork> inside;
-    if (objective.num_workers > 1) inside.emplace();
-    std::unique_lock<std::mutex> lock(mutex);
-    while (!spent() && !search.HasConverged()) {
-      const std::optional<PatternSearch::Trial> trial = search.Next();
-      if (!trial) {
-        changed.wait(lock);
+    if (objective_.num_workers > 1) inside.emplace();
+    std::unique_lock<std::mutex> lock(mutex_);
+    Plan();
+    while (!IsAborted() && !under_way_.empty()) {
+      const auto open = std::find_if(under_way_.begin(), under_way_.end(),
+                                     [](const PointUnderWay& point) { return !point.is_taken_up; });
+      if (open == under_way_.end()) {
+        changed_.wait(lock);
         continue;
       }
-      ++evaluations;
-      lock.unlock();
-      double value = 0.0;
-      std::exception_ptr own_failure;
-      try {
-        value = objective.value(trial->x, worker);
-      } catch (...) {
-        own_failure = std::current_exception();
-      }
-      lock.lock();
-      if (own_failure != nullptr) {
-        failure = own_failure;
-      } else {
-        const double before = search.best_value();
-        search.Report(trial->id, value);
-        if (options.improved && search.best_value() < before)
-          options.improved(search.best(), search.best_value(), evaluations);
-      }
-      changed.notify_all();
+      Evaluate(&*open, worker, &lock);
+      if (!IsAborted()) TakeValues();
+      changed_.notify_all();
     }
-    changed.notify_all();
-  };
-  std::vector<std::thread> threads;
-  for (int w = 1; w < objective.num_workers; ++w) threads.emplace_back(work, w);
-  work(0);
-  for (std::thread& thread : threads) thread.join();
-  if (failure != nullptr) std::rethrow_exception(failure);
-  const bool converged = search.HasConverged();
-  return {search.best(), search.best_value(), evaluations, converged,
-          converged ? "all steps are shorter than the tolerance" : reason};
+    if (IsAborted() && reason_.empty()) reason_ = "stopped";
+    changed_.notify_all();
+  }
+
+  const Objective& objective_;
+  const OptimiserOptions& options_;
+  BudgetWatch watch_;
+  double at_start_;
+  PatternSearch search_;
+  std::list<PointUnderWay> under_way_;  // in the order in which they were planned
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::exception_ptr failure_;
+  std::string reason_;
+  int evaluations_ = 1;
+};
+
+}  // namespace
+
+Minimum SearchPattern(const Objective& objective, const OptimiserOptions& options) {
+  return ThreadedSearch(objective, options).Run();
 }
 
 }  // namespace clothfit

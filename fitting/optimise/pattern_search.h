@@ -81,7 +81,9 @@ class PatternSearch {
   std::vector<Eigen::VectorXd> known_;  // all that was evaluated, in first steps
 };
 
-// Runs it on as many threads as the objective has workers.
+// Runs it on as many threads as the objective has workers. Values are taken in the order in which
+// their points were planned, not in that in which they arrive: with as many points under way, the
+// course is the same for any number of threads and whoever is fast.
 Minimum SearchPattern(const Objective& objective, const OptimiserOptions& options);
 
 }  // namespace clothfit

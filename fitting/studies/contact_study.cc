@@ -72,14 +72,14 @@ std::vector<double> ScaledPlaces(const SceneFrame& frame, double side) {
   return {x.begin(), x.end()};
 }
 
-nlohmann::json RunContactJob(const StudyOptions&, const Job& job, const JobContext& context) {
+nlohmann::json RunContactJob(const StudyOptions&, const Job& job, const JobContext&) {
   const HardScene scene = FindHardScene(job.input.at("scene"));
   SceneOptions how;
   how.particles = job.input.at("particles");
   how.step = 1.0 / job.input.at("steps_per_second").get<double>();
   how.lossless = job.input.at("strict");
   if (how.lossless) how.integrator = Integrator::kBackwardEuler;
-  const SceneRun run = RunHardScene(scene, how, [&](const SceneFrame&) { context.alive(); });
+  const SceneRun run = RunHardScene(scene, how);
   nlohmann::json rows = nlohmann::json::array();
   for (const SceneFrame& frame : run.frames) rows.push_back(FrameRow(frame));
   const std::size_t last = run.frames.size() - 1;

@@ -120,8 +120,7 @@ double DifferenceError(const Problem& problem, const FreeParameters& free, doubl
   return worst;
 }
 
-nlohmann::json RunGradientJob(const StudyOptions& options, const Job& job,
-                              const JobContext& context) {
+nlohmann::json RunGradientJob(const StudyOptions& options, const Job& job, const JobContext&) {
   Problem problem = MakeProblem(job.input, options.seed);
   const double loose = problem.config.tolerance;
   const FreeParameters free(problem.config, problem.scene, MakeParameterTable());
@@ -133,11 +132,9 @@ nlohmann::json RunGradientJob(const StudyOptions& options, const Job& job,
   };
   const double value_seconds = Seconds([&] { return evaluate(nullptr); });
   const double derivative_seconds = Seconds([&] { return evaluate(&jacobian); });
-  context.alive();
   problem.config.tolerance = kTight;
   evaluate(&exact);
   const GradientReport report = CheckFitGradient(problem.scene, problem.config, problem.horizon);
-  context.alive();
   double extrapolated = 0.0;
   for (const ColumnCheck& column : report.check.columns)
     extrapolated = std::max(extrapolated, column.difference_error);
@@ -147,7 +144,6 @@ nlohmann::json RunGradientJob(const StudyOptions& options, const Job& job,
     const double tight_error = DifferenceError(problem, free, step, exact);
     problem.config.tolerance = loose;
     curve.push_back({step, tight_error, DifferenceError(problem, free, step, exact)});
-    context.alive();
   }
   return {{"worst", report.check.WorstRelativeError()},
           {"extrapolated", extrapolated},

@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/jobs/shared_pattern_search.h"
 #include "fitting/residuals/synthesis_error.h"
 #include "fitting/scene/surface_truth.h"
 #include "fitting/studies/comparison.h"
@@ -159,42 +158,6 @@ void Judge(const fs::path& folder, const StudyFit& fit, const StudyOptions& opti
   result->true_surface.assign(true_x.data(), true_x.data() + true_x.size());
 }
 
-SearchResult SearchAlone(const Scene& scene, const FitConfig& config, const StudyOptions& options,
-                         SearchOptions search) {
-  search.budget.evaluations = options.simulations;
-  return Search(scene, config, search);
-}
-
-// What is counted is what all have spent, so that the result is the same for each. Who had reached
-// what when is not known.
-SearchResult SearchTogether(const Scene& scene, const FitConfig& config,
-                            const StudyOptions& options, const fs::path& folder,
-                            SearchOptions search) {
-  double spent_here = 0.0, spent = 0.0;
-  std::function<void()> alive;
-  search.progress = [&, before = search.progress](const SearchPoint& point) {
-    spent_here = point.simulations;
-    if (alive) alive();
-    before(point);
-  };
-  search.minimise = [&](const Objective& objective, const OptimiserOptions& settings) {
-    SharedSearchOptions together;
-    together.folder = folder;
-    together.most_spent = options.simulations;
-    together.tolerance = settings.tolerance;
-    together.stop = settings.stop;
-    together.spent = [&] { return spent_here; };
-    together.evaluating = [&](const std::function<void()>& sign) { alive = sign; };
-    const SharedMinimum found = SearchPatternTogether(objective, together);
-    spent = found.spent;
-    return found.minimum;
-  };
-  SearchResult result = Search(scene, config, search);
-  result.simulations = spent;
-  result.history.clear();
-  return result;
-}
-
 nlohmann::json ToJson(const StudyFitResult& result) {
   nlohmann::json history = nlohmann::json::array();
   for (const SearchPoint& point : result.history)
@@ -256,7 +219,7 @@ StudyFit StudyFitOf(const Job& job) {
 }
 
 nlohmann::json RunStudyFit(const fs::path& recordings, const StudyOptions& options, const Job& job,
-                           const JobContext& context, const fs::path& shared) {
+                           const JobContext& context) {
   const StudyFit fit = StudyFitOf(job);
   const fs::path folder = SeenFolder(recordings, options, fit.experiment);
   const Recording recording = ReadUsed(folder, fit, options);
@@ -270,10 +233,10 @@ nlohmann::json RunStudyFit(const fs::path& recordings, const StudyOptions& optio
   search.attract = fit.linear > 0.0 || fit.reciprocal > 0.0;
   search.seed = options.seed + static_cast<unsigned>(fit.start);
   search.stop = context.stop;
-  search.progress = [&](const SearchPoint&) { context.alive(); };
-  const SearchResult found = shared.empty()
-                                 ? SearchAlone(scene, config, options, search)
-                                 : SearchTogether(scene, config, options, shared, search);
+  search.budget.evaluations = options.simulations;
+  search.under_way = options.under_way;
+  search.num_threads = std::min(context.num_threads, options.under_way);
+  const SearchResult found = Search(scene, config, search);
   StudyFitResult result;
   result.error = found.error;
   result.simulations = found.simulations;

@@ -45,12 +45,9 @@ struct StudyFitResult {
 // The name says what is done; jobs of one list differ in it.
 Job FitJob(const std::string& name, const StudyFit& fit, const StudyOptions& options);
 
-// Does it, with the recordings in this folder. The result is that of ReadStudyFit. `shared`: the
-// folder by which all processes, which call this at the same time, do the search together; empty:
-// alone.
+// Does it, with the recordings in this folder. The result is that of ReadStudyFit.
 nlohmann::json RunStudyFit(const std::filesystem::path& recordings, const StudyOptions& options,
-                           const Job& job, const JobContext& context,
-                           const std::filesystem::path& shared = {});
+                           const Job& job, const JobContext& context);
 
 StudyFit StudyFitOf(const Job& job);
 StudyFitResult ReadStudyFit(const nlohmann::json& output);

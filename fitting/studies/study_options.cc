@@ -38,9 +38,10 @@ void StudyOptions::Check() const {
   ExpectInteger("--starts", starts, 1, 1000);
   Expect(simulations > 0.0, "--simulations", FormatNumber(simulations), "a number above 0");
   const Contender contender = ParseContender("--search", search);
-  const bool is_shared =
+  const bool is_pattern =
       contender.optimiser == "pattern" && contender.strategy != Strategy::kOneLoop;
-  Expect(!share_search || is_shared, "--share-search", search,
+  ExpectInteger("--under-way", under_way, 1, 1000);
+  Expect(under_way == 1 || is_pattern, "--under-way", search,
          "pattern/two-loop or pattern/joint as --search");
   const std::vector<NamedParameter> table = MakeParameterTable();
   for (const std::string& name : fabric) RequireParameter(table, name, "--fabric");
@@ -62,23 +63,6 @@ StudyOptions FullSize() {
   options.points = 300;
   options.starts = 3;
   return options;
-}
-
-nlohmann::json ToJson(const StudyOptions& options) {
-  return {{"experiments", options.experiments},
-          {"values", options.values},
-          {"frames", options.frames},
-          {"generator", options.generator},
-          {"picture", options.picture},
-          {"particles", options.particles},
-          {"fabric", options.fabric},
-          {"search", options.search},
-          {"simulations", options.simulations},
-          {"points", options.points},
-          {"starts", options.starts},
-          {"seed", options.seed},
-          {"full", options.full},
-          {"share_search", options.share_search}};
 }
 
 }  // namespace clothfit

@@ -31,9 +31,9 @@ struct StudyOptions {
   int starts = 1;
   unsigned seed = 1;
   bool full = false;
-  // The outer pattern search of each fit is done by all workers together, fit after fit, as Kolda
-  // 2005 runs it; else each fit by one of them, which is the better use where there are many.
-  bool share_search = false;
+  // Points of the outer pattern search of a fit that are evaluated at a time, by as many threads as
+  // there are; it decides the course. One is the better use of a machine where fits are many.
+  int under_way = 1;
 
   // Throws InputError where a value is of no use.
   void Check() const;
@@ -42,6 +42,8 @@ struct StudyOptions {
 // The size of the paper's experiments: all frames, pictures and parameters.
 StudyOptions FullSize();
 
-nlohmann::json ToJson(const StudyOptions& options);
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StudyOptions, experiments, values, frames, generator, picture,
+                                   particles, fabric, search, simulations, points, starts, seed,
+                                   full, under_way)
 
 }  // namespace clothfit

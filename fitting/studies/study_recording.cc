@@ -60,15 +60,13 @@ nlohmann::json MakeStudyRecording(const fs::path& folder, const Job& job,
                                   const JobContext& context) {
   const fs::path place = folder / job.name;
   if (fs::exists(place)) return {{"folder", job.name}};
-  PartFolder part(place);  // in case somebody else, taken for dead, is still making it
+  PartFolder part(place);  // another study may make the same one
   const fs::path pictures = part.path() / "pictures", seen = part.path() / "seen";
-  Synthesize(RecordingOptions(job.input), pictures, Overwrite::kRefuse,
-             [&](double, const std::string&) { context.alive(); });
+  Synthesize(RecordingOptions(job.input), pictures, Overwrite::kRefuse);
   TrackingOptions options;
   options.num_threads = 1;
   TrackingCallbacks callbacks;
   callbacks.stop = context.stop;
-  callbacks.on_frame = [&](int) { context.alive(); };
   TrackIntoFolder(ReadRecording(pictures), options, seen, Overwrite::kRefuse, callbacks);
   if (context.stop != nullptr && *context.stop) throw std::runtime_error("stopped");
   CopyTruth(pictures, seen);

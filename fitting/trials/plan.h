@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <nlohmann/json.hpp>
 
 #include "fitting/trials/effects.h"
 #include "tracking/synthetic/recording.h"
@@ -93,6 +94,9 @@ struct TrialPlanOptions {
   int frame_count = 150;
   int resolution = 11;  // particles a side that the recording tells a fit to use
 };
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TrialPlanOptions, first_seed, num_seeds, only, match, sample,
+                                   same_generator, finite_elements, frame_count, resolution)
 
 // The names: clean, fault, listed, unlisted, pairs, all, quick.
 std::vector<std::string> TrialPlanNames();

@@ -6,7 +6,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "fitting/jobs/ledger.h"
+#include "fitting/jobs/results.h"
 #include "fitting/trials/summary.h"
 #include "tracking/files/manifest.h"
 
@@ -31,11 +31,7 @@ TrialScore DiagnoseAndScore(const Trial& trial, const TrialRecording& made,
   of_trial.seed = trial.seed;
   of_trial.stop = context.stop;
   std::vector<std::string> log;
-  of_trial.log = [&](const std::string& line) {
-    context.alive();
-    log.push_back(line);
-  };
-  of_trial.progress = [&](const std::string&, double) { context.alive(); };
+  of_trial.log = [&](const std::string& line) { log.push_back(line); };
   const FitConfig baseline = DefaultConfig(made.recording);
   const auto start = std::chrono::steady_clock::now();
   const Diagnosis diagnosis = diagnose(made.recording, baseline, of_trial);
@@ -82,15 +78,10 @@ TrialScore RunTrial(const Trial& trial, const DiagnoseFunction& diagnose,
   return score;
 }
 
-std::vector<TrialScore> ScoresSoFar(const std::vector<Trial>& trials, const fs::path& ledger) {
-  const JobLedger results(ledger, JobRunOptions().patience, -1);
+std::vector<TrialScore> ScoresOf(const std::vector<JobResult>& results) {
   std::vector<TrialScore> scores;
-  for (const Trial& trial : trials) {
-    const std::optional<JobResult> one = results.Read(trial.name);
-    if (!one || !one->IsDone()) continue;
-    const std::string place = (ledger / (trial.name + ".json")).string();
-    scores.push_back(ReadScores(place, one->output.get<std::string>()).front());
-  }
+  for (const JobResult& one : results)
+    if (one.IsDone()) scores.push_back(ReadScores(one.name, one.output.get<std::string>()).front());
   return scores;
 }
 
@@ -100,18 +91,14 @@ std::vector<Job> TrialJobs(const std::vector<Trial>& trials) {
   return jobs;
 }
 
-JobRunResult RunTrials(const std::vector<Trial>& trials, const DiagnoseFunction& diagnose,
-                       const TrialRunOptions& options, const JobRunOptions& jobs) {
-  return RunJobs(
-      TrialJobs(trials),
-      [trials, diagnose, options](const Job& job, const JobContext& context) -> nlohmann::json {
-        for (const Trial& trial : trials) {
-          if (trial.name == job.name)
-            return ScoresAsCsv({RunTrial(trial, diagnose, options, context)});
-        }
-        throw std::logic_error("no such trial");
-      },
-      jobs);
+JobWork TrialWork(const std::vector<Trial>& trials, const DiagnoseFunction& diagnose,
+                  const TrialRunOptions& options) {
+  return [trials, diagnose, options](const Job& job, const JobContext& context) -> nlohmann::json {
+    for (const Trial& trial : trials) {
+      if (trial.name == job.name) return ScoresAsCsv({RunTrial(trial, diagnose, options, context)});
+    }
+    throw std::logic_error("no such trial");
+  };
 }
 
 std::string CommitmentsAsCsv(const std::vector<Trial>& trials) {

@@ -11,7 +11,7 @@
 
 #include "fitting/diagnosis/answer/diagnosis.h"
 #include "fitting/diagnosis/fitted/options.h"
-#include "fitting/jobs/run_jobs.h"
+#include "fitting/jobs/job.h"
 #include "fitting/trials/score.h"
 
 namespace clothfit {
@@ -35,17 +35,15 @@ struct TrialRunOptions {
 TrialScore RunTrial(const Trial& trial, const DiagnoseFunction& diagnose,
                     const TrialRunOptions& options, const JobContext& context);
 
-// The scores of those that are done, in the plan's order.
-std::vector<TrialScore> ScoresSoFar(const std::vector<Trial>& trials,
-                                    const std::filesystem::path& ledger);
+// The scores of those that are done.
+std::vector<TrialScore> ScoresOf(const std::vector<JobResult>& results);
 
 // One a trial, by its name.
 std::vector<Job> TrialJobs(const std::vector<Trial>& trials);
 
-// Runs what the ledger (see JobRunOptions) does not hold yet, a trial a job, whose output is its
-// score. Trials that were stopped are no part of the result.
-JobRunResult RunTrials(const std::vector<Trial>& trials, const DiagnoseFunction& diagnose,
-                       const TrialRunOptions& options, const JobRunOptions& jobs);
+// Runs the trial of a job; the output is its score.
+JobWork TrialWork(const std::vector<Trial>& trials, const DiagnoseFunction& diagnose,
+                  const TrialRunOptions& options);
 
 // Every trial's name and digest, to be written before any is scored.
 std::string CommitmentsAsCsv(const std::vector<Trial>& trials);

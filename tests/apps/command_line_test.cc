@@ -65,7 +65,7 @@ TEST(CommandLine, HelpsOnEveryCommandWithAnExample) {
   EXPECT_EQ(help.status, 0);
   EXPECT_EQ(help.out, RunCommand({"--help"}, folder.path()).out);
   const std::vector<std::string> names = ListedCommands(help.out);
-  ASSERT_EQ(names.size(), 19U);
+  ASSERT_EQ(names.size(), 22U);
   for (const std::string& name : names) {
     if (name == "help") continue;
     const CommandResult one = RunCommand({"help", name}, folder.path());
@@ -100,7 +100,7 @@ TEST(CommandLine, TakesTheBeginningsOfCommands) {
   EXPECT_EQ(RunCommand({"im", "mo", "--help"}, folder.path()).out,
             RunCommand({"import", "motive", "--help"}, folder.path()).out);
   EXPECT_THAT(BadInputLine(RunCommand({"s", "rec"}, folder.path())),
-              HasSubstr("s: may be synthesize, simulate, study"));
+              HasSubstr("s: may be synthesize, simulate, study, status"));
   EXPECT_THAT(BadInputLine(RunCommand({"help", "fti"}, folder.path())),
               HasSubstr("fti: did you mean 'fit'?"));
 }

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Studies as a user runs them: alone, and by several processes of which one is killed.
-#include <csignal>
+// Studies as a user runs them: by threads, and job by job as any engine does.
+#include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <thread>
+#include <sstream>
 
 #include "tests/apps/command.h"
 #include "tracking/text/text.h"
@@ -17,98 +16,95 @@ namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 
+using Words = std::vector<std::string>;
+
 // Seconds: 5 frames, 3 x 3 particles.
-std::vector<std::string> TinyStudy(const std::string& output,
-                                   const std::string& values = "1,2,3,4,5,6,7") {
-  return {"study",         "cameras", "-o",          output, "--experiments", "experiment-1",
-          "--frames",      "5",       "--particles", "3",    "--generator",   "5",
-          "--picture",     "96",      "--values",    values, "--recordings",  "recordings",
-          "--simulations", "6",       "--quiet"};
+Words TinyStudy(const std::string& output, const std::string& values, const Words& more = {}) {
+  Words words = {"study",         "cameras", "-o",          output, "--experiments", "experiment-1",
+                 "--frames",      "5",       "--particles", "3",    "--generator",   "5",
+                 "--picture",     "96",      "--values",    values, "--recordings",  "recordings",
+                 "--simulations", "6",       "--quiet"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
 }
 
-// With mpirun before it; the shell's status.
-int RunByThree(const std::vector<std::string>& words, const fs::path& folder) {
-  std::string line = "cd '" + folder.string() +
-                     "' && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-                     "mpirun --oversubscribe --enable-recovery -n 3 '" CLOTHFIT_COMMAND "'";
-  for (const std::string& word : words) line += " '" + word + "'";
-  return std::system((line + " >out.txt 2>&1").c_str());
-}
-
-bool HasMpirun() { return std::system("command -v mpirun >/dev/null 2>&1") == 0; }
-
-// A process that has a job in hand; 0 where there is none within some seconds.
-pid_t FindWorker(const fs::path& jobs) {
-  for (int i = 0; i < 4000; ++i) {
-    std::error_code error;
-    for (fs::directory_iterator entry(jobs, error), end; !error && entry != end;
-         entry.increment(error)) {
-      if (entry->path().extension() != ".lease") continue;
-      std::ifstream lease(entry->path());
-      std::string host;
-      pid_t process = 0;
-      if (lease >> host >> process) return process;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+class StudyCommand : public testing::Test {
+ protected:
+  CommandResult Run(const Words& words) const { return RunCommand(words, folder_.path()); }
+  std::string Table(const std::string& study) const {
+    return ReadTextFile(folder_.path() / study / "cameras.csv");
   }
-  return 0;
-}
+  bool Has(const std::string& file) const { return fs::exists(folder_.path() / file); }
 
-TEST(StudyCommand, GivesTheSameNumbersWhoeverDoesTheWork) {
-  const TestFolder folder;
-  std::vector<std::string> alone = TinyStudy("alone");
-  alone.insert(alone.end(), {"--threads", "1"});
-  const CommandResult done = RunCommand(alone, folder.path());
+  TestFolder folder_;
+};
+
+TEST_F(StudyCommand, GivesTheSameNumbersWhoeverDoesTheWork) {
+  const Words alone = TinyStudy("alone", "1,2,7", {"--threads", "1"});
+  const CommandResult done = Run(alone);
   ASSERT_EQ(done.status, 0) << done.err;
-  const std::string table = ReadTextFile(folder.path() / "alone" / "cameras.csv");
-  for (const char* file : {"cameras.md", "cameras.svg", "study.json"})
-    EXPECT_TRUE(fs::exists(folder.path() / "alone" / file)) << file;
-  EXPECT_THAT(BadInputLine(RunCommand(alone, folder.path())), HasSubstr("--force"));
+  const std::string table = Table("alone");
+  for (const char* file : {"cameras.md", "cameras.svg", "study.json", "jobs.json"})
+    EXPECT_TRUE(Has(std::string("alone/") + file)) << file;
+  EXPECT_THAT(BadInputLine(Run(alone)), HasSubstr("--force"));
 
-  std::vector<std::string> resumed = TinyStudy("alone");
-  fs::remove(folder.path() / "alone" / "jobs" / "experiment-1-3-cameras.json");
-  resumed.emplace_back("--resume");
-  ASSERT_EQ(RunCommand(resumed, folder.path()).status, 0);
-  EXPECT_EQ(ReadTextFile(folder.path() / "alone" / "cameras.csv"), table);
+  // Gone on with, by the command itself and by `job`.
+  const Words resumed = TinyStudy("alone", "1,2,7", {"--resume"});
+  for (const Words& words : {resumed, Words{"job", "alone", "--all", "--threads", "2"}}) {
+    fs::remove(folder_.path() / "alone" / "jobs" / "experiment-1-2-cameras.json");
+    fs::remove(folder_.path() / "alone" / "cameras.csv");
+    EXPECT_EQ(Run({"jobs", "alone", "--gather"}).status, 1);  // a result is missing
+    EXPECT_FALSE(Has("alone/cameras.csv"));
+    const CommandResult more = Run(words);
+    ASSERT_EQ(more.status, 0) << more.err;
+    EXPECT_EQ(Table("alone"), table);
+  }
 
-  if (!HasMpirun()) GTEST_SKIP() << "no mpirun";
-  int status = -1;
-  std::thread three([&] { status = RunByThree(TinyStudy("three"), folder.path()); });
-  const pid_t victim = FindWorker(folder.path() / "three" / "jobs");
-  if (victim > 0) kill(victim, SIGKILL);
-  three.join();
-  EXPECT_GT(victim, 0);
-  EXPECT_EQ(status, 0) << ReadTextFile(folder.path() / "out.txt");
-  EXPECT_EQ(ReadTextFile(folder.path() / "three" / "cameras.csv"), table);
+  // The commands of a list, run by a shell until there are none; the recordings are made anew.
+  fs::remove_all(folder_.path() / "recordings");
+  const CommandResult prepared = Run(TinyStudy("listed", "1,2,7", {"--prepare"}));
+  ASSERT_EQ(prepared.status, 0) << prepared.err;
+  EXPECT_THAT(BadInputLine(Run({"job", "listed", "2"})), HasSubstr("too early"));
+  std::vector<std::ptrdiff_t> lengths;
+  while (lengths.size() < 5) {
+    const CommandResult list = Run({"jobs", "listed", "--list"});
+    ASSERT_EQ(list.status, 0) << list.err;
+    if (list.out.empty()) break;
+    lengths.push_back(std::count(list.out.begin(), list.out.end(), '\n'));
+    const fs::path script = folder_.Write("list.sh", list.out);
+    ASSERT_EQ(std::system(("cd / && sh '" + script.string() + "'").c_str()), 0);
+  }
+  EXPECT_THAT(lengths, testing::ElementsAre(1, 3));  // the recording, then its fits
+  EXPECT_THAT(Run({"status", "listed"}).out, HasSubstr("4 jobs: 4 done"));
+  ASSERT_EQ(Run({"jobs", "listed", "--gather"}).status, 0);
+  EXPECT_EQ(Table("listed"), table);
 }
 
-TEST(StudyCommand, SearchesTogetherAsOneAlone) {
-  if (!HasMpirun()) GTEST_SKIP() << "no mpirun";
-  const TestFolder folder;
-  const auto study = [](const std::string& output) {
-    std::vector<std::string> words = TinyStudy(output, "3");
-    words.emplace_back("--share-search");
-    return words;
-  };
-  const CommandResult done = RunCommand(study("alone"), folder.path());
-  ASSERT_EQ(done.status, 0) << done.err;
-  ASSERT_EQ(RunByThree(study("three"), folder.path()), 0)
-      << ReadTextFile(folder.path() / "out.txt");
-  EXPECT_EQ(ReadTextFile(folder.path() / "three" / "cameras.csv"),
-            ReadTextFile(folder.path() / "alone" / "cameras.csv"));
+TEST_F(StudyCommand, SearchesByManyThreadsAsByOne) {
+  for (const char* threads : {"1", "3"}) {
+    const CommandResult done =
+        Run(TinyStudy(threads, "3", {"--threads", threads, "--under-way", "4"}));
+    ASSERT_EQ(done.status, 0) << done.err;
+  }
+  EXPECT_EQ(Table("3"), Table("1"));
 }
 
-TEST(StudyCommand, SaysInOneLineWhatIsWrong) {
-  const TestFolder folder;
-  const auto wrong = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> words = TinyStudy("wrong");
-    words.insert(words.end(), more.begin(), more.end());
-    return BadInputLine(RunCommand(words, folder.path()));
+TEST_F(StudyCommand, SaysInOneLineWhatIsWrong) {
+  const auto wrong = [&](const Words& more) {
+    return BadInputLine(Run(TinyStudy("wrong", "1,2", more)));
   };
   EXPECT_THAT(wrong({"--search", "newton/joint"}), HasSubstr("--search: 'newton'"));
-  EXPECT_THAT(wrong({"--patience", "0"}), HasSubstr("--patience"));
   EXPECT_THAT(wrong({"--fabric", "bending.stifness"}), HasSubstr("'bending.stiffness'"));
-  EXPECT_FALSE(fs::exists(folder.path() / "wrong"));
+  EXPECT_THAT(wrong({"--under-way", "2", "--search", "lm/joint"}), HasSubstr("--under-way"));
+  EXPECT_THAT(wrong({"--slurm", "--array-size", "0"}), HasSubstr("--array-size: 0"));
+  EXPECT_THAT(wrong({"--sbatch=--time=1"}), HasSubstr("--slurm"));
+  EXPECT_FALSE(Has("wrong"));
+  EXPECT_THAT(BadInputLine(Run({"job", "nowhere", "0"})), HasSubstr("nowhere: has no jobs.json"));
+  EXPECT_THAT(BadInputLine(Run({"status", "."})), HasSubstr("has no jobs.json"));
+  ASSERT_EQ(Run(TinyStudy("right", "1,2", {"--prepare"})).status, 0);
+  EXPECT_THAT(BadInputLine(Run({"job", "right", "7"})), HasSubstr("'7': expected a number from 0"));
+  EXPECT_THAT(BadInputLine(Run({"job", "right"})), HasSubstr("--all"));
+  EXPECT_THAT(BadInputLine(Run({"jobs", "right"})), HasSubstr("--list"));
 }
 
 }  // namespace

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the scheduler of jobs costs: jobs of nothing, and jobs that take a tenth of a second of
-// nobody's processor, by several processes.
+// What lists of jobs cost beside the jobs: a result, and a folder of ten thousand.
 #include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "fitting/jobs/folder.h"
+#include "fitting/jobs/results.h"
 #include "fitting/jobs/run_jobs.h"
+#include "fitting/jobs/status.h"
+#include "tracking/files/whole_file.h"
 
 namespace clothfit {
 namespace {
@@ -21,66 +22,80 @@ namespace fs = std::filesystem;
 
 std::vector<Job> Jobs(int count) {
   std::vector<Job> jobs;
-  for (int i = 0; i < count; ++i) jobs.push_back({fmt::format("job-{:04}", i), i});
+  for (int i = 0; i < count; ++i) jobs.push_back({fmt::format("job-{:05}", i), {{"number", i}}});
   return jobs;
 }
 
-JobRunOptions InNewFolder() {
-  JobRunOptions options;
-  options.folder = fs::temp_directory_path() / fmt::format("clothfit-jobs-{}", getpid());
-  fs::remove_all(options.folder);
-  return options;
+fs::path NewFolder() {
+  fs::path folder = fs::temp_directory_path() / fmt::format("clothfit-jobs-{}", getpid());
+  fs::remove_all(folder);
+  return folder;
 }
 
 void EmptyJobs(benchmark::State& state) {
   constexpr int kCount = 200;
-  const JobRunOptions options = InNewFolder();
-  const auto start = std::chrono::steady_clock::now();
+  JobRunOptions options;
+  options.folder = NewFolder();
   for (auto _ : state) {
     fs::remove_all(options.folder);
     RunJobs(
         Jobs(kCount), [](const Job& job, const JobContext&) { return job.input; }, options);
   }
-  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-  state.counters["ms_a_job"] = spent.count() / kCount / static_cast<double>(state.iterations());
+  state.counters["jobs_per_s"] =
+      benchmark::Counter(kCount, benchmark::Counter::kIsIterationInvariantRate);
   fs::remove_all(options.folder);
 }
 BENCHMARK(EmptyJobs)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void DoSleepingJobs(int count, const JobRunOptions& options) {
-  RunJobs(
-      Jobs(count),
-      [](const Job& job, const JobContext&) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
-        return job.input;
-      },
-      options);
-}
-
-// Efficiency is work / (time * processes).
-void SleepingJobs(benchmark::State& state) {
-  constexpr int kCount = 40;
-  const auto processes = static_cast<int>(state.range(0));
-  const JobRunOptions options = InNewFolder();
-  const auto start = std::chrono::steady_clock::now();
-  for (auto _ : state) {
-    fs::remove_all(options.folder);
-    for (int i = 1; i < processes; ++i) {
-      if (fork() == 0) {
-        DoSleepingJobs(kCount, options);
-        _exit(0);
-      }
+// A folder in which all jobs are done, with results as long as those of a fit.
+class DoneJobs {
+ public:
+  explicit DoneJobs(int count) : folder_(NewFolder()) {
+    JobFolderContents contents;
+    contents.list = {"study squares", nullptr, Jobs(count)};
+    contents.file = "study.json";
+    PrepareJobFolder(folder_, contents, Existing::kRefuse);
+    const std::vector<double> history(250, 0.123456789);
+    for (const Job& job : contents.list.jobs) {
+      const nlohmann::json result = {
+          {"output", {{"history", history}}}, {"problem", ""}, {"seconds", 1.0}};
+      PartFile part(folder_ / kResultFolder / (job.name + ".json"));
+      std::FILE* const file = std::fopen(part.path().c_str(), "w");
+      std::fputs(result.dump(1).c_str(), file);
+      std::fclose(file);
+      part.MoveToPlace();
     }
-    DoSleepingJobs(kCount, options);
-    while (wait(nullptr) > 0) continue;
   }
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  state.counters["efficiency"] =
-      0.1 * kCount * static_cast<double>(state.iterations()) / (seconds * processes);
-  fs::remove_all(options.folder);
+  ~DoneJobs() { fs::remove_all(folder_); }
+  DoneJobs(const DoneJobs&) = delete;
+  DoneJobs& operator=(const DoneJobs&) = delete;
+
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+// What each task does before its work.
+void ReadTheList(benchmark::State& state) {
+  const DoneJobs done(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(ReadJobList(done.folder()));
 }
-BENCHMARK(SleepingJobs)->Arg(1)->Arg(2)->Arg(8)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ReadTheList)->Arg(100)->Arg(10000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void ListWhatIsDone(benchmark::State& state) {
+  const DoneJobs done(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(NamesOfResults(done.folder() / kResultFolder));
+}
+BENCHMARK(ListWhatIsDone)->Arg(100)->Arg(10000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void GatherWhatIsDone(benchmark::State& state) {
+  const DoneJobs done(static_cast<int>(state.range(0)));
+  const JobList list = ReadJobList(done.folder());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(ReadJobResults(done.folder() / kResultFolder, list.jobs));
+}
+BENCHMARK(GatherWhatIsDone)->Arg(100)->Arg(10000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace clothfit

@@ -3,7 +3,9 @@
 #include "tracking/files/folder_lock.h"
 
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -24,13 +26,25 @@ int Open(const fs::path& file) {
                    "cannot be written: " + std::generic_category().message(errno));
 }
 
+constexpr int kMostTries = 100;
+constexpr std::chrono::milliseconds kBetweenTries(10);
+
 // False where somebody else has the lock. A system without locks gives it to everybody.
-bool Lock(int descriptor, int operation) {
+bool TryLock(int descriptor, int operation) {
   int result = 0;
   do {
     result = flock(descriptor, operation);
   } while (result != 0 && errno == EINTR);
   return result == 0 || errno != EWOULDBLOCK;
+}
+
+// One of many is kept out for a moment by another that ends and tidies up.
+bool Lock(int descriptor, int operation) {
+  for (int i = 1; !TryLock(descriptor, operation); ++i) {
+    if (operation != (LOCK_SH | LOCK_NB) || i == kMostTries) return false;
+    std::this_thread::sleep_for(kBetweenTries);
+  }
+  return true;
 }
 
 }  // namespace
@@ -56,11 +70,6 @@ FolderLock::~FolderLock() {
   if (descriptor_ < 0) return;
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && IsStillThere()) unlink(file_.c_str());
   close(descriptor_);
-}
-
-void FolderLock::Share() {
-  if (Lock(descriptor_, LOCK_SH | LOCK_NB)) return;
-  throw InputError(file_.parent_path().string(), "another clothfit has begun to write it");
 }
 
 bool FolderLock::IsStillThere() const {

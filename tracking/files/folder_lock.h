@@ -14,8 +14,8 @@ constexpr const char* kLockFile = ".clothfit.lock";
 
 class FolderLock {
  public:
-  // kAlone: of a command on its own. kShared: of one of many processes that share the folder.
-  // kPatient: as kAlone, and waits for others, who have it for moments only.
+  // kAlone: of a command on its own. kShared: of one of many that do jobs of the folder. kPatient:
+  // as kAlone, and waits for others, who have it for moments only.
   enum class Kind { kAlone, kShared, kPatient };
 
   // Throws InputError where another command has it, or where the folder cannot be written. On a
@@ -27,9 +27,6 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
   FolderLock& operator=(FolderLock&&) = delete;
-
-  // From now on others may have kShared.
-  void Share();
 
  private:
   bool IsStillThere() const;

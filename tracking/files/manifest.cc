@@ -36,8 +36,8 @@ constexpr KindRow kKinds[] = {
     {FolderKind::kStudyTables, "study tables", "tables of a study", ""},
     {FolderKind::kStudyRecordings, "study recordings", "the recordings of studies", ""},
     {FolderKind::kKeptFits, "kept fits", "the fits of a diagnosis", "[0-9a-f]{64}\\.cbor"},
-    {FolderKind::kSearch, "search", "the points of a search",
-     "point-[0-9]{6}\\.(json|lease|lost)"}};
+    {FolderKind::kSlurm, "slurm", "what Slurm was given and wrote",
+     R"((stage-[0-9]+|gather)\.sh|submitted\.json|[0-9]+(_[0-9]+)?\.log)"}};
 
 const KindRow& RowOf(FolderKind kind) {
   return *std::find_if(std::begin(kKinds), std::end(kKinds),

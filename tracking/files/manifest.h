@@ -25,7 +25,7 @@ enum class FolderKind {
   kStudyTables,
   kStudyRecordings,
   kKeptFits,
-  kSearch
+  kSlurm
 };
 
 // As a manifest has it: "run".

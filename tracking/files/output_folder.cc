@@ -172,10 +172,9 @@ void OutputFolder::Remove(const std::vector<std::string>& files) {
   WriteManifest(manifest_, path_);
 }
 
-FolderLock OutputFolder::TakeLock(bool share) {
+FolderLock OutputFolder::TakeLock() {
   FolderLock lock = std::move(*lock_);
   lock_.reset();
-  if (share) lock.Share();
   return lock;
 }
 

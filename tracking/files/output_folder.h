@@ -69,8 +69,8 @@ class OutputFolder {
   void Remove(const std::vector<std::string>& files);
   bool Lists(const std::string& file) const { return manifest_.Lists(file); }
 
-  // The lock alone, for when all is listed; `share`: with the other processes of this launch.
-  FolderLock TakeLock(bool share);
+  // The lock alone, for when all is listed.
+  FolderLock TakeLock();
 
  private:
   std::optional<Manifest> Look() const;

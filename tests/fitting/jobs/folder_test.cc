@@ -4,9 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "fitting/jobs/ledger.h"
+#include "fitting/jobs/results.h"
 #include "tests/support/test_folder.h"
-#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -15,14 +14,11 @@ namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 
-constexpr double kPatience = 60.0;  // s, longer than any of these tests
-
 JobFolderContents TwoJobs() {
   JobFolderContents contents;
-  contents.command = "study two";
+  contents.list = {"study two", nullptr, {{"a", 1}, {"b", 2}}};
   contents.file = "study.json";
   contents.description = "two";
-  contents.jobs = {{"a", nullptr}, {"b", nullptr}};
   contents.files = {"two.csv"};
   return contents;
 }
@@ -31,70 +27,54 @@ class JobFolder : public testing::Test {
  protected:
   fs::path place() const { return test_.path() / "study"; }
   bool Has(const std::string& file) const { return fs::exists(place() / file); }
-  void Prepare(bool force, bool resume, const JobFolderContents& contents = TwoJobs()) const {
-    JobFolderOptions options;
-    options.force = force;
-    options.resume = resume;
-    PrepareJobFolder(place(), contents, options);
+  void Prepare(Existing existing, const JobFolderContents& contents = TwoJobs()) const {
+    PrepareJobFolder(place(), contents, existing);
   }
 
   TestFolder test_;
 };
 
-TEST_F(JobFolder, ForgetsWorkersButNoResults) {
-  Prepare(false, false);
-  JobLedger ledger(place() / "jobs", kPatience, 0), other(place() / "jobs", kPatience, 1);
-  ledger.Record({"a", 1, "", 0.0});
-  EXPECT_TRUE(ledger.Take("b"));
-  Prepare(false, true);
-  EXPECT_TRUE(other.Take("b"));
-  EXPECT_TRUE(other.HasResult("a"));
+TEST_F(JobFolder, KeepsResultsWhereItGoesOn) {
+  Prepare(Existing::kRefuse);
+  EXPECT_EQ(ReadJobList(place()).jobs.size(), 2U);
+  WriteJobResult(place() / kResultFolder, {"a", 1, "", 0.0});
+  Prepare(Existing::kResume);
+  EXPECT_THAT(NamesOfResults(place() / kResultFolder), testing::ElementsAre("a"));
+  JobFolderContents others = TwoJobs();
+  others.description = "other two";
+  EXPECT_THAT(InputErrorOf([&] { Prepare(Existing::kResume, others); }),
+              HasSubstr("--resume: the options differ from those in"));
 }
 
 TEST_F(JobFolder, IsReplacedWithoutWhatOthersPutThere) {
-  Prepare(false, false);
-  JobLedger(place() / "jobs", kPatience, 0).Record({"a", 1, "", 0.0});
+  Prepare(Existing::kRefuse);
+  WriteJobResult(place() / kResultFolder, {"a", 1, "", 0.0});
   test_.Write("study/jobs/mine.json", "mine");
-  test_.Write("study/jobs/mine.lost", "mine");
   test_.Write("study/jobs/notes/mine.txt", "mine");
-  EXPECT_THAT(InputErrorOf([&] { Prepare(false, false); }),
+  EXPECT_THAT(InputErrorOf([&] { Prepare(Existing::kRefuse); }),
               HasSubstr("already holds results of a study; --force replaces it, --resume"));
-  Prepare(true, false);
+  Prepare(Existing::kReplace);
   EXPECT_FALSE(Has("jobs/a.json"));
-  for (const char* file : {"jobs/mine.json", "jobs/mine.lost", "jobs/notes/mine.txt"})
-    EXPECT_TRUE(Has(file)) << file;
+  for (const char* file : {"jobs/mine.json", "jobs/notes/mine.txt"}) EXPECT_TRUE(Has(file)) << file;
 }
 
-TEST_F(JobFolder, KnowsThePointsOfASharedSearch) {
-  JobFolderContents contents = TwoJobs();
-  contents.shares_searches = true;
-  Prepare(false, false, contents);
-  JobLedger points(place() / "jobs" / "a.search", kPatience, 0);
-  points.Record({"point-000001", 1, "", 0.0});
-  EXPECT_TRUE(points.Take("point-000002"));
-  test_.Write("study/jobs/a.search/mine.json", "mine");
-  Prepare(false, true, contents);
-  EXPECT_TRUE(Has("jobs/a.search/point-000001.json"));
-  EXPECT_FALSE(Has("jobs/a.search/point-000002.lease"));
-  Prepare(true, false, contents);
-  EXPECT_FALSE(Has("jobs/a.search/point-000001.json"));
-  EXPECT_TRUE(Has("jobs/a.search/mine.json"));
+TEST_F(JobFolder, IsReplacedWithWhatSlurmLeft) {
+  Prepare(Existing::kRefuse);
+  OutputFolder(place() / "slurm", FolderKind::kSlurm, "study two", Existing::kResume).Begin({});
+  for (const char* file : {"stage-0.sh", "gather.sh", "submitted.json", "12_7.log", "13.log"})
+    test_.Write(std::string("study/slurm/") + file, "Slurm's");
+  test_.Write("study/slurm/mine.log", "mine");
+  Prepare(Existing::kReplace);
+  EXPECT_FALSE(Has("slurm/stage-0.sh"));
+  EXPECT_FALSE(Has("slurm/12_7.log"));
+  EXPECT_FALSE(Has("slurm/13.log"));
+  EXPECT_TRUE(Has("slurm/mine.log"));
 }
 
 TEST_F(JobFolder, KeepsASecondCommandOut) {
-  JobFolderOptions options;
-  const FolderLock lock = PrepareJobFolder(place(), TwoJobs(), options);
-  EXPECT_THAT(InputErrorOf([&] { Prepare(false, true); }), HasSubstr("another clothfit"));
-  EXPECT_THAT(InputErrorOf([&] { Prepare(true, false); }), HasSubstr("another clothfit"));
-}
-
-TEST_F(JobFolder, IsSharedByTheProcessesOfALaunch) {
-  JobFolderOptions first, second;
-  first.ranks = {0, 2, "launch"};
-  second.ranks = {1, 2, "launch"};
-  const FolderLock lock = PrepareJobFolder(place(), TwoJobs(), first);
-  EXPECT_NO_THROW(PrepareJobFolder(place(), TwoJobs(), second));
-  EXPECT_THAT(InputErrorOf([&] { Prepare(false, true); }), HasSubstr("another clothfit"));
+  const FolderLock lock = PrepareJobFolder(place(), TwoJobs(), Existing::kRefuse);
+  EXPECT_THAT(InputErrorOf([&] { Prepare(Existing::kResume); }), HasSubstr("another clothfit"));
+  EXPECT_THAT(InputErrorOf([&] { Prepare(Existing::kReplace); }), HasSubstr("another clothfit"));
 }
 
 }  // namespace

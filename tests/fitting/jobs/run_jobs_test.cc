@@ -2,22 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/jobs/run_jobs.h"
 
-#include <chrono>
-#include <csignal>
 #include <stdexcept>
-#include <thread>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "autodiff_sim/base/parallel.h"
 #include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {
-
-using std::chrono::milliseconds;
 
 std::vector<Job> Numbers(int count) {
   std::vector<Job> jobs;
@@ -25,8 +19,7 @@ std::vector<Job> Numbers(int count) {
   return jobs;
 }
 
-nlohmann::json Square(const Job& job, const JobContext& context) {
-  context.alive();
+nlohmann::json Square(const Job& job, const JobContext&) {
   const int value = job.input.at("value");
   return value * value;
 }
@@ -45,11 +38,12 @@ TEST(RunJobs, GivesTheSameForAnyNumberOfThreads) {
     options.num_threads = threads;
     int last = -1;
     options.progress = [&](int done, int total) {
-      EXPECT_GE(done, last);
+      EXPECT_EQ(done, last + 1);
       EXPECT_EQ(total, 20);
       last = done;
     };
     ExpectSquares(RunJobs(Numbers(20), Square, options), 20);
+    EXPECT_EQ(last, 20);
   }
 }
 
@@ -103,84 +97,56 @@ TEST(RunJobs, StopsAndGoesOn) {
   ExpectSquares(RunJobs(Numbers(6), Square, options), 6);
 }
 
-TEST(RunJobs, ReplacesAThreadThatHangs) {
+TEST(RunJobs, BeginsAStageAfterTheOneBefore) {
   const TestFolder folder;
-  // Outlives the test, as a hanging thread does.
-  static std::atomic<bool> has_hung = false, release = false;
   JobRunOptions options;
   options.folder = folder.path();
-  options.num_threads = 1;
-  options.patience = 0.3;  // s; a square takes microseconds
+  options.num_threads = 3;
+  std::vector<Job> jobs = Numbers(9);
+  for (std::size_t i = 4; i < jobs.size(); ++i) jobs[i].stage = 1;
+  std::atomic<int> first_done = 0;
+  const JobWork work = [&](const Job& job, const JobContext& context) {
+    if (job.stage == 1) EXPECT_EQ(first_done, 4) << job.name;
+    nlohmann::json square = Square(job, context);
+    first_done += job.stage == 0 ? 1 : 0;
+    return square;
+  };
+  ExpectSquares(RunJobs(jobs, work, options), 9);
+}
+
+TEST(RunJobs, EndsWithAStageThatFails) {
+  const TestFolder folder;
+  JobRunOptions options;
+  options.folder = folder.path();
+  std::vector<Job> jobs = Numbers(3);
+  jobs[2].stage = 1;
   const JobRunResult run = RunJobs(
-      Numbers(4),
-      [](const Job& job, const JobContext& context) {
-        if (job.name == "n02" && !has_hung.exchange(true)) {
-          while (!release) std::this_thread::sleep_for(milliseconds(5));
-        }
+      jobs,
+      [](const Job& job, const JobContext& context) -> nlohmann::json {
+        if (job.name == "n01") throw std::runtime_error("no such luck");
         return Square(job, context);
       },
       options);
-  ExpectSquares(run, 4);
-  EXPECT_EQ(run.num_hanging, 1);
-  release = true;
-  std::this_thread::sleep_for(milliseconds(100));  // it ends while the folder is still there
+  EXPECT_FALSE(run.complete);
+  EXPECT_EQ(run.results.size(), 2U);
+  EXPECT_EQ(run.CountProblems(), 1);
 }
 
-// Another process that does the same list, slowly.
-pid_t StartProcess(const TestFolder& folder, int count) {
-  const pid_t process = fork();
-  if (process != 0) return process;
-  JobRunOptions options;
-  options.folder = folder.path();
-  RunJobs(
-      Numbers(count),
-      [](const Job& job, const JobContext& context) {
-        std::this_thread::sleep_for(milliseconds(50));
-        return Square(job, context);
-      },
-      options);
-  _exit(0);
-}
-
-void WaitForLease(const TestFolder& folder) {
-  for (int i = 0; i < 1000; ++i) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
-      if (entry.path().extension() == ".lease") return;
-    }
-    std::this_thread::sleep_for(milliseconds(2));
-  }
-  FAIL() << "nobody took a job";
-}
-
-TEST(RunJobs, SurvivesTheDeathOfOtherProcesses) {
+TEST(RunJobs, SharesTheThreadsAmongJobs) {
   const TestFolder folder;
-  const std::vector<pid_t> others = {StartProcess(folder, 12), StartProcess(folder, 12)};
-  WaitForLease(folder);
-  kill(others[0], SIGKILL);
-  int status = 0;
-  waitpid(others[0], &status, 0);
-  ASSERT_TRUE(WIFSIGNALED(status));
   JobRunOptions options;
   options.folder = folder.path();
-  ExpectSquares(RunJobs(Numbers(12), Square, options), 12);
-  waitpid(others[1], &status, 0);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-}
-
-TEST(RunJobs, SurvivesAProcessThatStopsMoving) {
-  const TestFolder folder;
-  const pid_t other = StartProcess(folder, 3);
-  WaitForLease(folder);
-  kill(other, SIGSTOP);
-  JobRunOptions options;
-  options.folder = folder.path();
-  options.patience = 0.3;  // s
-  ExpectSquares(RunJobs(Numbers(3), Square, options), 3);
-  kill(other, SIGCONT);  // it finds that all is done, and its late result changes nothing
-  int status = 0;
-  waitpid(other, &status, 0);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-  ExpectSquares(RunJobs(Numbers(3), Square, options), 3);
+  options.num_threads = 6;
+  options.threads_a_job = 4;  // so one at a time
+  std::atomic<int> inside = 0;
+  const JobWork work = [&](const Job& job, const JobContext& context) {
+    EXPECT_EQ(++inside, 1);
+    EXPECT_EQ(context.num_threads, 4);
+    EXPECT_EQ(NumThreads(0), 1);  // what does not ask has one core
+    --inside;
+    return Square(job, context);
+  };
+  ExpectSquares(RunJobs(Numbers(5), work, options), 5);
 }
 
 }  // namespace

@@ -3,11 +3,13 @@
 #include "fitting/optimise/optimiser.h"
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <limits>
 #include <mutex>
 #include <random>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -217,6 +219,40 @@ TEST(PatternSearch, EvaluatesOnAllThreadsAtOnce) {
   const Minimum minimum = Minimise("pattern", objective, Precisely(0.01));
   EXPECT_EQ(most, 2);
   EXPECT_LT(minimum.value, 0.05);
+}
+
+// The course is that of the points under way, whoever evaluates them and however long that takes.
+TEST(PatternSearch, TakesTheSameCourseForAnyNumberOfThreads) {
+  const auto run = [](int workers) {
+    Objective objective = Over(3, -1.0, Rosenbrock);
+    objective.num_workers = workers;
+    std::vector<double> costs(static_cast<std::size_t>(workers));
+    objective.value = [&](const Eigen::VectorXd& x, int worker) {
+      const double value = Rosenbrock(x);
+      costs[static_cast<std::size_t>(worker)] = std::fmod(std::abs(value), 2.0);
+      if (workers > 1)
+        std::this_thread::sleep_for(std::chrono::microseconds(worker == 1 ? 300 : 20));
+      return value;
+    };
+    objective.cost = [&](int worker) { return costs[static_cast<std::size_t>(worker)]; };
+    OptimiserOptions options = Precisely(0.01);
+    options.under_way = 5;
+    double spent = 0.0;
+    options.taken = [&](double cost) { return (spent += cost) < 100.0; };
+    std::vector<double> course;
+    options.improved = [&](const Eigen::VectorXd&, double value, int evaluations) {
+      course.insert(course.end(), {value, spent, static_cast<double>(evaluations)});
+    };
+    const Minimum minimum = Minimise("pattern", objective, options);
+    course.push_back(minimum.evaluations);
+    EXPECT_FALSE(minimum.converged);
+    EXPECT_GE(spent, 100.0);
+    return course;
+  };
+  const std::vector<double> course = run(1);
+  EXPECT_GT(course.size(), 10U);
+  EXPECT_EQ(run(3), course);
+  EXPECT_EQ(run(5), course);
 }
 
 TEST(PatternSearch, PassesOnWhatTheObjectiveThrows) {

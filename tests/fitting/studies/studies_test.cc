@@ -8,8 +8,9 @@
 #include <gmock/gmock.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/studies/run_study.h"
+#include "fitting/jobs/results.h"
 #include "fitting/studies/study.h"
+#include "fitting/studies/study_plan.h"
 #include "tests/support/test_folder.h"
 #include "tracking/text/text.h"
 
@@ -79,11 +80,7 @@ TEST(Studies, ContactReportsEveryFrame) {
   const auto job =
       std::find_if(jobs.begin(), jobs.end(), [](const Job& one) { return one.name == "ball-120"; });
   ASSERT_NE(job, jobs.end());
-  JobContext context;
-  int alive = 0;
-  context.alive = [&] { ++alive; };
-  const JobResult result = {job->name, study.work(options, *job, context), "", 1.0};
-  EXPECT_EQ(alive, 30);
+  const JobResult result = {job->name, study.work(options, *job, {}), "", 1.0};
   const std::string table = study.report(options, jobs, {result}, {folder.path(), folder.path()});
   EXPECT_THAT(table, HasSubstr("| ball | BDF2 | 120 | 30 | yes | 0 |"));
   const std::string frames = ReadTextFile(folder.path() / "contact-ball.csv");
@@ -185,22 +182,53 @@ Study Squares() {
   return study;
 }
 
-TEST(RunStudy, ReportsWhatIsDoneAndWhatFailed) {
+TEST(StudyPlan, ReportsWhatIsDoneAndWhatFailed) {
   const TestFolder folder;
-  const StudyPlace place = {folder.path() / "study", folder.path()};
-  StudyRunOptions run;
-  const StudyRun done = RunStudy(Squares(), StudyOptions(), place, run);
-  EXPECT_TRUE(done.complete);
+  const std::filesystem::path place = folder.path() / "study";
+  const auto prepare = [&](const StudyOptions& options, Existing existing) {
+    PrepareStudy(Squares(), options, place, {}, existing);
+    return StudyPlan(Squares(), ReadJobList(place), place);
+  };
+  const PlanResult done = RunPlan(prepare({}, Existing::kRefuse), place, {});
+  EXPECT_TRUE(done.jobs.complete);
   EXPECT_EQ(done.table, "results: 1");
-  EXPECT_EQ(done.num_problems, 1);
-  EXPECT_EQ(done.first_problem, "three: three is too much");
-  EXPECT_EQ(ReadTextFile(place.folder / "squares.md"), done.table);
-  EXPECT_THAT(InputErrorOf([&] { RunStudy(Squares(), StudyOptions(), place, run); }),
-              HasSubstr("--force"));
-  run.folder.resume = true;
-  EXPECT_EQ(RunStudy(Squares(), StudyOptions(), place, run).table, "results: 1");
-  EXPECT_THAT(InputErrorOf([&] { RunStudy(Squares(), FullSize(), place, run); }),
-              HasSubstr("--resume"));
+  EXPECT_EQ(done.jobs.CountProblems(), 1);
+  EXPECT_EQ(done.jobs.FirstProblem(), "three: three is too much");
+  EXPECT_EQ(ReadTextFile(place / "squares.md"), done.table);
+  EXPECT_THAT(InputErrorOf([&] { prepare({}, Existing::kRefuse); }), HasSubstr("--force"));
+  const JobPlan plan = prepare({}, Existing::kResume);
+  EXPECT_EQ(RunPlan(plan, place, {}).table, "results: 1");
+  EXPECT_THAT(InputErrorOf([&] { prepare(FullSize(), Existing::kResume); }), HasSubstr("--resume"));
+  std::filesystem::remove(place / "jobs" / "two.json");
+  EXPECT_EQ(GatherResults(plan, place).table, "");
+  EXPECT_FALSE(GatherResults(plan, place).jobs.complete);
+}
+
+// The list of every study is all that another process needs to do it.
+TEST(StudyPlan, IsReadBackFromItsFolder) {
+  for (const Study& study : Studies()) {
+    const TestFolder folder;
+    StudyOptions options = OneExperiment();
+    options.under_way = 3;
+    options.seed = 7;
+    const std::filesystem::path place = folder.path() / "study";
+    PrepareStudy(study, options, place, folder.path() / "shared", Existing::kRefuse);
+    const JobList list = ReadJobList(place);
+    ASSERT_TRUE(StudyOf(list)) << study.name;
+    EXPECT_EQ(StudyOf(list)->name, study.name);
+    EXPECT_EQ(list.options.at("options"), nlohmann::json(options));
+    EXPECT_EQ(nlohmann::json(list.options.at("options").get<StudyOptions>()),
+              nlohmann::json(options));
+    const std::vector<Job> own = study.jobs(options);
+    ASSERT_GE(list.jobs.size(), own.size());
+    const std::size_t num_recordings = list.jobs.size() - own.size();
+    EXPECT_EQ(num_recordings, study.uses_recordings ? 1U : 0U);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      EXPECT_EQ(list.jobs[num_recordings + i].name, own[i].name);
+      EXPECT_EQ(list.jobs[num_recordings + i].input, own[i].input);
+    }
+    EXPECT_EQ(StudyPlan(study, list, place).threads_a_job, 3);
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "fitting/jobs/run_jobs.h"
 #include "fitting/trials/run.h"
 #include "fitting/trials/summary.h"
 #include "tests/support/test_folder.h"
@@ -371,16 +372,12 @@ std::string Text(std::vector<TrialScore> scores) {
   return ScoresAsCsv(scores);
 }
 
-JobContext Alone() {
-  return {nullptr, [] {}};
-}
-
 std::vector<TrialScore> RunInto(const TestFolder& folder, const DiagnoseFunction& diagnose,
                                 JobRunOptions jobs = {}) {
   const std::vector<Trial> trials = QuickTrials();
   jobs.folder = folder.path() / "jobs";
-  RunTrials(trials, diagnose, WithoutTruth(), jobs);
-  return ScoresSoFar(trials, jobs.folder);
+  return ScoresOf(
+      RunJobs(TrialJobs(trials), TrialWork(trials, diagnose, WithoutTruth()), jobs).results);
 }
 
 TEST(RunTrials, ScoresAStandInAndGoesOnAfterAFailure) {
@@ -439,18 +436,6 @@ TEST(RunTrials, KeepsNothingOfTheTrialThatWasStopped) {
   EXPECT_EQ(calls, 3);
 }
 
-TEST(RunTrials, GivesSignsOfLifeWhileItDiagnoses) {
-  int signs = 0;
-  const DiagnoseFunction talking = [](const Recording&, const FitConfig&,
-                                      const DiagnosisOptions& of) {
-    of.log("half of it");
-    of.progress("fit", 0.5);
-    return Diagnosis();
-  };
-  RunTrial(QuickTrials().front(), talking, WithoutTruth(), {nullptr, [&signs] { ++signs; }});
-  EXPECT_EQ(signs, 2);
-}
-
 TEST(RunTrials, PassesTheAblationsOn) {
   TrialRunOptions options = WithoutTruth();
   options.diagnosis.project = options.diagnosis.simulate_null = false;
@@ -461,7 +446,7 @@ TEST(RunTrials, PassesTheAblationsOn) {
     ++calls;
     return Diagnosis();
   };
-  RunTrial(QuickTrials().front(), checking, options, Alone());
+  RunTrial(QuickTrials().front(), checking, options, {});
   EXPECT_EQ(calls, 1);
 }
 

@@ -280,14 +280,16 @@ TEST(FolderLock, KeepsTheSecondOutAsLongAsTheFirstLives) {
   close(ready[1]);
 }
 
-TEST(FolderLock, IsSharedByTheProcessesOfALaunch) {
+TEST(FolderLock, IsSharedByThoseWhoDoItsJobs) {
   const TestFolder test;
   using Kind = FolderLock::Kind;
   {
-    FolderLock first(test.path(), Kind::kAlone);
+    const FolderLock alone(test.path(), Kind::kAlone);
     EXPECT_THAT(InputErrorOf([&] { FolderLock(test.path(), Kind::kShared); }),
                 HasSubstr("another clothfit"));
-    first.Share();
+  }
+  {
+    FolderLock first(test.path(), Kind::kShared);
     const FolderLock second(test.path(), Kind::kShared);
     const FolderLock third(std::move(first));  // NOLINT(performance-move-const-arg)
     EXPECT_THAT(InputErrorOf([&] { FolderLock(test.path(), Kind::kAlone); }),

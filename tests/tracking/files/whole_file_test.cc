@@ -89,9 +89,9 @@ TEST(WholeFile, IsWholeWhoeverElseWritesIt) {
 
 TEST(WholeFile, IsMadeByOneOfMany) {
   const TestFolder folder;
-  EXPECT_TRUE(WriteNewFile(folder.path() / "lease", "first"));
-  EXPECT_FALSE(WriteNewFile(folder.path() / "lease", "second"));
-  EXPECT_EQ(ReadTextFile(folder.path() / "lease"), "first");
+  EXPECT_TRUE(WriteNewFile(folder.path() / "result", "first"));
+  EXPECT_FALSE(WriteNewFile(folder.path() / "result", "second"));
+  EXPECT_EQ(ReadTextFile(folder.path() / "result"), "first");
   EXPECT_EQ(CountEntries(folder.path()), 1);
 }
 
