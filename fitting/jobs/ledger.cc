@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/jobs/ledger.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include <fcntl.h>
@@ -16,6 +15,7 @@
 #include <unistd.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
 #include "tracking/files/whole_file.h"
 
 namespace clothfit {
@@ -30,10 +30,11 @@ std::string HostName() {
 }
 
 std::string ReadAll(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  try {
+    return ReadInputFile(file);
+  } catch (const InputError&) {  // somebody else has removed it, say
+    return "";
+  }
 }
 
 // s since some moment, of the file system's clock, which may be another machine's.
@@ -49,10 +50,8 @@ double Seconds() {
 }
 
 int CountLines(const fs::path& file) {
-  std::ifstream stream(file);
-  int lines = 0;
-  for (std::string line; std::getline(stream, line);) ++lines;
-  return lines;
+  const std::string text = ReadAll(file);
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
 }  // namespace
