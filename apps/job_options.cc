@@ -11,6 +11,7 @@
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
 #include "apps/study_commands.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 
 namespace clothfit {
@@ -77,11 +78,11 @@ int FinishJobs(const StudyRun& run, const JobOptions& options, const StudyRunOpt
   int status = kExitSuccess;
   if (*run_options.jobs.stop) {
     status = kExitInterrupted;
-    fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
+    fmt::print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
   } else if (run.num_problems > 0) {
     status = kExitFailure;
     if (is_first) {
-      fmt::print(stderr, "clothfit: error: {} of the jobs failed; the first: {}\n",
+      fmt::print(Terminal(), "clothfit: error: {} of the jobs failed; the first: {}\n",
                  run.num_problems, run.first_problem);
     }
   }

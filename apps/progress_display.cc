@@ -10,6 +10,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "apps/terminal.h"
+
 namespace clothfit {
 namespace {
 
@@ -19,7 +21,7 @@ constexpr int kBarWidth = 20;
 size_t TerminalWidth() {
   constexpr size_t kUsual = 80;
   winsize size{};
-  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const bool is_known = ioctl(fileno(Terminal()), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   return is_known ? size.ws_col : kUsual;
 }
 
@@ -51,7 +53,7 @@ std::string Bar(double fraction) {
 
 }  // namespace
 
-ProgressDisplay::ProgressDisplay() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressDisplay::ProgressDisplay() : is_terminal_(isatty(fileno(Terminal())) != 0) {}
 
 void ProgressDisplay::Show(const FitProgress& progress, int recorded_frames) {
   Show(progress.stage, Describe(progress, recorded_frames), progress.fraction);
@@ -66,8 +68,8 @@ void ProgressDisplay::Show(const std::string& stage, const std::string& state, d
     std::string line = Bar(done) + " " + text;
     if (line.size() > width) line = text;  // numbers say more than a bar
     if (line.size() > width) line.resize(width);
-    std::fprintf(stderr, "\r\x1b[K%s", line.c_str());  // erase to the end of the line
-    std::fflush(stderr);
+    std::fprintf(Terminal(), "\r\x1b[K%s", line.c_str());  // erase to the end of the line
+    std::fflush(Terminal());
     has_bar_ = true;
     return;
   }
@@ -79,12 +81,12 @@ void ProgressDisplay::Show(const std::string& stage, const std::string& state, d
   stage_ = stage;
   last_ = Clock::now();
   unshown_.clear();
-  std::fputs(line.c_str(), stderr);
+  std::fputs(line.c_str(), Terminal());
 }
 
 void ProgressDisplay::Finish() {
-  if (has_bar_) std::fputc('\n', stderr);
-  std::fputs(unshown_.c_str(), stderr);
+  if (has_bar_) std::fputc('\n', Terminal());
+  std::fputs(unshown_.c_str(), Terminal());
   has_bar_ = false;
   unshown_.clear();
 }

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "apps/terminal.h"
+
 namespace clothfit {
 
-ShareDisplay::ShareDisplay() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
+ShareDisplay::ShareDisplay() : is_terminal_(isatty(fileno(Terminal())) != 0) {}
 
 void ShareDisplay::Show(double share, const std::string& stage) {
   // s between lines; a file is read later, a terminal now.
@@ -19,16 +21,16 @@ void ShareDisplay::Show(double share, const std::string& stage) {
   last_ = now;
   const std::string text = fmt::format("{:3.0f} %  {}", 100.0 * share, stage);
   if (is_terminal_) {
-    std::fprintf(stderr, "\r\x1b[K%s", text.c_str());  // erase to the end of the line
-    std::fflush(stderr);
+    std::fprintf(Terminal(), "\r\x1b[K%s", text.c_str());  // erase to the end of the line
+    std::fflush(Terminal());
     has_line_ = true;
   } else {
-    std::fprintf(stderr, "%s\n", text.c_str());
+    std::fprintf(Terminal(), "%s\n", text.c_str());
   }
 }
 
 void ShareDisplay::Finish() {
-  if (has_line_) std::fputc('\n', stderr);
+  if (has_line_) std::fputc('\n', Terminal());
   has_line_ = false;
 }
 

@@ -11,6 +11,7 @@
 #include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
+#include "apps/terminal.h"
 #include "apps/tracking_options.h"
 #include "tracking/features/tracking_folder.h"
 
@@ -40,7 +41,7 @@ int RunTrackCommand(const TrackOptions& options) {
     std::fflush(stdout);
   }
   if (result.num_frames == recording.frame_count) return kExitSuccess;
-  fmt::print(stderr, "clothfit: interrupted after frame {}; what was found is in {}\n",
+  fmt::print(Terminal(), "clothfit: interrupted after frame {}; what was found is in {}\n",
              result.num_frames - 1, options.output);
   return kExitInterrupted;
 }
