@@ -13,6 +13,7 @@
 #include "apps/config_options.h"
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/runs/fit_run.h"
 #include "fitting/studies/comparison.h"
@@ -110,7 +111,7 @@ int RunCompareCommand(CompareOptions options) {
   const FitConfig config = ConfigOf(options, recording);
   LeaveOutOutliers(config, &recording);
   const Scene scene = MakeScene(recording, config);
-  CheckFittable(scene);
+  CheckFittable(scene, config);
   CheckContact(scene, config);
   PrintWarnings(recording);
   PrintWarnings(scene);
@@ -142,7 +143,7 @@ int RunCompareCommand(CompareOptions options) {
   if (!options.quiet) fmt::print("{}\n{}\n", ComparisonAsMarkdown(comparison), folder.string());
   std::fflush(stdout);
   if (!*callbacks.stop) return kExitSuccess;
-  fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
+  fmt::print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
   return kExitInterrupted;
 }
 

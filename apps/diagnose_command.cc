@@ -12,6 +12,7 @@
 #include "apps/config_options.h"
 #include "apps/interrupt.h"
 #include "apps/share_display.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/answer/folder.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
@@ -33,7 +34,7 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   const FitConfig config = ReadConfigOf(options.config, recording);
   config.Check("command line");
   LeaveOutOutliers(config, &recording);
-  CheckFittable(MakeScene(recording, config));
+  CheckFittable(MakeScene(recording, config), config);
   const DiagnosisFolder folder(options.output, ExistingIf(options.force, options.resume));
   if (!options.quiet) PrintWarnings(recording);
   options.diagnosis.project = !options.no_projection;
@@ -53,7 +54,7 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   folder.Write(diagnosis);
   if (!options.quiet) fmt::print("{}\n{}\n", diagnosis.words, folder.path().string());
   if (diagnosis.verdict != Verdict::kInterrupted) return kExitSuccess;
-  fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
+  fmt::print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
   return kExitInterrupted;
 }
 
