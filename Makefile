@@ -13,7 +13,7 @@ export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
 .PHONY: help demo portable test test-deep build bench format format-check tidy clean packages configure \
-        report-assets
+        report-assets fuzz soak
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -31,12 +31,20 @@ portable: packages ## Build a program for every x86-64 processor into build/port
 test: build ## Build everything and run all tests and source checks
 	ctest --preset $(PRESET)
 
-test-deep: test ## The same under the sanitizers, then clang-tidy: many minutes
+test-deep: test ## The same under the sanitizers, 2000 broken inputs, then clang-tidy: many minutes
+	CLOTHFIT_MUTATIONS=2000 ctest --preset $(PRESET) -R '^MutatedInput$$'
 	$(MAKE) --no-print-directory test PRESET=asan-ubsan
 	$(MAKE) --no-print-directory tidy
 
 build: configure ## Build everything (PRESET=release, JOBS=all cores)
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
+
+fuzz: ## Run each fuzzer of the readers for FUZZ_SECONDS=60 (tools/fuzz says more)
+	@tools/install_packages packages.txt tests/packages.txt
+	JOBS=$(JOBS) tools/fuzz
+
+soak: build ## Random fits, kills and full disks for SOAK_SECONDS=3600, invariants checked
+	tools/soak $(BUILD)/apps/clothfit $(SOAK_SECONDS)
 
 bench: configure ## Build and run the benchmarks (BENCH_ARGS=--benchmark_filter=...)
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target clothfit_benchmarks \
