@@ -60,7 +60,7 @@ const std::vector<Target>& Targets() {
       {"rec", kScene, {"simulate", "rec", "-o", "out", "--frames", "3"}, true},
       {"pic", kPictures, {"check", "pic"}},
       {"pic", kPictures, {"check", "pic"}},
-      {"vid", {"videos/cam0.mkv", "videos/cam1.mkv"}, {"check", "vid"}},
+      {"vid", {"videos/cam0.mkv", "videos/ceiling.mkv"}, {"check", "vid"}},
       {"vid", {"videos/cam0.mkv"}, {"import", "video", "cam0=vid/videos/cam0.mkv", "-o", "out"}},
       {"mesh", {"cloth.obj", "recording.yaml", "ball.obj"}, {"check", "mesh"}},
       {"opencv", {"cam0.yml"}, {"import", "opencv", "opencv/cam0.yml", "-o", "out"}},
@@ -135,6 +135,8 @@ class Folders {
                                                "--samples",
                                                "1"};
     Make(pictures, {"synthesize", "-o", "pic"});
+    fs::copy(path() / "pic" / "truth" / "masks", path() / "pic" / "masks",
+             fs::copy_options::recursive);
     Make(pictures, {"synthesize", "-o", "vid", "--video", "mkv"});
     WriteMeshes(recording);
     WriteCalibrations();
