@@ -13,7 +13,7 @@ export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
 .PHONY: help demo portable test test-browser test-deep build docs bench format format-check tidy clean \
-        packages test-packages configure report-modules report-assets
+        packages test-packages configure report-modules report-assets fuzz soak
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -34,7 +34,8 @@ test: test-packages build ## Build everything and run all tests and source check
 test-browser: report-modules build ## The tests of the report's page, in Chromium, which this installs
 	ctest --preset $(PRESET) -R '^(report_|export_gltf)' --output-on-failure
 
-test-deep: test ## The same under the sanitizers, then clang-tidy: many minutes
+test-deep: test ## The same under the sanitizers, 2000 broken inputs, then clang-tidy: many minutes
+	CLOTHFIT_MUTATIONS=2000 ctest --preset $(PRESET) -R '^MutatedInput$$'
 	$(MAKE) --no-print-directory test PRESET=asan-ubsan
 	$(MAKE) --no-print-directory tidy
 
@@ -45,6 +46,13 @@ docs: configure ## Build the manual as a site, into build/manual/html
 	@tools/install_packages docs/packages.txt
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target apps/clothfit
 	tools/manual $(BUILD)/apps/clothfit build/manual
+
+fuzz: ## Run each fuzzer of the readers for FUZZ_SECONDS=60 (tools/fuzz says more)
+	@tools/install_packages packages.txt tests/packages.txt
+	JOBS=$(JOBS) tools/fuzz
+
+soak: build ## Random fits, kills and full disks for SOAK_SECONDS=3600, invariants checked
+	tools/soak $(BUILD)/apps/clothfit $(SOAK_SECONDS)
 
 bench: configure ## Build and run the benchmarks (BENCH_ARGS=--benchmark_filter=...)
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target clothfit_benchmarks \

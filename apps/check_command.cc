@@ -9,9 +9,12 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
+#include "fitting/runs/workload.h"
 #include "tracking/outliers/outliers.h"
+#include "tracking/recording/images.h"
 #include "tracking/recording/summary.h"
 #include "tracking/text/text.h"
 
@@ -20,9 +23,11 @@ namespace {
 
 int RunCheckCommand(const std::string& folder) {
   const Recording recording = ReadRecording(folder);
+  CheckPictures(recording);
   const FitConfig config = DefaultConfig(recording);
   const Scene scene = MakeScene(recording, config);
   CheckSimulable(scene);
+  CheckAffordable(scene, WorkOfFit(scene, config));
   CheckContact(scene, config);
   fmt::print("{}", DescribeRecording(recording));
   std::fflush(stdout);
@@ -31,11 +36,11 @@ int RunCheckCommand(const std::string& folder) {
   LeaveOutOutliers(&without);
   const std::string outliers = DescribeOutliers(without);
   if (!outliers.empty())
-    fmt::print(stderr, "clothfit: warning: gross errors, which fits leave out: {}\n", outliers);
+    fmt::print(Terminal(), "clothfit: warning: gross errors, which fits leave out: {}\n", outliers);
   const std::vector<std::string> unknown = HandlesUnknownInHeldOutFrames(scene);
   if (!unknown.empty()) {
     fmt::print(
-        stderr,
+        Terminal(),
         "clothfit: warning: held-out frames cannot be judged: where {} {} then is not known\n",
         JoinNames(unknown), unknown.size() == 1 ? "is" : "are");
   }

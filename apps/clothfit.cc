@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
@@ -17,7 +18,10 @@
 #include "apps/command_line.h"
 #include "apps/commands.h"
 #include "apps/help_text.h"
+#include "apps/memory_limit.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/printable.h"
 #include "fitting/files/version.h"
 
 extern "C" void openblas_set_num_threads(int num_threads);
@@ -25,10 +29,13 @@ extern "C" void openblas_set_num_threads(int num_threads);
 namespace clothfit {
 namespace {
 
-int Fail(std::string problem, int status) {
-  std::replace(problem.begin(), problem.end(), '\n', ' ');
-  std::fprintf(stderr, "clothfit: error: %s\n", problem.c_str());
+int Fail(const std::string& problem, int status) {
+  std::fprintf(Terminal(), "clothfit: error: %s\n", Printable(problem).c_str());
   return status;
+}
+
+int Fail(const std::filesystem::filesystem_error& error) {
+  return Fail(error.path1().string() + ": " + error.code().message(), kExitBadInput);
 }
 
 using AddCommand = void (*)(CLI::App* app, Action* action);
@@ -106,6 +113,8 @@ int Run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace clothfit;  // NOLINT(google-build-using-namespace): this file is the program
+  TakeTerminal();
+  LimitMemory();
   openblas_set_num_threads(1);
   cv::setNumThreads(1);  // cameras are looked at side by side instead
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // errors are told here
@@ -114,6 +123,8 @@ int main(int argc, char** argv) {
     return Run(argc, argv);
   } catch (const InputError& error) {
     return Fail(error.what(), kExitBadInput);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return Fail(error);
   } catch (const std::bad_alloc&) {
     return Fail("out of memory", kExitFailure);
   } catch (const std::exception& error) {

@@ -14,6 +14,7 @@
 #include "apps/interrupt.h"
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
@@ -112,7 +113,7 @@ int RunCompareCommand(CompareOptions options) {
   const FitConfig config = ConfigOf(options, recording);
   LeaveOutOutliers(config, &recording);
   const Scene scene = MakeScene(recording, config);
-  CheckFittable(scene);
+  CheckFittable(scene, config);
   CheckContact(scene, config);
   PrintWarnings(recording);
   PrintWarnings(scene);
@@ -146,7 +147,7 @@ int RunCompareCommand(CompareOptions options) {
     PrintNext("clothfit report " + ShellWord(folder.string()));
   std::fflush(stdout);
   if (!*callbacks.stop) return kExitSuccess;
-  fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
+  fmt::print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
   return kExitInterrupted;
 }
 

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <map>
 
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/printable.h"
 #include "fitting/config/keys.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/recording/summary.h"
@@ -143,19 +145,19 @@ void LeaveOutOutliers(const FitConfig& config, Recording* recording) {
   LeaveOutOutliers(recording);
   const std::string outliers = DescribeOutliers(*recording);
   if (!outliers.empty())
-    std::fprintf(stderr, "clothfit: left out as gross errors: %s\n", outliers.c_str());
+    std::fprintf(Terminal(), "clothfit: left out as gross errors: %s\n", outliers.c_str());
 }
 
 void PrintWarnings(const Recording& recording) {
   for (const std::string& warning : Warnings(recording)) {
-    std::fprintf(stderr, "clothfit: warning: %s\n", warning.c_str());
+    std::fprintf(Terminal(), "clothfit: warning: %s\n", Printable(warning).c_str());
   }
 }
 
 void PrintWarnings(const Scene& scene) {
   if (!scene.silhouettes) return;
   for (const std::string& warning : scene.silhouettes->warnings) {
-    std::fprintf(stderr, "clothfit: warning: %s\n", warning.c_str());
+    std::fprintf(Terminal(), "clothfit: warning: %s\n", Printable(warning).c_str());
   }
 }
 

@@ -13,6 +13,7 @@
 #include "apps/interrupt.h"
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/answer/folder.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
@@ -35,7 +36,7 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   const FitConfig config = ReadConfigOf(options.config, recording);
   CheckConfig(config);
   LeaveOutOutliers(config, &recording);
-  CheckFittable(MakeScene(recording, config));
+  CheckFittable(MakeScene(recording, config), config);
   const DiagnosisFolder folder(options.output, ExistingIf(options.force, options.resume));
   if (!options.quiet) PrintWarnings(recording);
   options.diagnosis.project = !options.no_projection;
@@ -58,7 +59,7 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
     if (!options.quiet) PrintNext("clothfit report " + ShellWord(folder.path().string()));
     return kExitSuccess;
   }
-  fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
+  fmt::print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
   return kExitInterrupted;
 }
 

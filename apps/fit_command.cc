@@ -13,6 +13,7 @@
 #include "apps/interrupt.h"
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
+#include "apps/terminal.h"
 #include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/shell.h"
@@ -77,6 +78,9 @@ void TakeOptionsOfRun(FitOptions* options) {
 void RequireSameConfig(const RunFolder& run, const Recording& recording, const FitConfig& config) {
   FitConfig of_run = DefaultConfig(recording);
   ReadConfig(run.ConfigFile(), &of_run);
+  // A fit that was given less goes the same way as far as it goes.
+  of_run.max_iterations = config.max_iterations;
+  of_run.max_simulations = config.max_simulations;
   const std::vector<std::string> differences = ConfigDifferences(of_run, config);
   if (differences.empty()) return;
   throw InputError("--resume",
@@ -111,11 +115,14 @@ int Report(const FitResult& result, const RunFolder& run, bool quiet) {
       if (!quiet) PrintNext("clothfit report " + ShellWord(run.path().string()));
       return kExitSuccess;
     case FitStatus::kNotConverged:
-      fmt::print(stderr, "clothfit: warning: not converged{}\n", run.HasCheckpoint() ? hint : "");
+      fmt::print(Terminal(),
+                 "clothfit: warning: not converged; 'clothfit fit --resume -o {} "
+                 "--max-iterations N' goes on\n",
+                 ShellWord(run.path().string()));
       if (!quiet) PrintNext("clothfit report " + ShellWord(run.path().string()));
       return kExitSuccess;
     case FitStatus::kInterrupted:
-      fmt::print(stderr, "clothfit: interrupted{}\n", hint);
+      fmt::print(Terminal(), "clothfit: interrupted{}\n", hint);
       return kExitInterrupted;
     case FitStatus::kFailed:
       break;
@@ -157,14 +164,14 @@ int RunFitCommand(FitOptions options) {
   LeaveOutOutliers(config, &recording);
   Scene scene = MakeScene(recording, config);
   const bool track = HasPicturesOnly(recording);
-  if (!track) CheckFittable(scene);
+  if (!track) CheckFittable(scene, config);
   CheckContact(scene, config);
   const RunFolder run = MakeRunFolder(options, recording);
   if (track) {
     try {
       recording = TrackIntoRun(recording, run, options);
     } catch (const Interrupted&) {
-      fmt::print(stderr,
+      fmt::print(Terminal(),
                  "clothfit: interrupted before the fit began; 'clothfit fit --force' "
                  "begins again\n");
       return kExitInterrupted;
@@ -174,7 +181,7 @@ int RunFitCommand(FitOptions options) {
     ApplyOptions(options, &config);
     LeaveOutOutliers(config, &recording);
     scene = MakeScene(recording, config);
-    CheckFittable(scene);
+    CheckFittable(scene, config);
   }
   if (options.resume) RequireSameConfig(run, recording, config);
   if (!options.quiet) {

@@ -5,32 +5,57 @@
 #include <csignal>
 #include <string_view>
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include "apps/commands.h"
+#include "apps/terminal.h"
 
 namespace clothfit {
 namespace {
 
-std::atomic<bool> stop_requested{false};
+std::atomic<bool> stop_requested{false}, is_awaited{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait");
+
+void Say(std::string_view message) {
+  const ssize_t ignored = write(fileno(Terminal()), message.data(), message.size());
+  static_cast<void>(ignored);
+}
+
+void SetHandler(int signal, void (*handler)(int)) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigaction(signal, &action, nullptr);
+}
+
+extern "C" void HandleTooLate(int /*signal*/) {
+  Say("clothfit: interrupted; what is written is whole\n");
+  _exit(kExitInterrupted);
+}
 
 extern "C" void HandleInterrupt(int /*signal*/) {
   if (stop_requested.exchange(true)) _exit(kExitInterrupted);
-  constexpr std::string_view kMessage =
-      "\nclothfit: stopping and keeping the best so far; once more to end at once\n";
-  const ssize_t ignored = write(STDERR_FILENO, kMessage.data(), kMessage.size());
-  static_cast<void>(ignored);
+  if (!is_awaited) {
+    Say("\nclothfit: interrupted\n");
+    _exit(kExitInterrupted);
+  }
+  Say("\nclothfit: stopping and keeping the best so far; once more to end at once\n");
+  constexpr itimerval kTooLate = {{0, 0}, {1, 800'000}};  // s, us: two seconds, to a person
+  setitimer(ITIMER_REAL, &kTooLate, nullptr);
+}
+
+// Before main, and before the constructors of other globals.
+__attribute__((constructor(101))) void BeginToListen() {
+  SetHandler(SIGINT, HandleInterrupt);
+  SetHandler(SIGTERM, HandleInterrupt);
+  SetHandler(SIGALRM, HandleTooLate);
 }
 
 }  // namespace
 
 const std::atomic<bool>* StopOnInterrupt() {
-  struct sigaction action = {};
-  action.sa_handler = HandleInterrupt;
-  action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  is_awaited = true;
   return &stop_requested;
 }
 

@@ -8,6 +8,7 @@
 
 #include "apps/interrupt.h"
 #include "apps/job_options.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/results.h"
 #include "fitting/jobs/shell.h"
@@ -80,7 +81,7 @@ int Gather(const fs::path& folder) {
   const PlanResult result = GatherResults(plan, folder);
   const int status = FinishJobs(result, folder, false);
   if (result.jobs.complete) return status;
-  fmt::print(stderr, "clothfit: error: {} of {} jobs have no result; see clothfit status {}\n",
+  fmt::print(Terminal(), "clothfit: error: {} of {} jobs have no result; see clothfit status {}\n",
              plan.list.jobs.size() - result.jobs.results.size(), plan.list.jobs.size(),
              ShellWord(folder.string()));
   return kExitFailure;

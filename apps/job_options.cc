@@ -13,6 +13,7 @@
 #include "apps/interrupt.h"
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/batch/batch.h"
 #include "fitting/jobs/shell.h"
@@ -122,7 +123,7 @@ int RunAllJobs(const JobPlan& plan, const fs::path& folder, int threads, bool qu
   display.Finish();
   const int status = FinishJobs(result, folder, quiet);
   if (!*run.stop) return status;
-  fmt::print(stderr, "clothfit: interrupted; the same command with --resume goes on\n");
+  fmt::print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
   return kExitInterrupted;
 }
 
@@ -132,7 +133,7 @@ int FinishJobs(const PlanResult& result, const fs::path& folder, bool quiet) {
     if (!quiet && result.jobs.complete) PrintNext("clothfit report " + ShellWord(folder.string()));
     return kExitSuccess;
   }
-  fmt::print(stderr, "clothfit: error: {} of the jobs failed; the first: {}\n",
+  fmt::print(Terminal(), "clothfit: error: {} of the jobs failed; the first: {}\n",
              result.jobs.CountProblems(), result.jobs.FirstProblem());
   return kExitFailure;
 }

@@ -10,6 +10,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "apps/terminal.h"
+
 namespace clothfit {
 namespace {
 
@@ -19,7 +21,7 @@ constexpr int kBarWidth = 20;
 size_t TerminalWidth() {
   constexpr size_t kUsual = 80;
   winsize size{};
-  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const bool is_known = ioctl(fileno(Terminal()), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   return is_known ? size.ws_col : kUsual;
 }
 
@@ -54,7 +56,7 @@ std::string ProgressText(double fraction, double seconds, bool with_bar) {
 }
 
 ProgressDisplay::ProgressDisplay(Lines lines)
-    : is_terminal_(isatty(STDERR_FILENO) != 0), lines_(lines) {}
+    : is_terminal_(isatty(fileno(Terminal())) != 0), lines_(lines) {}
 
 void ProgressDisplay::Show(const FitProgress& progress, int recorded_frames) {
   Show(progress.stage, Describe(progress, recorded_frames), progress.fraction);
@@ -74,8 +76,8 @@ void ProgressDisplay::ShowOnTerminal(const std::string& text) {
   constexpr double kInterval = 0.1;  // s; more often than one reads is work for nothing
   if (lines_ == Lines::kNowAndThen && SecondsSince(last_) < kInterval) return;
   last_ = Clock::now();
-  std::fprintf(stderr, "\r\x1b[K%s", text.substr(0, TerminalWidth() - 1).c_str());
-  std::fflush(stderr);
+  std::fprintf(Terminal(), "\r\x1b[K%s", text.substr(0, TerminalWidth() - 1).c_str());
+  std::fflush(Terminal());
   has_bar_ = true;
 }
 
@@ -88,12 +90,12 @@ void ProgressDisplay::ShowLine(const std::string& stage, const std::string& line
   stage_ = stage;
   last_ = Clock::now();
   unshown_.clear();
-  std::fputs(line.c_str(), stderr);
+  std::fputs(line.c_str(), Terminal());
 }
 
 void ProgressDisplay::Finish() {
-  if (has_bar_) std::fputc('\n', stderr);
-  std::fputs(unshown_.c_str(), stderr);
+  if (has_bar_) std::fputc('\n', Terminal());
+  std::fputs(unshown_.c_str(), Terminal());
   has_bar_ = false;
   unshown_.clear();
 }

@@ -11,6 +11,7 @@
 
 #include "apps/commands.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
 #include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/shell.h"
@@ -50,7 +51,7 @@ int RunRecoveryCommand(RecoveryStudyOptions options) {
   const std::vector<RecoveredSeed> seeds =
       RunRecoveryStudy(options.recovery, [](const RecoveredSeed& seed) {
         const Coverage coverage = CountCoverage({seed});
-        fmt::print(stderr, "seed {}: {} in {:.0f} s, {} of {} determined parameters covered\n",
+        fmt::print(Terminal(), "seed {}: {} in {:.0f} s, {} of {} determined parameters covered\n",
                    seed.seed, ToString(seed.status), seed.seconds, coverage.covered,
                    coverage.total);
       });
@@ -165,7 +166,7 @@ int RunChaosCommand(ChaosStudyOptions options) {
                       ExistingIf(options.force));
   output.Begin({"chaos.csv", "chaos.md", "chaos.svg", "chaos.png", "report.html"});
   const ChaosResult result =
-      RunChaosStudy(options.chaos, [](int frame) { fmt::print(stderr, "frame {}\n", frame); });
+      RunChaosStudy(options.chaos, [](int frame) { fmt::print(Terminal(), "frame {}\n", frame); });
   output.WriteAll({{"chaos.csv", ChaosAsCsv(result)},
                    {"chaos.md", ChaosAsMarkdown(options.chaos, result)},
                    {"chaos.svg", ChaosAsSvg(result)}});

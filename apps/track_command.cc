@@ -13,6 +13,7 @@
 #include "apps/interrupt.h"
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
+#include "apps/terminal.h"
 #include "apps/tracking_options.h"
 #include "fitting/jobs/shell.h"
 #include "tracking/features/tracking_folder.h"
@@ -45,7 +46,7 @@ int RunTrackCommand(const TrackOptions& options) {
     std::fflush(stdout);
   }
   if (result.num_frames == recording.frame_count) return kExitSuccess;
-  fmt::print(stderr, "clothfit: interrupted after frame {}; what was found is in {}\n",
+  fmt::print(Terminal(), "clothfit: interrupted after frame {}; what was found is in {}\n",
              result.num_frames - 1, options.output);
   return kExitInterrupted;
 }

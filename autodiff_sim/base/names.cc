@@ -27,6 +27,9 @@ int EditDistance(std::string_view a, std::string_view b) {
 
 std::string Suggestion(std::string_view wrong, const std::vector<std::string>& right_names) {
   const std::string* nearest = nullptr;
+  constexpr std::size_t kLongest =
+      200;  // of a name; beyond, likeness is none, and costs its square
+  if (wrong.size() > kLongest) return "expected one of " + JoinNames(right_names);
   int nearest_distance = std::max(1, static_cast<int>(wrong.size()) / 2);  // farther is no likeness
   for (const std::string& name : right_names) {
     const int distance = EditDistance(wrong, name);

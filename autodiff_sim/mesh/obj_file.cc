@@ -7,15 +7,18 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <utility>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
 
 namespace clothfit {
 namespace {
+
+// Of a million vertices with texture coordinates and faces, beyond what can be simulated.
+constexpr std::size_t kMostObjBytes = std::size_t{1} << 28;
 
 class ObjReader {
  public:
@@ -38,8 +41,7 @@ class ObjReader {
  private:
   template <class ReadFaceLine>
   void ReadLines(const ReadFaceLine& read_face) {
-    std::ifstream file(path_);
-    if (!file) throw InputError(path_, "cannot be opened; expected an OBJ file");
+    std::istringstream file(ReadInputFile(path_, kMostObjBytes));
     for (std::string line; std::getline(file, line);) {
       ++line_number_;
       std::istringstream words(line);

@@ -94,7 +94,7 @@ FitResult FitInto(const fs::path& folder, const fs::path& place, const BatchFit&
   if (!outliers.empty()) run.AppendLog("left out as gross errors: " + outliers);
   if (track) config.recording = fs::absolute(place / "observations").lexically_normal().string();
   const Scene scene = MakeScene(recording, config);
-  CheckFittable(scene);
+  CheckFittable(scene, config);
   CheckContact(scene, config);
   FitCallbacks callbacks;
   callbacks.stop = context.stop;

@@ -51,6 +51,7 @@ FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const Scene& scene) {
       fmt::format("{} x {} particles, ", scene.mesh.grid[0], scene.mesh.grid[1]);
   FitCallbacks of_coarse;
   of_coarse.stop = callbacks.stop;
+  of_coarse.journal = callbacks.journal;
   if (callbacks.log)
     of_coarse.log = [&callbacks, name](const std::string& line) { callbacks.log(name + line); };
   if (callbacks.progress) {

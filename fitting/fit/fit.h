@@ -49,11 +49,16 @@ struct FitProgress {
   double simulated_frames = 0.0, differentiated_frames = 0.0;
 };
 
+class EvaluationJournal;  // fitting/files/evaluation_journal.h
+
 struct FitCallbacks {
   std::function<void(const FitProgress&)> progress;
   std::function<void(const FitCheckpoint&)> checkpoint;  // after every accepted step
   std::function<void(const std::string&)> log;           // lines for the log
   const std::atomic<bool>* stop = nullptr;               // set from outside to end early
+  // What the same fit evaluated before it was interrupted, and evaluates now; null: nothing is
+  // kept.
+  EvaluationJournal* journal = nullptr;
 };
 
 // How well one simulation of all frames explains the observations. Open loop: only the handles

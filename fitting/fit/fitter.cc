@@ -157,6 +157,12 @@ Fitter::Minimum Fitter::Minimise(const Misfits& misfits, const Patience& patienc
   return minimum;
 }
 
+RecalledEvaluation Fitter::Recalled(RecalledEvaluation::Simulated simulated) {
+  return RecalledEvaluation(callbacks_.journal,
+                            fmt::format("{} particles, {}", scene_.mesh.num_particles(), stage_),
+                            std::move(simulated), callbacks_.stop, &recalled_);
+}
+
 Fitter::Minimum Fitter::MinimiseRollout(WindowSimulator* simulator, int last,
                                         const Patience& patience, const std::vector<int>& held) {
   const bool is_whole =
@@ -165,17 +171,24 @@ Fitter::Minimum Fitter::MinimiseRollout(WindowSimulator* simulator, int last,
   if (!is_whole) at_best_ = {};
   Linearisation rollout;
   const WindowStart start = simulator->FirstStart(progress_.theta);
+  RecalledEvaluation recalled = Recalled(
+      {[&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) {
+         return EvaluateWindow(simulator, observations_, start, at, 0, last,
+                               WindowRows::kCompressed, residuals, jacobian) == Outcome::kComplete;
+       },
+       [&] {
+         return FrameCounts{simulator->simulated_frames(), simulator->differentiated_frames()};
+       },
+       [&] { return simulator->last_report(); }});
   const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
                             RowMajorMatrix* jacobian) {
     if (jacobian != nullptr && at_best_.IsAt(at)) {
       rollout = at_best_;
     } else {
-      const Outcome outcome =
-          EvaluateWindow(simulator, observations_, start, at, 0, last, WindowRows::kCompressed,
-                         &rollout.residuals, jacobian != nullptr ? &rollout.jacobian : nullptr);
-      if (outcome != Outcome::kComplete) return false;
+      if (!recalled(at, &rollout.residuals, jacobian != nullptr ? &rollout.jacobian : nullptr))
+        return false;
       rollout.theta = at;
-      rollout.steps = simulator->last_report();
+      rollout.steps = recalled.steps();
     }
     *residuals = rollout.residuals;
     if (jacobian != nullptr) *jacobian = rollout.jacobian;
@@ -207,10 +220,6 @@ void Fitter::LengthenWindows() {
   const Patience at_the_end{std::min(2 * kMostIterations, config_.max_iterations), 0.2 * kTolerance,
                             kLeastRadius};
   ShootingWindows windows(scene_, config_, free_, callbacks_.stop);
-  const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
-                            RowMajorMatrix* jacobian) {
-    return windows.Evaluate(observations_, at, residuals, jacobian);
-  };
   const int count = static_cast<int>(lengths_.size());
   at_best_ = {};
   for (int& k = progress_.next_window; k < count && !Stopped(); ++k) {
@@ -222,16 +231,24 @@ void Fitter::LengthenWindows() {
       if (!Stopped()) Log(stage_ + ": the motion that they begin from cannot be simulated");
       break;
     }
+    RecalledEvaluation evaluate = Recalled(
+        {[&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) {
+           return windows.Evaluate(observations_, at, residuals, jacobian);
+         },
+         [&] {
+           return FrameCounts{windows.simulated_frames(), windows.differentiated_frames()};
+         },
+         [] { return StepReport(); }});
     // Simulated once, they are differentiated without being simulated again.
     Eigen::VectorXd residuals;
-    if (!windows.Evaluate(observations_, progress_.theta, &residuals, nullptr)) {
+    if (!evaluate(progress_.theta, &residuals, nullptr)) {
       if (!Stopped()) Log(stage_ + ": one of them cannot be simulated");
       continue;
     }
     const int observed = observations_.NumObserved(0, scene_.last_fitted_frame);
     const bool is_compared = only_forecasts_ && k == count - 1;
     in_windows_.converged =
-        Minimise({evaluate, windows.NumResiduals(), observed},
+        Minimise({std::ref(evaluate), windows.NumResiduals(), observed},
                  is_compared ? at_the_end : on_the_way, k == 0 ? kCautiousRadius : kRadiusNear)
             .converged;
     in_windows_.cost = best_cost_;

@@ -13,6 +13,7 @@
 
 #include "fitting/fit/fit.h"
 #include "fitting/fit/frame_by_frame.h"
+#include "fitting/fit/recalled_evaluation.h"
 #include "fitting/fit/uncertainty.h"
 #include "fitting/optimise/simulation_cost.h"
 #include "fitting/rollout/shooting_windows.h"
@@ -102,12 +103,14 @@ class Fitter {
   }
   double SimulatedFrames() const {
     return simulator_.simulated_frames() + attracting_.simulated_frames() + frames_for_paths_ +
-           in_windows_.simulated;
+           in_windows_.simulated + recalled_.simulated;
   }
   double DifferentiatedFrames() const {
     return simulator_.differentiated_frames() + attracting_.differentiated_frames() +
-           differentiated_for_paths_ + in_windows_.differentiated;
+           differentiated_for_paths_ + in_windows_.differentiated + recalled_.differentiated;
   }
+  // Through the journal, where there is one; named by the stage under way.
+  RecalledEvaluation Recalled(RecalledEvaluation::Simulated simulated);
   bool Stopped() const { return callbacks_.stop != nullptr && *callbacks_.stop; }
   void Report(const ceres::IterationSummary& iteration, int rows);
   // By how much of the cost a full Gauss-Newton step from here would lower it, were the problem
@@ -151,6 +154,7 @@ class Fitter {
     bool converged = false;
     Eigen::VectorXd residuals;
   } in_windows_;  // where asked for, of the longest
+  FrameCounts recalled_;
   bool has_begun_polish_ = false, converged_ = false;
   double cost_ = std::numeric_limits<double>::infinity();
   double cost_before_ = std::numeric_limits<double>::infinity();

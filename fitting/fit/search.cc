@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <numeric>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/files/evaluation_journal.h"
 #include "fitting/fit/frame_by_frame.h"
+#include "fitting/fit/recalled_evaluation.h"
 #include "fitting/fit/search_ledger.h"
 #include "fitting/residuals/synthesis_error.h"
 #include "fitting/rollout/free_parameters.h"
@@ -95,19 +99,28 @@ class Searcher {
   }
   // A pattern search may have many values under way, each of which counts when it is taken, so that
   // the budget ends at the same one for any number of threads.
-  void Spend(double simulated, double differentiated, int worker) {
+  void Spend(const FrameCounts& work, int worker) {
     if (config_.optimiser == "pattern") {
-      costs_[static_cast<std::size_t>(worker)] = simulated;
+      costs_[static_cast<std::size_t>(worker)] = work.simulated;
       return;
     }
-    ledger_.Spend(simulated, differentiated);
+    ledger_.Spend(work.simulated, work.differentiated);
     if (ledger_.IsSpent()) stop_ = true;
   }
   bool TakeCost(double simulated) {
     ledger_.Spend(simulated, 0.0);
     return !ledger_.IsSpent();
   }
+  struct Value {
+    double error = 0.0;
+    FrameCounts work;
+  };
+  // The error at theta, as the worker has evaluated it or as the journal has it.
+  double Recalled(const Eigen::VectorXd& theta, int worker, const std::function<Value()>& evaluate,
+                  bool* is_recalled = nullptr);
   void TakePass(FrameByFrameResult pass, SearchResult* result) const;
+  // Of what was recalled: the pass is made for its paths, and not counted again.
+  void TakeUnstoppedPass(const Eigen::VectorXd& theta, SearchResult* result) const;
 
   const Scene& scene_;
   const FitConfig& config_;
@@ -119,6 +132,7 @@ class Searcher {
   Eigen::VectorXd start_;
   std::vector<double> costs_;  // frames, of each worker's last value
   std::atomic<bool> stop_ = false;
+  std::mutex journal_mutex_;
 };
 
 // The fit's own error is the soft one; what it is judged by is computed beside, off the clock.
@@ -183,6 +197,25 @@ Minimum Searcher::MinimiseOver(
   return minimum;
 }
 
+double Searcher::Recalled(const Eigen::VectorXd& theta, int worker,
+                          const std::function<Value()>& evaluate, bool* is_recalled) {
+  const std::string name = fmt::format("search by {}", config_.optimiser);
+  std::optional<Eigen::VectorXd> known;
+  {
+    const std::lock_guard<std::mutex> lock(journal_mutex_);
+    if (options_.journal != nullptr) known = options_.journal->Recall(name, theta);
+  }
+  if (is_recalled != nullptr) *is_recalled = known.has_value();
+  const Value value = known ? Value{(*known)[0], {(*known)[1], (*known)[2]}} : evaluate();
+  if (!known && options_.journal != nullptr && !stop_) {  // what is stopped may not be whole
+    const std::lock_guard<std::mutex> lock(journal_mutex_);
+    options_.journal->Add(
+        name, theta, Eigen::Vector3d(value.error, value.work.simulated, value.work.differentiated));
+  }
+  Spend(value.work, worker);
+  return value.error;
+}
+
 SearchResult Searcher::Joint() {
   std::vector<std::unique_ptr<WindowSimulator>> simulators;
   for (int w = 0; w < NumWorkers(); ++w) {
@@ -190,12 +223,13 @@ SearchResult Searcher::Joint() {
         std::make_unique<WindowSimulator>(scene_, config_, free_, options_.attract, nullptr));
   }
   const auto value = [&](const Eigen::VectorXd& theta, int worker) {
-    WindowSimulator& simulator = *simulators[static_cast<std::size_t>(worker)];
-    const double before = simulator.simulated_frames();
-    const double error =
-        OpenLoopError(error_, scene_.last_fitted_frame, &simulator, theta, nullptr);
-    Spend(simulator.simulated_frames() - before, 0.0, worker);
-    return error;
+    return Recalled(theta, worker, [&] {
+      WindowSimulator& simulator = *simulators[static_cast<std::size_t>(worker)];
+      const double before = simulator.simulated_frames();
+      const double error =
+          OpenLoopError(error_, scene_.last_fitted_frame, &simulator, theta, nullptr);
+      return Value{error, {simulator.simulated_frames() - before, 0.0}};
+    });
   };
   std::vector<int> all(static_cast<std::size_t>(free_.size()));
   std::iota(all.begin(), all.end(), 0);
@@ -214,6 +248,10 @@ void Searcher::TakePass(FrameByFrameResult pass, SearchResult* result) const {
   result->positions = std::move(pass.positions);
 }
 
+void Searcher::TakeUnstoppedPass(const Eigen::VectorXd& theta, SearchResult* result) const {
+  TakePass(FrameByFrame(scene_, config_, free_, PassOptions(false), nullptr).Run(theta), result);
+}
+
 SearchResult Searcher::TwoLoops() {
   std::vector<std::unique_ptr<FrameByFrame>> passes;
   for (int w = 0; w < NumWorkers(); ++w) {
@@ -224,18 +262,34 @@ SearchResult Searcher::TwoLoops() {
   result.theta = start_;
   result.error = kInfinity;
   std::mutex mutex;
+  std::optional<Eigen::VectorXd> best_recalled;  // the best pass, where it was not made now
   const auto value = [&](const Eigen::VectorXd& theta, int worker) {
-    FrameByFrameResult pass = passes[static_cast<std::size_t>(worker)]->Run(theta);
-    Spend(pass.simulated_frames, pass.differentiated_frames, worker);
+    FrameByFrameResult pass;
+    bool is_recalled = false;
+    const double error = Recalled(
+        theta, worker,
+        [&] {
+          pass = passes[static_cast<std::size_t>(worker)]->Run(theta);
+          return Value{pass.complete ? pass.error : kInfinity,
+                       {pass.simulated_frames, pass.differentiated_frames}};
+        },
+        &is_recalled);
     const std::lock_guard<std::mutex> lock(mutex);
-    const double error = pass.complete ? pass.error : kInfinity;
-    if (error < result.error) TakePass(std::move(pass), &result);
+    if (!(error < result.error)) return error;
+    best_recalled.reset();
+    if (is_recalled) {
+      best_recalled = theta;
+      result.error = error;
+    } else {
+      TakePass(std::move(pass), &result);
+    }
     return error;
   };
   const std::vector<int> fabric = free_.Fabric();
   if (fabric.empty()) {
     ledger_.Improve(value(start_, 0));
     if (config_.optimiser == "pattern" && !TakeCost(costs_[0])) stop_ = true;
+    if (best_recalled) TakeUnstoppedPass(*best_recalled, &result);
     result.converged = !stop_;
     result.reason = "one pass: the fabric is known";
     return result;
@@ -249,6 +303,7 @@ SearchResult Searcher::TwoLoops() {
     result.error = kInfinity;
     value(minimum.x, 0);
   }
+  if (best_recalled) TakeUnstoppedPass(*best_recalled, &result);
   result.converged = minimum.converged;
   result.reason = minimum.reason;
   return result;

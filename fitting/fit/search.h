@@ -43,6 +43,8 @@ struct SearchOptions {
   // What has been spent and the best error so far, after every evaluation; one call at a time.
   std::function<void(const SearchPoint&)> progress;
   std::function<void(const Eigen::VectorXd& theta)> improved;  // of joint searches
+  // As in FitCallbacks; not of one loop, nor of the joint search by Levenberg-Marquardt.
+  EvaluationJournal* journal = nullptr;
   std::function<void(const std::string&)> log;
 };
 
@@ -72,10 +74,6 @@ SearchResult Search(const Scene& scene, const FitConfig& config, const SearchOpt
 // it stalls by a search of the fabric on the hard error; or Search. Of markers and tracks it tells
 // noise from what mesh and step leave (MeasurePoints).
 FitResult FitByStrategy(const Scene& scene, const FitConfig& config,
-                        const FitCallbacks& callbacks = {}, const FitCheckpoint* resume = nullptr);
-
-// Time of a simulation with derivatives along all of the free vector, were they all at work from
-// its start on, over that of one without, on this machine: medians of `repeats` in turn.
-double MeasureDerivativeCost(const Scene& scene, const FitConfig& config, int repeats = 3);
+                        const FitCallbacks& callbacks = {});
 
 }  // namespace clothfit

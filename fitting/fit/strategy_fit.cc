@@ -3,9 +3,7 @@
 //
 // Whole fits by any strategy, and what follows where Levenberg-Marquardt stalls.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,15 +11,9 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit/fitter.h"
 #include "fitting/fit/search.h"
-#include "fitting/rollout/window_simulator.h"
 
 namespace clothfit {
 namespace {
-
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 void Log(const FitCallbacks& callbacks, const std::string& line) {
   if (callbacks.log) callbacks.log(line);
@@ -73,6 +65,7 @@ FitResult PolishOnHardError(const Scene& scene, const FitConfig& config,
   options.step_scale = 0.1;  // the fit is near
   options.budget.evaluations = fit.simulations;
   options.stop = callbacks.stop;
+  options.journal = callbacks.journal;
   options.progress = [&](const SearchPoint& point) {
     Show(callbacks, "polish on the hard error", point, options.budget.evaluations);
   };
@@ -92,14 +85,12 @@ FitResult PolishOnHardError(const Scene& scene, const FitConfig& config,
   return polished;
 }
 
-FitResult FitBySearch(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
-                      const FitCheckpoint* resume) {
+FitResult FitBySearch(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks) {
   const std::string name = config.optimiser + "/" + ToString(config.loops);
   Fitter fitter(scene, config, callbacks);
   SearchOptions options;
-  if (resume != nullptr) options.start = resume->theta;
   if (config.max_simulations > 0.0) options.budget.evaluations = config.max_simulations;
-  options.num_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.journal = callbacks.journal;
   options.derivative_cost = 1.0;  // simulations are counted, not weighed
   options.stop = callbacks.stop;
   options.progress = [&](const SearchPoint& point) {
@@ -126,36 +117,14 @@ FitResult FitBySearch(const Scene& scene, const FitConfig& config, const FitCall
 
 }  // namespace
 
-FitResult FitByStrategy(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
-                        const FitCheckpoint* resume) {
+FitResult FitByStrategy(const Scene& scene, const FitConfig& config,
+                        const FitCallbacks& callbacks) {
   if (config.loops != Strategy::kJoint || config.optimiser != "lm")
-    return FitBySearch(scene, config, callbacks, resume);
-  FitResult result = RunFit(scene, config, callbacks, resume, true);
+    return FitBySearch(scene, config, callbacks);
+  FitResult result = RunFit(scene, config, callbacks, nullptr, true);
   const bool stalls = result.status == FitStatus::kNotConverged && config.polish_hard &&
                       config.FitsSilhouettes() && scene.silhouettes && NumFabric(scene, config) > 0;
   return stalls ? PolishOnHardError(scene, config, callbacks, std::move(result)) : result;
-}
-
-double MeasureDerivativeCost(const Scene& scene, const FitConfig& config, int repeats) {
-  const FreeParameters free(config, scene, MakeParameterTable());
-  double share = 1.0;  // of the directions that were at work
-  const auto time = [&](bool derivatives) {
-    WindowSimulator simulator(scene, config, free, false, nullptr);
-    const auto begin = std::chrono::steady_clock::now();
-    simulator.Run(simulator.FirstStart(free.start()), free.start(), scene.last_fitted_frame,
-                  derivatives, [](int, const State&, const Sensitivity*) {});
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    if (derivatives)
-      share = simulator.differentiated_frames() / std::max(1.0, simulator.simulated_frames());
-    return seconds.count();
-  };
-  std::vector<double> without, with;
-  for (int k = 0; k < std::max(1, repeats); ++k) {
-    without.push_back(time(false));
-    with.push_back(time(true));
-  }
-  const double more = Median(with) / std::max(1e-9, Median(without)) - 1.0;
-  return 1.0 + std::max(0.0, more) / std::max(1e-9, share);
 }
 
 }  // namespace clothfit

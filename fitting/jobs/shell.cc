@@ -32,7 +32,8 @@ std::string ShellWord(const std::string& word) {
 }
 
 ShellResult RunProgram(const std::vector<std::string>& words) {
-  std::string line;
+  // The limit to this machine's free memory is of this program alone; sbatch would pass it on.
+  std::string line = "ulimit -S -d \"$(ulimit -H -d)\"; ";
   for (const std::string& word : words) line += ShellWord(word) + " ";
   ShellResult result;
   std::FILE* const pipe = popen((line + "2>&1").c_str(), "r");

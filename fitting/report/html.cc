@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/base/printable.h"
+#include "fitting/files/sha256.h"
 #include "fitting/report/packing.h"
 
 namespace clothfit {
@@ -13,10 +15,16 @@ namespace {
 
 using Json = ReportBlobs::Json;
 
-// No page of ours may ask for anything from anywhere.
-constexpr const char* kPolicy =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
-    "img-src data: blob:";
+// No page of ours may ask for anything from anywhere, nor run any script but the one that is its
+// own: names in it may be a stranger's.
+std::string Policy(std::string_view script) {
+  const std::string digits = Sha256(script);
+  std::string digest;
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+    digest += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+  return "default-src 'none'; script-src 'sha256-" + Base64(digest) +
+         "'; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'";
+}
 
 // Before and after in words, with a bar for what is left of the error.
 std::string ErrorCell(const Json& error) {
@@ -87,16 +95,29 @@ std::string Hero(const Json& json, const PageVerdict& verdict) {
       EscapeHtml(verdict.headline), sentences, ErrorNumbers(json));
 }
 
-// JSON in a script element must not hold "</script" or "<!--".
+// Whether \uXXXX turns the direction of writing, so that what is shown is not what stands there.
+bool TurnsWriting(std::string_view escape) {
+  constexpr std::string_view kTurning[] = {"\\u200e", "\\u200f", "\\u061c", "\\u202a",
+                                           "\\u202b", "\\u202c", "\\u202d", "\\u202e",
+                                           "\\u2066", "\\u2067", "\\u2068", "\\u2069"};
+  return std::find(std::begin(kTurning), std::end(kTurning), escape) != std::end(kTurning);
+}
+
+// JSON in a script element must not hold "</script" or "<!--". All in ASCII; what turns the
+// direction of writing is shown as its number.
 std::string JsonForScript(const Json& json) {
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
   std::string safe;
   safe.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '<') {
       safe += "\\u003c";
+    } else if (text[i] == '\\') {  // always of two characters or, with u, of six
+      if (TurnsWriting(std::string_view(text).substr(i, 6))) safe += '\\';
+      safe += text[i];
+      safe += text[++i];
     } else {
-      safe += c;
+      safe += text[i];
     }
   }
   return safe;
@@ -106,8 +127,11 @@ std::string JsonForScript(const Json& json) {
 
 std::string EscapeHtml(std::string_view text) {
   std::string html;
-  for (const char c : text) {
+  for (const char c : Printable(text, text.size() * 8 + 1)) {
     switch (c) {
+      case '\'':
+        html += "&#39;";
+        break;
       case '&':
         html += "&amp;";
         break;
@@ -134,7 +158,7 @@ std::string ReportAsHtml(const Json& json, const PageVerdict& verdict, const Rep
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"generator\" content=\"clothfit {}\">\n<title>{} · clothfit</title>\n<style>",
-      kPolicy, EscapeHtml(json.at("version").get<std::string>()),
+      Policy(assets.script), EscapeHtml(json.at("version").get<std::string>()),
       EscapeHtml(json.at("title").get<std::string>()));
   html += assets.style;
   html += "</style>\n</head>\n<body>\n" + Hero(json, verdict);

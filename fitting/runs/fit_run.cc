@@ -17,6 +17,7 @@
 #include "fitting/rollout/window_simulator.h"
 #include "fitting/runs/obstacles.h"
 #include "fitting/runs/surface_evaluation.h"
+#include "fitting/runs/workload.h"
 #include "tracking/silhouette/raster.h"
 
 namespace clothfit {
@@ -76,10 +77,6 @@ void LogContact(const Scene& scene, const FitConfig& config, const StepReport& s
 
 FitCallbacks WithRun(const FitCallbacks& callbacks, const RunFolder& run) {
   FitCallbacks all = callbacks;
-  all.checkpoint = [&run, &callbacks](const FitCheckpoint& checkpoint) {
-    run.WriteCheckpoint(checkpoint);
-    if (callbacks.checkpoint) callbacks.checkpoint(checkpoint);
-  };
   all.progress = [&run, &callbacks,
                   begin = std::chrono::steady_clock::now()](const FitProgress& progress) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
@@ -93,16 +90,6 @@ FitCallbacks WithRun(const FitCallbacks& callbacks, const RunFolder& run) {
   return all;
 }
 
-std::optional<FitCheckpoint> ReadFittingCheckpoint(const RunFolder& run,
-                                                   const FreeParameters& free) {
-  if (!run.HasCheckpoint()) return std::nullopt;
-  FitCheckpoint checkpoint = run.ReadCheckpoint();
-  if (checkpoint.theta.size() == free.size()) return checkpoint;
-  throw InputError((run.path() / "checkpoint.json").string(),
-                   fmt::format("has {} free entries, the fit {}; was the recording changed since?",
-                               checkpoint.theta.size(), free.size()));
-}
-
 }  // namespace
 
 void CheckSimulable(const Scene& scene) {
@@ -111,6 +98,7 @@ void CheckSimulable(const Scene& scene) {
     targets.push_back({handle.on_cloth, handle.path.At(0.0)});
   }
   HandleConstraints{targets};
+  CheckAffordable(scene, WorkOfSimulation(scene));
 }
 
 void CheckContact(const Scene& scene, const FitConfig& config) {
@@ -143,8 +131,9 @@ std::string DescribeContact(const Scene& scene, const FitConfig& config, const S
                             steps.intersections);
 }
 
-void CheckFittable(const Scene& scene) {
+void CheckFittable(const Scene& scene, const FitConfig& config) {
   CheckSimulable(scene);
+  CheckAffordable(scene, WorkOfFit(scene, config));
   if (scene.silhouettes) CheckSilhouettesOfStart(scene);
   const bool any_marker =
       std::any_of(scene.markers.begin(), scene.markers.end(),
@@ -173,17 +162,21 @@ std::vector<std::string> HandlesUnknownInHeldOutFrames(const Scene& scene) {
 FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
                      const FitCallbacks& callbacks, bool resume) {
   const FreeParameters free(config, scene, MakeParameterTable());
-  const std::optional<FitCheckpoint> checkpoint =
-      resume ? ReadFittingCheckpoint(run, free) : std::nullopt;
   if (resume) {
-    run.AppendLog(checkpoint ? "resumed from the checkpoint" : "resumed from the beginning");
+    const bool goes_on = run.HasCheckpoint();
+    run.AppendLog(goes_on ? "resumed from the checkpoint" : "resumed from the beginning");
+    run.RemoveProgress();
+  } else {
+    run.RemoveCheckpoint();
   }
   run.WriteConfig(config);
+  EvaluationJournal journal = run.OpenCheckpoint();
 
   FitConfig unchecked = config;
   unchecked.check_intersections = false;  // only the result is worth it
-  FitResult result =
-      FitByStrategy(scene, unchecked, WithRun(callbacks, run), checkpoint ? &*checkpoint : nullptr);
+  FitCallbacks with_run = WithRun(callbacks, run);
+  with_run.journal = &journal;
+  FitResult result = FitByStrategy(scene, unchecked, with_run);
 
   run.WriteParameters(result);
   StepReport steps;

@@ -19,8 +19,9 @@ void CheckSimulable(const Scene& scene);
 // Simulation::CheckStart.
 void CheckContact(const Scene& scene, const FitConfig& config);
 
-// As CheckSimulable(), and where the scene has nothing that a fit could go by.
-void CheckFittable(const Scene& scene);
+// As CheckSimulable(), where the scene has nothing that a fit could go by, and where a fit takes
+// more memory than there is.
+void CheckFittable(const Scene& scene, const FitConfig& config);
 
 // Names of the handles whose paths are not known and, in held-out frames after the fitted ones, are
 // not found either: what is predicted there says nothing.

@@ -20,13 +20,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kLog = "log.txt";
-constexpr const char* kCheckpoint = "checkpoint.json";
+constexpr const char* kCheckpoint = "checkpoint.bin";
 constexpr const char* kSummary = "summary.json";
 constexpr const char* kProgress = "progress.csv";
 
 // An interrupted run has a checkpoint, or had no time for one.
 bool IsFinished(const fs::path& folder) {
-  if (fs::exists(folder / kCheckpoint) || !fs::exists(folder / kSummary)) return false;
+  if (IsThere(folder / kCheckpoint) || !IsThere(folder / kSummary)) return false;
   const nlohmann::json summary = nlohmann::json::parse(ReadTextFile(folder / kSummary), nullptr,
                                                        false);  // discarded where it is damaged
   return !summary.is_object() || summary.value("status", "") != ToString(FitStatus::kInterrupted);
@@ -68,7 +68,7 @@ void RunFolder::AppendLog(const std::string& line) const { AppendLine(path_ / kL
 
 void RunFolder::AppendProgress(const FitProgress& progress, double seconds) const {
   const fs::path file = path_ / kProgress;
-  if (!fs::exists(file)) AppendLine(file, "stage,iteration,cost,simulated_frames,seconds");
+  if (!IsThere(file)) AppendLine(file, "stage,iteration,cost,simulated_frames,seconds");
   std::string stage = progress.stage;
   std::replace(stage.begin(), stage.end(), ',', ';');
   AppendLine(file, fmt::format("{},{},{},{},{:.3f}", stage, progress.iteration,
@@ -78,9 +78,14 @@ void RunFolder::AppendProgress(const FitProgress& progress, double seconds) cons
 
 void RunFolder::RemoveCheckpoint() const {
   std::error_code ignored;  // one that stays behind does no harm
-  fs::remove(path_ / kCheckpoint, ignored);
+  fs::remove(CheckpointFile(), ignored);
 }
 
-bool RunFolder::HasCheckpoint() const { return fs::exists(path_ / kCheckpoint); }
+void RunFolder::RemoveProgress() const {
+  std::error_code ignored;
+  fs::remove(path_ / kProgress, ignored);
+}
+
+bool RunFolder::HasCheckpoint() const { return IsThere(CheckpointFile()); }
 
 }  // namespace clothfit

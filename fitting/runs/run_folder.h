@@ -3,7 +3,7 @@
 //
 // A run is a folder of clothfit's (tracking/files/output_folder.h): config.yaml, parameters.yaml,
 // summary.json, trajectory.npy, mesh.obj, residuals.csv, log.txt, progress.csv and, while a fit is
-// under way, checkpoint.json.
+// under way, checkpoint.bin.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "fitting/files/evaluation_journal.h"
 #include "fitting/fit/fit.h"
 #include "tracking/files/output_folder.h"
 
@@ -32,7 +33,6 @@ class RunFolder {
   // Each file is written beside its place and moved there, so that it is whole or not there. Throws
   // InputError where the disk is full or the folder not writable.
   void WriteConfig(const FitConfig& config) const;
-  void WriteCheckpoint(const FitCheckpoint& checkpoint) const;
   void WriteParameters(const FitResult& result) const;
   void WriteSummary(const Scene& scene, const FitConfig& config, const FitResult& result) const;
   // trajectory.npy (float64, frames x particles x 3, m, world), mesh.obj (vt in metres) and
@@ -43,10 +43,14 @@ class RunFolder {
   void AppendLog(const std::string& line) const;
   // progress.csv: a row an iteration. `seconds`: since the fit began.
   void AppendProgress(const FitProgress& progress, double seconds) const;
-  void RemoveCheckpoint() const;
+  // Of a fit that is done again from its checkpoint and tells all of it once more.
+  void RemoveProgress() const;
 
+  // checkpoint.bin: what the fit has evaluated.
   bool HasCheckpoint() const;
-  FitCheckpoint ReadCheckpoint() const;
+  EvaluationJournal OpenCheckpoint() const { return EvaluationJournal(CheckpointFile()); }
+  void RemoveCheckpoint() const;
+  std::filesystem::path CheckpointFile() const { return path_ / "checkpoint.bin"; }
   std::filesystem::path ConfigFile() const { return path_ / "config.yaml"; }
   // The free vector of a run's parameters.yaml, in the order of `free`.
   Eigen::VectorXd ReadParameters(const FreeParameters& free) const;

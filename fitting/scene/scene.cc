@@ -72,7 +72,18 @@ void AddHandles(const Recording& recording, const FitConfig& config, Scene* scen
   const std::vector<SurfacePoint> points = LocateOnCloth(scene->mesh, uv);
   const double spacings = scene->FrameTime(recording.frame_count - 1) / config.spline_spacing;
   // One stretch at least, that of a single frame; a stretch takes four control points.
-  const int controls = std::max(1, static_cast<int>(std::ceil(spacings))) + 3;
+  const double wanted = std::max(1.0, std::ceil(spacings)) + 3.0;
+  // Each has three unknowns, and a fit keeps some matrices of unknowns squared, of 300 MB each.
+  constexpr double kMostControls = 2000.0;
+  const auto unknown = std::count_if(recording.handles.begin(), recording.handles.end(),
+                                     [](const HandleDescription& h) { return !h.path; });
+  if (static_cast<double>(unknown) * wanted > kMostControls) {
+    throw InputError((recording.path / "recording.yaml").string(),
+                     "the unknown paths of " + std::to_string(unknown) +
+                         " handles take more than 2000 control points; raise "
+                         "handle_paths.spline_spacing, or lower frame_count");
+  }
+  const int controls = unknown > 0 ? static_cast<int>(wanted) : 4;
   for (std::size_t h = 0; h < points.size(); ++h) {
     const HandleDescription& handle = recording.handles[h];
     const bool known = handle.path && std::any_of(handle.path->begin(), handle.path->end(),
@@ -210,8 +221,14 @@ Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene
     scene.world.obstacles.push_back(
         std::make_shared<Obstacle>(MakeObstacle(obstacle, recording.frame_rate)));
   }
-  scene.steps_per_frame = std::max(
-      1, static_cast<int>(std::ceil(1.0 / (recording.frame_rate * config.max_step) - 1e-9)));
+  const double steps = std::ceil(1.0 / (recording.frame_rate * config.max_step) - 1e-9);
+  constexpr double kMostSteps = 1e6;  // of a frame: minutes
+  if (steps > kMostSteps) {
+    throw InputError("simulation.max_step",
+                     "a frame takes more than a million steps; raise it, or "
+                     "frame_rate of the recording");
+  }
+  scene.steps_per_frame = std::max(1, static_cast<int>(steps));
   scene.step = 1.0 / (recording.frame_rate * scene.steps_per_frame);
   scene.marker_sigma = recording.noise.marker.value_or(kDefaultMarkerSigma);
   scene.track_sigma = recording.noise.track.value_or(kDefaultTrackSigma);

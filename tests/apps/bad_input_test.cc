@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include "tests/apps/command.h"
 #include "tests/support/small_recording.h"
@@ -198,6 +199,80 @@ TEST_F(BadInput, FullStandardOutput) {
   });
   EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.err, HasSubstr("standard output: cannot be written"));
+}
+
+// What broke commands once, or would have.
+TEST_F(BadInput, SizesBeyondReason) {
+  const auto refuses = [&](const std::string& from, const std::string& to,
+                           const std::string& because) {
+    WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
+    std::string text = ReadTextFile(path() / "rec" / "recording.yaml");
+    const std::size_t at = text.find(from + ": ");
+    ASSERT_NE(at, std::string::npos) << from;
+    const std::size_t end = text.find('\n', at);
+    folder_.Write("rec/recording.yaml", text.replace(at, end - at, from + ": " + to));
+    const CommandResult result = RunCommand({"check", "rec"}, path());
+    EXPECT_THAT(BadInputLine(result), HasSubstr(because)) << to;
+    EXPECT_LT(result.most_memory, 1e9) << to;
+  };
+  refuses("resolution", "[100000, 100000]", "cloth.resolution: expected 2 to 1000 particles");
+  refuses("frame_count", "10000000", "frame_count: expected 1..1000000, found 10000000");
+  refuses("frame_rate", "1e-320", "frame_rate: expected 0.01 to 100000, found 1e-320");
+  refuses("gravity", "[0, 0, -1e308]", "gravity: expected at most 1000 m/s^2");
+  refuses("size", "[0.4, 1e10]", "cloth.size[1]: expected 0.0001 to 1000");
+  refuses("name", "\"a\\x1b[2J\"", "name: 'a\\x1b[2J'; expected UTF-8 without control characters");
+  refuses("name", "\"a\\u202eb\"", "a\\u202eb");
+}
+
+TEST_F(BadInput, WarnsOfSizesThatMayBeMeant) {
+  recording_.cloth.size = {0.4, 40.0};
+  WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
+  const CommandResult result = RunCommand({"check", "rec"}, path());
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("clothfit: warning: the cloth is 0.4 x 40 m; is that meant?"));
+}
+
+TEST_F(BadInput, FilesThatAreNone) {
+  const fs::path markers = path() / "rec" / "markers.csv";
+  const auto line = [&] { return BadInputLine(RunCommand({"check", "rec"}, path())); };
+  fs::remove(markers);
+  ASSERT_EQ(mkfifo(markers.c_str(), 0600), 0);
+  EXPECT_THAT(line(), HasSubstr("markers.csv: is a pipe; expected a file"));
+  fs::remove(markers);
+  fs::create_symlink("markers.csv", markers);
+  EXPECT_THAT(line(), HasSubstr("markers.csv: cannot be read: Too many levels of symbolic links"));
+  fs::remove(markers);
+  fs::create_symlink("/etc/passwd", markers);
+  EXPECT_THAT(line(), HasSubstr("leads to /etc/passwd; expected a file inside the recording"));
+  fs::remove(markers);
+  fs::create_symlink("loop", path() / "loop");
+  EXPECT_THAT(BadInputLine(RunCommand({"check", "loop/rec"}, path())),
+              HasSubstr("Too many levels of symbolic links"));
+}
+
+TEST_F(BadInput, LinesThatSteerATerminal) {
+  Replace("rec/markers.csv", "\n1,", "\n\x1b[2J" + std::string(2'000'000, 'x') + ",");
+  const std::string line = FitLine();
+  EXPECT_THAT(line, HasSubstr("'\\x1b[2Jxxx"));
+  EXPECT_LT(line.size(), 500u);
+}
+
+TEST_F(BadInput, CalibrationsNestedTooDeep) {
+  std::string deep, list = "%YAML:1.0\n---\nK: ", items = list, maps = list;
+  for (int i = 0; i < 100'000; ++i) {
+    deep += "<a>";
+    list += "{a: ";
+    items += "- ";
+    maps += "a: ";
+  }
+  folder_.Write("deep.xml", "<?xml version=\"1.0\"?>\n<opencv_storage>" + deep);
+  folder_.Write("deep.yml", list);
+  folder_.Write("items.yml", items + "1\n");
+  folder_.Write("maps.yml", maps + "1\n");
+  for (const char* file : {"deep.xml", "deep.yml", "items.yml", "maps.yml"}) {
+    EXPECT_THAT(BadInputLine(RunCommand({"import", "opencv", file, "-o", "out"}, path())),
+                HasSubstr("is nested too deep"));
+  }
 }
 
 }  // namespace

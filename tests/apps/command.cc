@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -27,11 +29,15 @@ void RedirectTo(const fs::path& file, int descriptor) {
 
 RunningCommand::RunningCommand(const std::vector<std::string>& arguments, const fs::path& folder,
                                const std::function<void()>& before_start) {
-  std::vector<std::string> words = {CLOTHFIT_COMMAND};
+  // Another program than the one of this build may be tried.
+  const char* const other = std::getenv("CLOTHFIT_COMMAND");
+  std::vector<std::string> words = {other != nullptr ? other : CLOTHFIT_COMMAND};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  // There from the beginning, however early the process is ended.
+  for (const char* name : {"out", "err"}) std::ofstream(output_.path() / name).flush();
   process_ = fork();
   if (process_ < 0) throw std::runtime_error("no new process");
   if (process_ > 0) return;
@@ -47,15 +53,17 @@ RunningCommand::RunningCommand(const std::vector<std::string>& arguments, const 
 void RunningCommand::Signal(int signal) const { kill(process_, signal); }
 
 bool RunningCommand::HasEnded() {
-  if (!has_ended_) has_ended_ = waitpid(process_, &wait_status_, WNOHANG) == process_;
+  if (!has_ended_) has_ended_ = wait4(process_, &wait_status_, WNOHANG, &usage_) == process_;
   return has_ended_;
 }
 
 CommandResult RunningCommand::Wait() {
-  if (!has_ended_) waitpid(process_, &wait_status_, 0);
+  if (!has_ended_) wait4(process_, &wait_status_, 0, &usage_);
   has_ended_ = true;
   const int status = WIFEXITED(wait_status_) ? WEXITSTATUS(wait_status_) : -WTERMSIG(wait_status_);
-  return {status, ReadTextFile(output_.path() / "out"), ReadTextFile(output_.path() / "err")};
+  constexpr double kKilobyte = 1024.0;
+  return {status, ReadTextFile(output_.path() / "out"), ReadTextFile(output_.path() / "err"),
+          kKilobyte * static_cast<double>(usage_.ru_maxrss)};
 }
 
 CommandResult RunCommand(const std::vector<std::string>& arguments, const fs::path& folder,

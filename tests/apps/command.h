@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include "tests/support/test_folder.h"
@@ -18,6 +19,7 @@ namespace clothfit {
 struct CommandResult {
   int status = -1;  // exit status; -signal where a signal ended it
   std::string out, err;
+  double most_memory = 0.0;  // bytes at any moment
 };
 
 // A command under way. Its working folder is `folder`.
@@ -33,6 +35,7 @@ class RunningCommand {
   TestFolder output_;
   pid_t process_ = -1;
   int wait_status_ = 0;
+  rusage usage_ = {};
   bool has_ended_ = false;
 };
 

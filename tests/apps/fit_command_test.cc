@@ -101,7 +101,7 @@ TEST_F(FitCommand, WritesACompleteRun) {
                            "mesh.obj", "residuals.csv", "log.txt"}) {
     EXPECT_TRUE(fs::exists(path() / "run" / name)) << name;
   }
-  EXPECT_FALSE(fs::exists(path() / "run" / "checkpoint.json"));  // nothing is left to do
+  EXPECT_FALSE(fs::exists(path() / "run" / "checkpoint.bin"));  // nothing is left to do
   for (const fs::directory_entry& entry : fs::directory_iterator(path() / "run")) {
     EXPECT_NE(entry.path().extension(), ".part");
   }
@@ -142,9 +142,15 @@ TEST_F(FitCommand, NeverOverwritesWithoutForceNorWhatIsNoRun) {
 TEST_F(FitCommand, WarnsWhenIterationsRunOut) {
   const CommandResult result = Fit("short", {"--max-iterations", "1"});
   EXPECT_EQ(result.status, 0);
-  EXPECT_THAT(result.err, HasSubstr("warning: not converged; 'clothfit fit --resume -o short'"));
+  EXPECT_THAT(result.err, HasSubstr("warning: not converged; 'clothfit fit --resume -o short "));
   EXPECT_EQ(Summary("short").at("status"), "not converged");
-  EXPECT_EQ(RunCommand({"fit", "--resume", "-o", "short", "--quiet"}, path()).status, 0);
+  // With more of them it becomes the fit that was given as many from the start on.
+  const CommandResult more =
+      RunCommand({"fit", "--resume", "-o", "short", "--quiet", "--max-iterations", "3"}, path());
+  ASSERT_EQ(more.status, 0) << more.err;
+  ASSERT_EQ(Fit("three", {"--max-iterations", "3"}).status, 0);
+  for (const char* file : {"parameters.yaml", "trajectory.npy", "residuals.csv"})
+    EXPECT_EQ(ReadTextFile(path() / "short" / file), ReadTextFile(path() / "three" / file)) << file;
 }
 
 TEST_F(FitCommand, FindsTheRunsFolderByTheRecordingsName) {

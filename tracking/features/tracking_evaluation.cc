@@ -9,6 +9,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "autodiff_sim/base/input_file.h"
+
 namespace clothfit {
 namespace {
 
@@ -39,7 +41,8 @@ void CompareMasks(const Recording& recording, const fs::path& masks,
       const std::string name = fmt::format("{:06d}.png", frame);
       const fs::path true_file = recording.path / "truth" / "masks" / camera.name / name;
       const fs::path found_file = masks / camera.name / name;
-      if (!fs::exists(true_file) || !fs::exists(found_file)) continue;
+      if (!IsThere(true_file) || !IsThere(found_file)) continue;
+      for (const fs::path& file : {true_file, found_file}) CheckInputFile(file);
       const cv::Mat is = cv::imread(true_file.string(), cv::IMREAD_GRAYSCALE) > 127;
       const cv::Mat found = cv::imread(found_file.string(), cv::IMREAD_GRAYSCALE) > 127;
       if (is.empty() || is.size() != found.size()) continue;

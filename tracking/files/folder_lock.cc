@@ -20,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 int Open(const fs::path& file) {
-  const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+  const int descriptor =
+      open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
   if (descriptor >= 0) return descriptor;
   throw InputError(file.parent_path().string(),
                    "cannot be written: " + std::generic_category().message(errno));

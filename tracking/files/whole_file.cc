@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "autodiff_sim/base/error.h"
@@ -30,8 +31,13 @@ class OpenFile {
   // `place`: what an error names.
   OpenFile(const fs::path& path, int flags, fs::path place) : place_(std::move(place)) {
     descriptor_ =
-        open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | flags, kEveryoneByMask);
+        open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | flags,
+             kEveryoneByMask);  // a pipe would wait for a reader
     if (descriptor_ < 0) Fail(place_, errno);
+    struct stat status = {};
+    if (fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) return;
+    close(descriptor_);
+    throw InputError(place_.string(), "cannot be written: is no file");
   }
   ~OpenFile() {
     if (descriptor_ >= 0) close(descriptor_);
@@ -137,8 +143,12 @@ bool WriteNewFile(const fs::path& file, std::string_view contents) {
 }
 
 void AppendLine(const fs::path& file, std::string_view line) {
+  Append(file, std::string(line) + "\n");
+}
+
+void Append(const fs::path& file, std::string_view bytes) {
   OpenFile open_file(file, O_APPEND, file);
-  open_file.Write(std::string(line) + "\n");
+  open_file.Write(bytes);
   open_file.Close(false);
 }
 

@@ -47,7 +47,9 @@ void WriteWholeFile(const std::filesystem::path& file, std::string_view contents
 // As WriteWholeFile; false, and nothing done, where the file exists.
 bool WriteNewFile(const std::filesystem::path& file, std::string_view contents);
 
-// Appends a line, not through a link. Throws InputError with the system's reason.
+// Appends, in one piece unless the disk is full, not through a link. Throws InputError with the
+// system's reason.
 void AppendLine(const std::filesystem::path& file, std::string_view line);
+void Append(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace clothfit

@@ -12,6 +12,8 @@
 #include <opencv2/core.hpp>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
+#include "tracking/import/opencv_nesting.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -35,9 +37,11 @@ struct Value {
 class Calibration {
  public:
   explicit Calibration(const fs::path& file) : file_(file) {
-    if (!fs::is_regular_file(file)) throw InputError(file.string(), "no such file");
+    constexpr std::size_t kMostBytes = 16 << 20;  // of one camera, with every view of a board
+    const std::string text = ReadInputFile(file, kMostBytes);
+    if (!IsShallow(text)) throw InputError(file.string(), "is nested too deep for a calibration");
     try {
-      storage_.open(file.string(), cv::FileStorage::READ);
+      storage_.open(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     } catch (const std::exception&) {
       throw InputError(file.string(), "cannot be read by OpenCV's FileStorage");
     }
@@ -74,6 +78,10 @@ class Calibration {
   static std::vector<double> NumbersIn(const cv::FileNode& node, const std::string& place) {
     std::vector<double> numbers;
     if (node.isMap()) {
+      constexpr int kMostNumbers = 1000;  // OpenCV makes room for what rows and cols say
+      const int rows = static_cast<int>(node["rows"]), columns = static_cast<int>(node["cols"]);
+      if (rows < 1 || columns < 1 || rows > kMostNumbers / columns)
+        throw InputError(place, fmt::format("expected a matrix, found {} x {}", rows, columns));
       cv::Mat matrix;
       node >> matrix;
       matrix.reshape(1).convertTo(matrix, CV_64F);

@@ -14,6 +14,8 @@
 #include "autodiff_sim/base/error.h"
 #include "tracking/camera/camera_file.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/recording/images.h"
+#include "tracking/recording/limits.h"
 #include "tracking/text/text.h"
 #include "tracking/text/yaml_reader.h"
 
@@ -128,14 +130,14 @@ ImportedVideos InspectAll(const std::vector<NamedVideo>& videos, const OutputFol
   const fs::path& folder = output.path();
   const fs::path cameras_file = folder / "cameras.yaml";
   std::vector<Camera> cameras;
-  if (fs::exists(cameras_file)) cameras = ReadCameras(cameras_file);
+  if (IsThere(cameras_file)) cameras = ReadCameras(cameras_file);
   for (size_t i = 0; i < videos.size(); ++i) {
     const NamedVideo& video = videos[i];
     CheckName(video);
+    const VideoFacts facts = InspectVideo(video.file);
     for (const fs::path& there : VideosThere(folder, video.camera)) {
       if (!IsSameVideo(there, video.file)) output.CheckMayWrite(PlaceOf(there));
     }
-    const VideoFacts facts = InspectVideo(video.file);
     if (fs::exists(cameras_file)) CheckCamera(video, facts, cameras);
     for (size_t j = 0; j < i; ++j) {
       if (videos[j].camera != video.camera) continue;
@@ -163,13 +165,16 @@ ImportedVideos InspectAll(const std::vector<NamedVideo>& videos, const OutputFol
 }  // namespace
 
 VideoFacts InspectVideo(const fs::path& file) {
-  if (!fs::is_regular_file(file)) throw InputError(file.string(), "no such file");
-  cv::VideoCapture video(file.string(), cv::CAP_FFMPEG);
-  if (!video.isOpened()) video.open(file.string(), cv::CAP_OPENCV_MJPEG);
+  cv::VideoCapture video = OpenVideo(file);
   cv::Mat picture;
-  if (!video.isOpened() || !video.read(picture) || picture.empty()) {
-    throw InputError(file.string(), "cannot be read as a video");
+  bool is_read =
+      IsPictureSize(video.get(cv::CAP_PROP_FRAME_WIDTH), video.get(cv::CAP_PROP_FRAME_HEIGHT));
+  try {
+    is_read = is_read && video.read(picture);
+  } catch (const cv::Exception&) {
+    is_read = false;
   }
+  if (!is_read || picture.empty()) throw InputError(file.string(), "cannot be read as a video");
   VideoFacts facts;
   facts.width = picture.cols;
   facts.height = picture.rows;

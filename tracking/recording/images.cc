@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/recording/images.h"
 
+#include <array>
 #include <cmath>
 #include <fstream>
-#include <string_view>
+#include <string>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -13,7 +14,10 @@
 #include <opencv2/videoio.hpp>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
+#include "autodiff_sim/base/parallel.h"
 #include "tracking/recording/mask_correction.h"
+#include "tracking/recording/picture_bytes.h"
 
 namespace clothfit {
 namespace {
@@ -30,39 +34,36 @@ const CameraFiles* FilesOf(const Recording& recording, int camera) {
   return &recording.files.at(static_cast<size_t>(camera));
 }
 
-void CheckSize(const cv::Mat& picture, const Camera& camera, const fs::path& file) {
-  if (picture.cols == camera.width && picture.rows == camera.height) return;
+constexpr const char* kNoPicture = "cannot be read as a PNG; it is damaged, cut off or none";
+
+void CheckSize(int width, int height, const Camera& camera, const fs::path& file) {
+  if (width == camera.width && height == camera.height) return;
   throw InputError(file.string(),
                    fmt::format("expected {} x {} px as in cameras.yaml, found {} x {}",
-                               camera.width, camera.height, picture.cols, picture.rows));
+                               camera.width, camera.height, width, height));
 }
 
-// Whether a PNG lacks its last chunk. The library underneath would say so in a line of its own.
-bool IsCutOff(const fs::path& file) {
-  constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
-  if (file.extension() != ".png") return false;
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  const std::streamoff size = stream.tellg();
-  if (!stream || size < static_cast<std::streamoff>(kEnd.size())) return true;
-  std::string last(kEnd.size(), ' ');
-  stream.seekg(size - static_cast<std::streamoff>(kEnd.size()));
-  stream.read(last.data(), static_cast<std::streamsize>(last.size()));
-  return last != kEnd;
+// The bytes of a PNG of the camera's size.
+std::string ReadPng(const fs::path& file, const Camera& camera) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 30;  // of the largest camera, uncompressed
+  std::string bytes = ReadInputFile(file, kMostBytes);
+  const std::optional<std::array<int, 2>> size = SizeOfPng(bytes);
+  if (!size) throw InputError(file.string(), kNoPicture);
+  CheckSize((*size)[0], (*size)[1], camera, file);
+  return bytes;
 }
 
 cv::Mat LoadPicture(const fs::path& file, int flags, const Camera& camera) {
-  if (fs::exists(file) && IsCutOff(file))
-    throw InputError(file.string(), "cannot be read as a picture; it is damaged, cut off or none");
+  const std::string bytes = ReadPng(file, camera);
   cv::Mat picture;
   try {
-    picture = cv::imread(file.string(), flags | cv::IMREAD_IGNORE_ORIENTATION);
+    picture = cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8U,
+                                   const_cast<char*>(bytes.data())),  // only read
+                           flags | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception& error) {
     throw InputError(file.string(), "cannot be read as a picture (" + error.err + ")");
   }
-  if (picture.empty()) {
-    throw InputError(file.string(), "cannot be read as a picture; it is damaged, cut off or none");
-  }
-  CheckSize(picture, camera, file);
+  if (picture.empty()) throw InputError(file.string(), kNoPicture);
   return picture;
 }
 
@@ -81,6 +82,38 @@ cv::Mat ReadMask(const fs::path& file, const Camera& camera) {
 }
 
 }  // namespace
+
+cv::VideoCapture OpenVideo(const fs::path& file) {
+  CheckInputFile(file, std::size_t{1} << 40);  // beyond any disk's: it is not read whole
+  std::array<char, 512> begin{};
+  std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
+  cv::VideoCapture video;
+  if (IsVideoContainer({begin.data(), begin.size()})) {
+    try {
+      // Not just any backend: some look for cameras on the bus and complain on the terminal.
+      if (!video.open(file.string(), cv::CAP_FFMPEG))
+        video.open(file.string(), cv::CAP_OPENCV_MJPEG);
+    } catch (const cv::Exception&) {  // as one that is not open
+    }
+  }
+  if (!video.isOpened()) throw InputError(file.string(), "cannot be read as a video");
+  return video;
+}
+
+void CheckPictures(const Recording& recording) {
+  const int cameras = static_cast<int>(recording.files.size());
+  ParallelFor(cameras, 0, [&](int camera, int /*worker*/) {
+    const CameraFiles& files = recording.files[static_cast<size_t>(camera)];
+    const Camera& of_camera = CameraAt(recording, camera);
+    if (files.background) ReadPng(*files.background, of_camera);
+    for (const auto& [frame, file] : files.images) ReadPng(file, of_camera);
+    for (const auto& [frame, file] : files.masks) ReadMask(file, of_camera);
+    if (!files.images.empty() || !files.video) return;
+    ImageReader reader(recording, camera);
+    for (int frame = 0; frame < recording.frame_count; ++frame)
+      if (reader.Load(frame).empty()) break;
+  });
+}
 
 cv::Mat LoadImage(const Recording& recording, int camera, int frame) {
   return ImageReader(recording, camera).Load(frame);
@@ -134,12 +167,11 @@ cv::Mat ImageReader::LoadFromVideo(int frame) {
   const fs::path& file = *FilesOf(recording_, camera_)->video;
   // Seeking is inexact in many containers, so going back means starting anew.
   if (video_ == nullptr || frame < next_frame_) {
-    // Not just any backend: some look for cameras on the bus and complain on the terminal.
-    video_ = std::make_unique<cv::VideoCapture>(file.string(), cv::CAP_FFMPEG);
-    if (!video_->isOpened()) video_->open(file.string(), cv::CAP_OPENCV_MJPEG);
+    video_ = std::make_unique<cv::VideoCapture>(OpenVideo(file));
+    CheckSize(cvRound(video_->get(cv::CAP_PROP_FRAME_WIDTH)),
+              cvRound(video_->get(cv::CAP_PROP_FRAME_HEIGHT)), CameraAt(recording_, camera_), file);
     next_frame_ = 0;
   }
-  if (!video_->isOpened()) throw InputError(file.string(), "cannot be read as a video");
   const int count = cvRound(video_->get(cv::CAP_PROP_FRAME_COUNT));
   if (count > recording_.frame_count) {
     throw InputError(file.string(), fmt::format("expected at most {} frames as in recording.yaml, "
@@ -150,10 +182,15 @@ cv::Mat ImageReader::LoadFromVideo(int frame) {
   for (; next_frame_ < frame; ++next_frame_) video_->grab();
   cv::Mat picture;
   ++next_frame_;
-  if (!video_->read(picture) || picture.empty()) {
+  bool is_read = false;
+  try {
+    is_read = video_->read(picture);
+  } catch (const cv::Exception&) {  // as one that is not read
+  }
+  if (!is_read || picture.empty()) {
     throw InputError(file.string(), fmt::format("frame {} of {} cannot be read", frame, count));
   }
-  CheckSize(picture, CameraAt(recording_, camera_), file);
+  CheckSize(picture.cols, picture.rows, CameraAt(recording_, camera_), file);
   return picture;
 }
 

@@ -31,6 +31,13 @@ cv::Mat LoadMask(const Recording& recording, int camera, int frame);
 // 8-bit BGR picture of the empty scene.
 cv::Mat LoadBackground(const Recording& recording, int camera);
 
+// Reads all pictures, masks and videos once, as tracking and fits do afterwards. Throws InputError
+// for the first that is damaged or of another size than its camera's.
+void CheckPictures(const Recording& recording);
+
+// Throws InputError unless the file is a video in a container that holds its pictures itself.
+cv::VideoCapture OpenVideo(const std::filesystem::path& file);
+
 // Loads the pictures of one camera and keeps its video open in between. The recording must outlive
 // it. Throws InputError when a video has more frames than the recording.
 class ImageReader {

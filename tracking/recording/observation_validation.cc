@@ -27,7 +27,7 @@ void CheckMarkers(const Recording& recording, const std::vector<int>& lines) {
         PlaceInRecording(recording, "markers.csv", fmt::format("line {}", line));
     CheckFrame(recording, marker.frame, place);
     CheckOnCloth(recording, marker.uv, place);
-    if (!marker.position.allFinite()) throw InputError(place, "expected finite x, y, z");
+    CheckPosition(marker.position, place);
     const auto [first, is_new] = line_of_key.try_emplace({marker.frame, marker.id}, line);
     if (!is_new) {
       throw InputError(place, fmt::format("frame {}, id {} appeared already on line {}",

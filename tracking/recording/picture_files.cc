@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
+#include "autodiff_sim/base/printable.h"
+#include "tracking/recording/inside.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -14,15 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a folder holds, in order of name; nothing when there is no such folder.
-std::vector<fs::path> SortedEntries(const fs::path& folder) {
-  std::vector<fs::path> entries;
-  if (!fs::exists(folder)) return entries;
-  if (!fs::is_directory(folder)) throw InputError(folder.string(), "expected a folder");
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.path().filename().string().front() != '.') entries.push_back(entry.path());
-  }
-  std::sort(entries.begin(), entries.end());
+// What a folder of a recording holds, in order of name; nothing when there is no such folder.
+std::vector<fs::path> SortedEntries(const fs::path& recording_folder, const fs::path& folder) {
+  if (!IsThere(folder)) return {};
+  CheckLinkLiesInside(recording_folder, folder);
+  std::vector<fs::path> entries = ListInputFolder(folder);
+  for (const fs::path& entry : entries) CheckLinkLiesInside(recording_folder, entry);
   return entries;
 }
 
@@ -32,7 +32,7 @@ size_t CameraNamed(const Recording& recording, const std::string& name, const fs
   std::vector<std::string> names;
   for (const Camera& known : recording.cameras) names.push_back(known.name);
   throw InputError(place.string(),
-                   "'" + name + "' is no camera of cameras.yaml; " + Suggestion(name, names));
+                   Quoted(name) + " is no camera of cameras.yaml; " + Suggestion(name, names));
 }
 
 // The frame that a name such as 000042.png stands for.
@@ -55,9 +55,9 @@ int FrameOfFile(const Recording& recording, const fs::path& file) {
 // CAMERA/%06d.png below the folder, by frame.
 void ListFrames(const Recording& recording, const fs::path& folder,
                 std::map<int, fs::path> CameraFiles::*frames, std::vector<CameraFiles>* files) {
-  for (const fs::path& entry : SortedEntries(folder)) {
+  for (const fs::path& entry : SortedEntries(recording.path, folder)) {
     const size_t camera = CameraNamed(recording, entry.filename().string(), entry);
-    for (const fs::path& file : SortedEntries(entry)) {
+    for (const fs::path& file : SortedEntries(recording.path, entry)) {
       ((*files)[camera].*frames)[FrameOfFile(recording, file)] = file;
     }
   }
@@ -66,7 +66,7 @@ void ListFrames(const Recording& recording, const fs::path& folder,
 // CAMERA.anything below the folder.
 void ListSingles(const Recording& recording, const fs::path& folder,
                  std::optional<fs::path> CameraFiles::*single, std::vector<CameraFiles>* files) {
-  for (const fs::path& file : SortedEntries(folder)) {
+  for (const fs::path& file : SortedEntries(recording.path, folder)) {
     std::optional<fs::path>& place =
         (*files)[CameraNamed(recording, file.stem().string(), file)].*single;
     if (place)
@@ -80,7 +80,8 @@ void ListSingles(const Recording& recording, const fs::path& folder,
 std::vector<std::string> PictureFolders(const fs::path& recording_folder) {
   std::vector<std::string> folders;
   for (const char* name : {"images", "videos", "background", "masks"}) {
-    if (!SortedEntries(recording_folder / name).empty()) folders.emplace_back(name);
+    if (!SortedEntries(recording_folder, recording_folder / name).empty())
+      folders.emplace_back(name);
   }
   return folders;
 }

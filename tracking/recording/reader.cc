@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
+#include "autodiff_sim/base/printable.h"
 #include "tracking/camera/camera_file.h"
+#include "tracking/recording/inside.h"
 #include "tracking/recording/picture_files.h"
 #include "tracking/recording/recording.h"
 #include "tracking/recording/tables.h"
@@ -23,10 +26,12 @@ fs::path FileNamed(const YamlValue& value, const Recording& recording) {
   const fs::path relative = fs::path(value.Text()).lexically_normal();
   const bool leaves = relative.is_absolute() || *relative.begin() == "..";
   if (leaves || *relative.begin() == "truth") {
-    value.Fail(fmt::format("'{}' must lie inside the recording and not in truth/", value.Text()));
+    value.Fail(Quoted(value.Text()) + " must lie inside the recording and not in truth/");
   }
   fs::path file = recording.path / relative;
-  if (!fs::is_regular_file(file)) value.Fail(fmt::format("no such file: {}", file.string()));
+  if (!IsThere(file)) value.Fail(fmt::format("no such file: {}", file.string()));
+  CheckLiesInside(recording.path, file);
+  CheckInputFile(file);
   return file;
 }
 
@@ -128,7 +133,7 @@ void ReadDescription(const YamlValue& top, Recording* recording) {
   constexpr const char* kRecordingFormat = "cloth-recording/1";
   const YamlValue format = top.Require("format");
   if (format.Text() != kRecordingFormat) {  // first: another version may well have other keys
-    format.Fail(fmt::format("expected '{}', found '{}'", kRecordingFormat, format.Text()));
+    format.Fail(fmt::format("expected '{}', found {}", kRecordingFormat, Quoted(format.Text())));
   }
   top.AllowKeys({"format", "name", "frame_rate", "frame_count", "gravity", "ground", "cloth",
                  "handles", "obstacles", "noise", "splits"});
@@ -158,8 +163,8 @@ void ReadDescription(const YamlValue& top, Recording* recording) {
 void ReadCamerasAndFiles(Recording* recording) {
   const fs::path file = recording->path / "cameras.yaml";
   std::vector<std::string> needed_by = PictureFolders(recording->path);
-  if (fs::exists(recording->path / "tracks.csv")) needed_by.emplace_back("tracks.csv");
-  if (!fs::exists(file)) {
+  if (IsThere(recording->path / "tracks.csv")) needed_by.emplace_back("tracks.csv");
+  if (!IsThere(file)) {
     if (needed_by.empty()) return;
     throw InputError(file.string(),
                      "no such file; the recording needs it for " + JoinNames(needed_by));
@@ -172,18 +177,21 @@ void ReadCamerasAndFiles(Recording* recording) {
 }  // namespace
 
 Recording ReadRecording(const fs::path& folder) {
-  if (fs::is_regular_file(folder))
+  std::error_code ignored;
+  if (fs::is_regular_file(folder, ignored))
     throw InputError(folder.string(), "is a file; 'clothfit import' makes a recording of it");
-  if (!fs::is_directory(folder)) throw InputError(folder.string(), "no such folder");
+  CheckInputFolder(folder);
+  for (const char* name : {"recording.yaml", "cameras.yaml", "markers.csv", "tracks.csv"})
+    CheckLinkLiesInside(folder, folder / name);
   Recording recording;
   recording.path = folder;
   ReadDescription(YamlValue::Load(folder / "recording.yaml"), &recording);
   ReadCamerasAndFiles(&recording);
   ObservationLines lines;
   const fs::path markers = folder / "markers.csv";
-  if (fs::exists(markers)) recording.markers = ReadMarkers(markers, &lines.markers);
+  if (IsThere(markers)) recording.markers = ReadMarkers(markers, &lines.markers);
   const fs::path tracks = folder / "tracks.csv";
-  if (fs::exists(tracks)) recording.tracks = ReadTracks(tracks, recording, &lines.tracks);
+  if (IsThere(tracks)) recording.tracks = ReadTracks(tracks, recording, &lines.tracks);
   CheckValues(recording, lines);
   CheckHasObservation(recording);
   return recording;

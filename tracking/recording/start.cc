@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "autodiff_sim/base/input_file.h"
 #include "tracking/camera/camera_file.h"
 #include "tracking/recording/picture_files.h"
 #include "tracking/recording/tables.h"
@@ -71,7 +72,7 @@ void WriteCameras(const std::vector<Camera>& cameras, OutputFolder* folder) {
   recording.cameras = cameras;
   CheckCameras(recording);
   ListPictures(recording);
-  if (fs::exists(folder->path() / "tracks.csv")) {
+  if (IsThere(folder->path() / "tracks.csv")) {
     std::vector<int> lines;
     ReadTracks(folder->path() / "tracks.csv", recording, &lines);
   }

@@ -36,11 +36,11 @@ void Flatten(const YamlValue& map, const std::string& prefix,
 }  // namespace
 
 bool HasTruthPoints(const fs::path& recording_folder) {
-  return fs::exists(PointsFile(recording_folder));
+  return IsThere(PointsFile(recording_folder));
 }
 
 bool HasTruthParameters(const fs::path& recording_folder) {
-  return fs::exists(ParametersFile(recording_folder));
+  return IsThere(ParametersFile(recording_folder));
 }
 
 std::vector<TruthPoint> ReadTruthPoints(const fs::path& recording_folder) {

@@ -10,13 +10,15 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
+#include "autodiff_sim/base/printable.h"
+#include "tracking/recording/limits.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
 
-constexpr int kMaxFrameCount = 10'000'000;  // more is a slip of the keyboard
-constexpr double kOnClothSlack = 1e-6;      // m; decimals in the file are rounded
+constexpr double kOnClothSlack = 1e-6;  // m; decimals in the file are rounded
 
 std::string YamlPlace(const Recording& recording, const std::string& key) {
   return PlaceInRecording(recording, "recording.yaml", key);
@@ -26,10 +28,30 @@ void CheckFinite(const Eigen::Vector3d& vector, const std::string& place) {
   if (!vector.allFinite()) throw InputError(place, "expected finite numbers");
 }
 
+void CheckWithin(double value, const Limits& limits, const std::string& place) {
+  if (value >= limits.least && value <= limits.most) return;
+  throw InputError(
+      place, value > 0.0 && std::isfinite(value)
+                 ? fmt::format("expected {} to {}, found {}", limits.least, limits.most, value)
+                 : fmt::format("expected a number above 0, found {}", value));
+}
+
+// What the file may hold of one kind. Paths take memory for every frame, and many may share a file.
+void CheckCount(std::size_t count, const Recording& recording, const std::string& place) {
+  constexpr double kMostPositions = 1e7;  // of all paths together: some 500 MB
+  if (count > static_cast<std::size_t>(kMostThings))
+    throw InputError(place, fmt::format("expected at most {}, found {}", kMostThings, count));
+  if (static_cast<double>(count) * recording.frame_count > kMostPositions)
+    throw InputError(place,
+                     fmt::format("{} of them over {} frames; expected at most {:g} positions "
+                                 "in all",
+                                 count, recording.frame_count, kMostPositions));
+}
+
 void CheckPlacement(const Recording& recording, const FlatPlacement& flat) {
   constexpr double kTolerance =
       1e-3;  // a millimetre a metre; more would stretch or shear the cloth
-  CheckFinite(flat.origin, YamlPlace(recording, "cloth.initial.origin"));
+  CheckPosition(flat.origin, YamlPlace(recording, "cloth.initial.origin"));
   const auto check_unit = [&](const Eigen::Vector3d& axis, const std::string& key) {
     if (std::abs(axis.norm() - 1.0) <= kTolerance) return;
     throw InputError(YamlPlace(recording, key),
@@ -59,7 +81,7 @@ void CheckPlacement(const Recording& recording, const PointPlacement& placement)
     const PlacedPoint& point = points[i];
     const std::string point_place = fmt::format("{}: point {}", place, i + 1);
     CheckOnCloth(recording, point.uv, point_place);
-    CheckFinite(point.position, point_place);
+    CheckPosition(point.position, point_place);
     if (!seen.emplace(point.uv.x(), point.uv.y()).second) {
       throw InputError(point_place,
                        fmt::format("(u, v) = ({}, {}) appears twice", point.uv.x(), point.uv.y()));
@@ -79,21 +101,20 @@ void CheckPlacement(const Recording& recording, const PointPlacement& placement)
 }
 
 void CheckPlacement(const Recording& recording, const MeshPlacement& mesh) {
-  if (std::filesystem::is_regular_file(mesh.file)) return;
+  if (IsThere(mesh.file)) return CheckInputFile(mesh.file);
   throw InputError(YamlPlace(recording, "cloth.mesh"),
                    fmt::format("no such file: {}", mesh.file.string()));
 }
 
 // Names become file names and fields of CSV.
 void CheckName(const std::string& name, std::set<std::string>* seen, const std::string& place) {
+  CheckShown(name, place);
   const bool usable = !name.empty() && name.front() != '.' && TrimBlanks(name) == name &&
-                      std::none_of(name.begin(), name.end(), [](unsigned char c) {
-                        return std::iscntrl(c) != 0 || c == '/' || c == '\\' || c == ',';
-                      });
+                      name.find_first_of("/\\,") == std::string::npos;
   if (!usable) {
-    throw InputError(place, fmt::format("'{}' cannot name a file; expected a name without slashes "
+    throw InputError(place, fmt::format("{} cannot name a file; expected a name without slashes "
                                         "or commas that does not start with a dot",
-                                        name));
+                                        Quoted(name)));
   }
   if (!seen->insert(name).second) throw InputError(place, "'" + name + "' appears twice");
 }
@@ -127,53 +148,72 @@ void CheckOnCloth(const Recording& recording, const Eigen::Vector2d& uv, const s
   }
 }
 
+void CheckPosition(const Eigen::Vector3d& position, const std::string& place) {
+  CheckFinite(position, place);
+  const double farthest = position.cwiseAbs().maxCoeff();
+  if (farthest <= kFarthest) return;
+  throw InputError(place, fmt::format("expected metres, at most {} from the world's origin, found "
+                                      "{}",
+                                      kFarthest, farthest));
+}
+
+void CheckShown(const std::string& name, const std::string& place) {
+  if (name.size() > static_cast<std::size_t>(kLongestName))
+    throw InputError(
+        place, fmt::format("expected at most {} bytes, found {}", kLongestName, Quoted(name)));
+  if (Printable(name) == name) return;
+  throw InputError(place, Quoted(name) +
+                              "; expected UTF-8 without control characters and marks "
+                              "that turn the direction of writing");
+}
+
 void CheckFrame(const Recording& recording, int frame, const std::string& place) {
   if (frame >= 0 && frame < recording.frame_count) return;
   throw InputError(place,
                    fmt::format("frame {} is outside 0..{}", frame, recording.frame_count - 1));
 }
 
-void CheckPositive(double value, const std::string& place) {
-  if (std::isfinite(value) && value > 0.0) return;
-  throw InputError(place, fmt::format("expected a number above 0, found {}", value));
-}
-
 void CheckScene(const Recording& recording) {
-  CheckPositive(recording.frame_rate, YamlPlace(recording, "frame_rate"));
-  if (recording.frame_count < 1 || recording.frame_count > kMaxFrameCount) {
-    throw InputError(
-        YamlPlace(recording, "frame_count"),
-        fmt::format("expected 1..{}, found {}", kMaxFrameCount, recording.frame_count));
+  CheckShown(recording.name, YamlPlace(recording, "name"));
+  CheckWithin(recording.frame_rate, kFrameRate, YamlPlace(recording, "frame_rate"));
+  if (recording.frame_count < 1 || recording.frame_count > kMostFrames) {
+    throw InputError(YamlPlace(recording, "frame_count"),
+                     fmt::format("expected 1..{}, found {}", kMostFrames, recording.frame_count));
   }
   CheckFinite(recording.gravity, YamlPlace(recording, "gravity"));
-  if (recording.ground_height && !std::isfinite(*recording.ground_height)) {
-    throw InputError(YamlPlace(recording, "ground.height"), "expected a finite number");
+  if (const double gravity = recording.gravity.cwiseAbs().maxCoeff(); gravity > kMostGravity) {
+    throw InputError(YamlPlace(recording, "gravity"),
+                     fmt::format("expected at most {} m/s^2, found {}", kMostGravity, gravity));
+  }
+  if (recording.ground_height) {
+    CheckPosition({0.0, 0.0, *recording.ground_height}, YamlPlace(recording, "ground.height"));
   }
 }
 
 void CheckCloth(const Recording& recording) {
   const ClothDescription& cloth = recording.cloth;
-  CheckPositive(cloth.size.x(), YamlPlace(recording, "cloth.size[0]"));
-  CheckPositive(cloth.size.y(), YamlPlace(recording, "cloth.size[1]"));
-  if (cloth.resolution.minCoeff() < 2) {
+  CheckWithin(cloth.size.x(), kSide, YamlPlace(recording, "cloth.size[0]"));
+  CheckWithin(cloth.size.y(), kSide, YamlPlace(recording, "cloth.size[1]"));
+  if (cloth.resolution.minCoeff() < 2 || cloth.resolution.maxCoeff() > kMostResolution) {
     throw InputError(YamlPlace(recording, "cloth.resolution"),
-                     fmt::format("expected at least 2 particles each way, found [{}, {}]",
-                                 cloth.resolution.x(), cloth.resolution.y()));
+                     fmt::format("expected 2 to {} particles each way, found [{}, {}]",
+                                 kMostResolution, cloth.resolution.x(), cloth.resolution.y()));
   }
   if (cloth.areal_density) {
-    CheckPositive(*cloth.areal_density, YamlPlace(recording, "cloth.areal_density"));
+    CheckWithin(*cloth.areal_density, kDensity, YamlPlace(recording, "cloth.areal_density"));
   }
   std::visit([&](const auto& placement) { CheckPlacement(recording, placement); }, cloth.initial);
 }
 
 void CheckHandles(const Recording& recording) {
   std::set<std::string> names;
+  CheckCount(recording.handles.size(), recording, YamlPlace(recording, "handles"));
   for (size_t i = 0; i < recording.handles.size(); ++i) {
     const HandleDescription& handle = recording.handles[i];
     const std::string place = YamlPlace(recording, fmt::format("handles[{}]", i));
     CheckName(handle.name, &names, place + ".name");
     CheckOnCloth(recording, handle.uv, place + ".uv");
-    if (handle.path_sigma) CheckPositive(*handle.path_sigma, place + ".path_sigma");
+    if (handle.path_sigma) CheckWithin(*handle.path_sigma, kSigma, place + ".path_sigma");
     if (handle.released_after) {
       CheckFrame(recording, *handle.released_after, place + ".released_after");
     }
@@ -184,7 +224,7 @@ void CheckHandles(const Recording& recording) {
     }
     bool any_known = false;
     for (const std::optional<Eigen::Vector3d>& position : *handle.path) {
-      if (position) CheckFinite(*position, place + ".path");
+      if (position) CheckPosition(*position, place + ".path");
       any_known = any_known || position.has_value();
     }
     if (!any_known) throw InputError(place + ".path", "expected at least one position");
@@ -193,20 +233,20 @@ void CheckHandles(const Recording& recording) {
 
 void CheckObstacles(const Recording& recording) {
   std::set<std::string> names;
+  CheckCount(recording.obstacles.size(), recording, YamlPlace(recording, "obstacles"));
   for (size_t i = 0; i < recording.obstacles.size(); ++i) {
     const ObstacleDescription& obstacle = recording.obstacles[i];
     const std::string place = YamlPlace(recording, fmt::format("obstacles[{}]", i));
     CheckName(obstacle.name, &names, place + ".name");
     if (const auto* ball = std::get_if<BallShape>(&obstacle.shape)) {
-      CheckPositive(ball->radius, place + ".sphere.radius");
+      CheckWithin(ball->radius, kLength, place + ".sphere.radius");
     } else if (const auto* bar = std::get_if<BarShape>(&obstacle.shape)) {
-      CheckPositive(bar->radius, place + ".capsule.radius");
-      CheckPositive(bar->length, place + ".capsule.length");
+      CheckWithin(bar->radius, kLength, place + ".capsule.radius");
+      CheckWithin(bar->length, kLength, place + ".capsule.length");
     } else if (const auto* box = std::get_if<BoxShape>(&obstacle.shape)) {
       for (int k = 0; k < 3; ++k)
-        CheckPositive(box->size[k], place + fmt::format(".box.size[{}]", k));
-    } else if (const auto& file = std::get<MeshShape>(obstacle.shape).file;
-               !std::filesystem::is_regular_file(file)) {
+        CheckWithin(box->size[k], kLength, place + fmt::format(".box.size[{}]", k));
+    } else if (const auto& file = std::get<MeshShape>(obstacle.shape).file; !IsThere(file)) {
       throw InputError(place + ".mesh", fmt::format("no such file: {}", file.string()));
     }
     const size_t frames = obstacle.path.size();
@@ -215,7 +255,7 @@ void CheckObstacles(const Recording& recording) {
                        fmt::format("expected {} frames, found {}", recording.frame_count, frames));
     }
     for (const ObstacleDescription::Pose& pose : obstacle.path) {
-      CheckFinite(pose.position, place + (frames == 1 ? ".position" : ".path"));
+      CheckPosition(pose.position, place + (frames == 1 ? ".position" : ".path"));
       CheckFinite(pose.rotation, place + (frames == 1 ? ".rotation" : ".path"));
     }
   }
@@ -223,9 +263,12 @@ void CheckObstacles(const Recording& recording) {
 
 void CheckNoiseAndSplits(const Recording& recording) {
   const NoiseSigmas& noise = recording.noise;
-  if (noise.marker) CheckPositive(*noise.marker, YamlPlace(recording, "noise.marker"));
-  if (noise.track) CheckPositive(*noise.track, YamlPlace(recording, "noise.track"));
-  if (noise.silhouette) CheckPositive(*noise.silhouette, YamlPlace(recording, "noise.silhouette"));
+  const auto check_sigma = [&](const std::optional<double>& sigma, const std::string& key) {
+    if (sigma) CheckWithin(*sigma, kSigma, YamlPlace(recording, key));
+  };
+  check_sigma(noise.marker, "noise.marker");
+  check_sigma(noise.track, "noise.track");
+  check_sigma(noise.silhouette, "noise.silhouette");
   if (const std::optional<Splits::FrameRange>& range = recording.splits.held_out_frames) {
     const std::string place = YamlPlace(recording, "splits.held_out_frames");
     CheckFrame(recording, range->first, place);
@@ -240,30 +283,41 @@ void CheckNoiseAndSplits(const Recording& recording) {
   for (const std::string& name : recording.splits.held_out_cameras) {
     if (FindCamera(recording, name)) continue;
     throw InputError(YamlPlace(recording, "splits.held_out_cameras"),
-                     "'" + name + "' is no camera of cameras.yaml; " + Suggestion(name, names));
+                     Quoted(name) + " is no camera of cameras.yaml; " + Suggestion(name, names));
   }
 }
 
 void CheckCameras(const Recording& recording) {
   std::set<std::string> names;
+  if (recording.cameras.size() > static_cast<std::size_t>(kMostThings)) {
+    throw InputError(
+        PlaceInRecording(recording, "cameras.yaml", "cameras"),
+        fmt::format("expected at most {}, found {}", kMostThings, recording.cameras.size()));
+  }
   for (size_t i = 0; i < recording.cameras.size(); ++i) {
     const Camera& camera = recording.cameras[i];
     const std::string place =
         PlaceInRecording(recording, "cameras.yaml", fmt::format("cameras[{}]", i));
     CheckName(camera.name, &names, place + ".name");
-    if (camera.width < 1 || camera.height < 1) {
-      throw InputError(place + ".size",
-                       fmt::format("expected at least 1 px each way, found [{}, {}]", camera.width,
-                                   camera.height));
+    if (!IsPictureSize(camera.width, camera.height)) {
+      throw InputError(
+          place + ".size",
+          fmt::format("expected 1 to {} px each way, {:g} in all, found [{}, {}]", kMostPictureSide,
+                      kMostPicturePixels, camera.width, camera.height));
     }
-    CheckPositive(camera.fx, place + ".K: fx");
-    CheckPositive(camera.fy, place + ".K: fy");
-    const bool finite = std::isfinite(camera.cx) && std::isfinite(camera.cy) &&
-                        std::all_of(camera.distortion.begin(), camera.distortion.end(),
-                                    [](double value) { return std::isfinite(value); });
-    if (!finite) throw InputError(place, "expected finite numbers in K and distortion");
+    CheckWithin(camera.fx, kFocalLength, place + ".K: fx");
+    CheckWithin(camera.fy, kFocalLength, place + ".K: fy");
+    const bool finite =
+        std::isfinite(camera.cx) && std::isfinite(camera.cy) &&
+        std::all_of(camera.distortion.begin(), camera.distortion.end(),
+                    [](double value) { return std::abs(value) <= kMostDistortion; });
+    if (!finite) {
+      throw InputError(place, fmt::format("expected finite numbers in K, and at most {:g} in "
+                                          "distortion",
+                                          kMostDistortion));
+    }
     CheckRotation(camera.camera_from_world_rotation, place + ".R");
-    CheckFinite(camera.camera_from_world_translation, place + ".t");
+    CheckPosition(camera.camera_from_world_translation, place + ".t");
   }
 }
 

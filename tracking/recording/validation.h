@@ -35,7 +35,10 @@ void CheckOnCloth(const Recording& recording, const Eigen::Vector2d& uv, const s
 
 void CheckFrame(const Recording& recording, int frame, const std::string& place);
 
-// Throws unless the value is finite and above zero.
-void CheckPositive(double value, const std::string& place);
+// Throws unless the place (m, world) is finite and within kFarthest.
+void CheckPosition(const Eigen::Vector3d& position, const std::string& place);
+
+// Throws unless the name can be shown as it is, and is short.
+void CheckShown(const std::string& name, const std::string& place);
 
 }  // namespace clothfit

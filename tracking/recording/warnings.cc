@@ -52,6 +52,12 @@ void WarnOfScene(const Recording& recording, std::vector<std::string>* warnings)
     warnings->emplace_back(
         "areal density is not known: stiffness, damping and drag can only be found relative to it");
   }
+  const double longer = recording.cloth.size.maxCoeff(), shorter = recording.cloth.size.minCoeff();
+  constexpr double kMostRatio = 20.0, kLargest = 20.0, kSmallest = 0.02;  // m; of cloth on record
+  if (longer > kMostRatio * shorter || longer > kLargest || longer < kSmallest) {
+    warnings->push_back(fmt::format("the cloth is {} x {} m; is that meant?",
+                                    recording.cloth.size.x(), recording.cloth.size.y()));
+  }
   const double gravity = recording.gravity.norm();
   if (gravity < 9.7 || gravity > 9.9) {  // on Earth: 9.76 to 9.83
     warnings->push_back(fmt::format("gravity is {} m/s^2, not that of the Earth", gravity));
@@ -128,6 +134,15 @@ void WarnOfCameras(const Recording& recording, std::vector<std::string>* warning
       warnings->push_back(fmt::format(
           "camera {}: images but neither masks nor background, so no silhouettes", name));
     }
+  }
+  constexpr double kFarInClothSizes = 1000.0;  // there it would be smaller than a pixel or so
+  for (const Camera& camera : recording.cameras) {
+    const double distance = CameraCentre(camera).norm();
+    if (distance <= kFarInClothSizes * std::max(1.0, recording.cloth.size.maxCoeff())) continue;
+    warnings->push_back(
+        fmt::format("camera {}: stands {:.0f} m from the world's origin; is that "
+                    "meant?",
+                    camera.name, distance));
   }
   if (recording.cameras.size() == 1 && recording.markers.empty()) {
     warnings->emplace_back("a single camera: depth is only weakly known");

@@ -9,6 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "tracking/recording/limits.h"
 #include "tracking/synthetic/recording.h"
 #include "tracking/text/text.h"
 
@@ -46,20 +47,30 @@ void CheckHiddenHandles(const SyntheticOptions& options, const std::string& plac
 double SyntheticOptions::Duration() const { return (frame_count - 1) / frame_rate; }
 
 void SyntheticOptions::Check(const std::string& place) const {
-  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
   const auto not_negative = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  Expect(positive(size.x()) && positive(size.y()), place + ": size", "two lengths above 0 m");
+  const auto within = [](double value, const Limits& limits) {
+    return value >= limits.least && value <= limits.most;
+  };
+  constexpr int kMostPoints = 1000;   // along each side: markers and truth, a million in all
+  constexpr double kMostSteps = 1e7;  // hours, on the smallest of meshes
+  Expect(within(size.x(), kSide) && within(size.y(), kSide), place + ": size",
+         fmt::format("two lengths of {} to {} m", kSide.least, kSide.most));
   Expect(resolution.minCoeff() >= 2 && resolution.maxCoeff() <= 500, place + ": resolution",
          "2 to 500 particles along u and v");
   Expect(refinement >= 1 && refinement <= 16, place + ": refinement", "1 to 16");
   CheckParameters(parameters, place + ": parameters");
-  Expect(positive(frame_rate), place + ": rate", "a frame rate above 0 Hz");
-  Expect(frame_count >= 2, place + ": frames", "2 or more");
-  Expect(steps_per_frame >= 1, place + ": steps", "1 or more a frame");
+  Expect(within(frame_rate, kFrameRate), place + ": rate",
+         fmt::format("a frame rate of {} to {} Hz", kFrameRate.least, kFrameRate.most));
+  Expect(frame_count >= 2 && frame_count <= kMostFrames, place + ": frames",
+         fmt::format("2 to {}", kMostFrames));
+  Expect(steps_per_frame >= 1 && static_cast<double>(steps_per_frame) * frame_count <= kMostSteps,
+         place + ": steps", fmt::format("1 or more a frame, at most {:g} in all", kMostSteps));
   Expect(held_out_share >= 0.0 && held_out_share < 1.0, place + ": held out",
          "a share of the frames from 0 to below 1");
-  Expect(markers.minCoeff() >= 0, place + ": markers", "0 or more along u and v");
-  Expect(num_cameras >= 0, place + ": cameras", "0 or more");
+  Expect(markers.minCoeff() >= 0 && markers.maxCoeff() <= kMostPoints, place + ": markers",
+         fmt::format("0 to {} along u and v", kMostPoints));
+  Expect(num_cameras >= 0 && num_cameras <= kMostThings, place + ": cameras",
+         fmt::format("0 to {}", kMostThings));
   Expect(num_cameras > 0 || !images, place + ": cameras", "1 or more, where there are images");
   if (images) pictures.Check(place);
   Expect(markers.minCoeff() > 0 || num_cameras > 0, place + ": markers",
@@ -68,7 +79,8 @@ void SyntheticOptions::Check(const std::string& place) const {
          "some, where there are neither tracks nor images");
   Expect(not_negative(marker_sigma) && not_negative(track_sigma), place + ": noise",
          "sigmas of 0 or more");
-  Expect(truth_points.minCoeff() >= 2, place + ": truth points", "2 or more along u and v");
+  Expect(truth_points.minCoeff() >= 2 && truth_points.maxCoeff() <= kMostPoints,
+         place + ": truth points", fmt::format("2 to {} along u and v", kMostPoints));
   CheckHiddenHandles(*this, place + ": hidden handles");
 }
 

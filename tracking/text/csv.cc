@@ -5,12 +5,11 @@
 #include <algorithm>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/printable.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
-
-std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 void SplitFields(std::string_view line, std::vector<std::string_view>* fields) {
   fields->clear();

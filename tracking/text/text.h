@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "autodiff_sim/base/input_file.h"
 #include "autodiff_sim/base/names.h"
 
 namespace clothfit {
@@ -24,7 +25,7 @@ std::string FormatNumber(double value);
 
 std::string_view TrimBlanks(std::string_view text);
 
-// Throws InputError when the file cannot be read.
-std::string ReadTextFile(const std::filesystem::path& file);
+// As ReadInputFile.
+inline std::string ReadTextFile(const std::filesystem::path& file) { return ReadInputFile(file); }
 
 }  // namespace clothfit

@@ -7,6 +7,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/printable.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -19,7 +20,9 @@ YamlValue YamlValue::Child(const YAML::Node& node, const std::string& key) const
 }
 
 YamlValue YamlValue::Load(const std::filesystem::path& file) {
-  const std::string text = ReadTextFile(file);
+  // What people write is far shorter; nodes take some hundred times the memory of their text.
+  constexpr std::size_t kMostYamlBytes = 4 << 20;
+  const std::string text = ReadInputFile(file, kMostYamlBytes);
   YAML::Node node;
   try {
     node.reset(YAML::Load(text));
@@ -128,7 +131,7 @@ void YamlValue::Fail(const std::string& problem) const {
 std::string YamlValue::Found() const {
   if (node_->IsMap()) return "a map";
   if (node_->IsSequence()) return "a list of " + std::to_string(node_->size());
-  if (node_->IsScalar()) return "'" + node_->Scalar() + "'";
+  if (node_->IsScalar()) return Quoted(node_->Scalar());
   return "nothing";
 }
 

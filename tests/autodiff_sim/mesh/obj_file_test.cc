@@ -132,7 +132,7 @@ TEST_F(ObjFile, NeedsAFile) {
     ReadObj("/no/such/cloth.obj");
     FAIL() << "nothing was thrown";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::StartsWith("/no/such/cloth.obj: cannot be opened"));
+    EXPECT_THAT(error.what(), ::testing::StartsWith("/no/such/cloth.obj: no such file"));
   }
 }
 

@@ -119,14 +119,14 @@ TEST_F(SilhouetteFitTest, SoftAndHardErrorAgreeOnTheirMinima) {
 
 // A camera that cannot see what its mask shows leaves the fit without any direction to go.
 TEST_F(SilhouetteFitTest, RefusesACameraThatCannotSeeTheStart) {
-  EXPECT_NO_THROW(CheckFittable(scene_));
+  EXPECT_NO_THROW(CheckFittable(scene_, config_));
   const auto problem_with = [&](const Eigen::Vector3d& centre) {
     Scene moved = scene_;
     Camera& camera = moved.recording.cameras[1];
     camera.name = "left";
     camera.camera_from_world_translation = -camera.camera_from_world_rotation * centre;
     try {
-      CheckFittable(moved);
+      CheckFittable(moved, config_);
     } catch (const InputError& error) {
       return std::string(error.what());
     }

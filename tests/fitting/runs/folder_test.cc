@@ -74,7 +74,7 @@ TEST(RunFolder, ResumesWhatIsNotFinished) {
   EXPECT_NO_THROW(RunFolder(place, Existing::kResume));
   folder.Write("run/summary.json", "{\"status\": \"converged\"}");
   EXPECT_THAT(OpenErrorOf(place, Existing::kResume), HasSubstr("the run is finished"));
-  RunFolder::Open(place).WriteCheckpoint({});
+  RunFolder::Open(place).OpenCheckpoint();
   EXPECT_NO_THROW(RunFolder(place, Existing::kResume));
   RunFolder::Open(place).RemoveCheckpoint();
   EXPECT_FALSE(RunFolder::Open(place).HasCheckpoint());
@@ -93,26 +93,6 @@ TEST(RunFolder, IsKnownWithoutAManifest) {
   EXPECT_THAT(InputErrorOf([&] { RunFolder::Open(folder.path() / "diagnosis"); }),
               HasSubstr("is not the folder of a run; expected one that 'clothfit fit' made, found "
                         "a diagnosis"));
-}
-
-TEST(Checkpoint, RoundTripsExactly) {
-  const TestFolder folder;
-  const RunFolder run(folder.path() / "run", Existing::kRefuse);
-  FitCheckpoint checkpoint;
-  checkpoint.next_window = 3;
-  checkpoint.theta.resize(3);
-  checkpoint.theta << 1.0 / 3.0, -1e-300, std::nextafter(1.0, 2.0);
-  run.WriteCheckpoint(checkpoint);
-  const FitCheckpoint again = run.ReadCheckpoint();
-  EXPECT_EQ(again.next_window, 3);
-  EXPECT_EQ(again.theta, checkpoint.theta);
-
-  for (const char* text : {"", "{}", "[1]", "{\"format\": \"clothfit-checkpoint/1\"}",
-                           "{\"format\": \"clothfit-checkpoint/1\", \"next_window\": \"x\"}"}) {
-    folder.Write("run/checkpoint.json", text);
-    EXPECT_THAT(InputErrorOf([&] { run.ReadCheckpoint(); }),
-                HasSubstr("checkpoint.json: damaged; expected a clothfit-checkpoint/1"));
-  }
 }
 
 TEST(Npy, HasTheHeaderAndTheBytesThatNumPyReads) {

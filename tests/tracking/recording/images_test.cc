@@ -74,7 +74,7 @@ TEST(LoadImage, RefusesDamagedFiles) {
     const size_t length = static_cast<size_t>(part * static_cast<double>(whole.size()));
     recording.files[0].images[0] = folder.Write("cut.png", whole.substr(0, length));
     EXPECT_THAT(InputErrorOf([&] { LoadImage(recording, 0, 0); }),
-                HasSubstr("cut.png: cannot be read as a picture"))
+                HasSubstr("cut.png: cannot be read as a PNG"))
         << part;
   }
   recording.files[0].images[0] = folder.Write("whole.png", whole);

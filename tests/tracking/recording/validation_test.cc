@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"ZeroSize", kYaml, "size: [1.4, 1.2]", "size: [1.4, 0]",
                  "recording.yaml: cloth.size[1]: expected a number above 0, found 0"},
         BadInput{"LowResolution", kYaml, "[31, 27]", "[31, 1]",
-                 "recording.yaml: cloth.resolution: expected at least 2 particles each way, found "
+                 "recording.yaml: cloth.resolution: expected 2 to 1000 particles each way, found "
                  "[31, 1]"},
         BadInput{"FractionalResolution", kYaml, "[31, 27]", "[31, 2.5]",
                  "recording.yaml: cloth.resolution[1]: expected an integer, found '2.5'"},
@@ -202,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"Reflection", kCameras, "R: [1, 0, 0, 0, 0, -1", "R: [-1, 0, 0, 0, 0, -1",
                  "cameras.yaml: cameras[0].R: expected a rotation, found a reflection"},
         BadInput{"ZeroSize", kCameras, "size: [64, 48]", "size: [64, 0]",
-                 "cameras.yaml: cameras[0].size: expected at least 1 px each way, found [64, 0]"},
+                 "cameras.yaml: cameras[0].size: expected 1 to 20000 px each way"},
         BadInput{"RepeatedName", kCameras, "name: cam1", "name: cam0",
                  "cameras.yaml: cameras[1].name: 'cam0' appears twice"},
         BadInput{"PicturesOfUnknown", "images/cam7/000000.png", "", "",
@@ -365,7 +365,7 @@ TEST(CheckRecording, FindsWhatCannotComeFromDisk) {
     EXPECT_THAT(InputErrorOf([&] { CheckRecording(bad); }), HasSubstr(expected));
     ++checked;
   };
-  expect_error("expected finite x, y, z", [&](Recording* r) { r->markers[0].position.x() = nan; });
+  expect_error("expected finite numbers", [&](Recording* r) { r->markers[0].position.x() = nan; });
   expect_error("is outside the cloth", [&](Recording* r) { r->markers[0].uv.x() = nan; });
   expect_error("expected finite x, y", [&](Recording* r) { r->tracks[0].pixel.x() = nan; });
   expect_error("there is no camera number 5", [](Recording* r) { r->tracks[0].camera = 5; });
@@ -381,7 +381,7 @@ TEST(CheckRecording, FindsWhatCannotComeFromDisk) {
                [&](Recording* r) { r->cameras[0].camera_from_world_rotation(0, 0) = nan; });
   expect_error("cameras[0].t: expected finite numbers",
                [&](Recording* r) { r->cameras[0].camera_from_world_translation.x() = nan; });
-  expect_error("expected finite numbers in K and distortion",
+  expect_error("expected finite numbers in K, and at most",
                [&](Recording* r) { r->cameras[0].distortion[0] = nan; });
   expect_error("pictures of 1 cameras, but cameras.yaml holds 2",
                [](Recording* r) { r->files.resize(1); });

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/terminal.h"
+
+#include <array>
+#include <csignal>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace clothfit {
+namespace {
+
+std::FILE* terminal = nullptr;
+int aside = -1;  // the end from which to read what others wrote
+
+// Sanitizers report by the standard error, and are not to be kept from it.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+extern "C" void ShowWhatIsAside(int signal) {
+  std::array<char, 4096> bytes;
+  for (ssize_t got = 0; (got = read(aside, bytes.data(), bytes.size())) > 0;) {
+    if (write(fileno(terminal), bytes.data(), static_cast<std::size_t>(got)) < 0) break;
+  }
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+}  // namespace
+
+std::FILE* Terminal() { return terminal != nullptr ? terminal : stderr; }
+
+void TakeTerminal() {
+  std::array<int, 2> ends = {-1, -1};
+  if (kIsSanitized || pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) return;
+  const int own = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  std::FILE* const stream = own >= 0 ? fdopen(own, "w") : nullptr;
+  // The pipe holds 64 kB; what comes once it is full is dropped, since nothing waits for it.
+  if (stream == nullptr || dup2(ends[1], STDERR_FILENO) < 0) {
+    for (const int descriptor : {ends[0], ends[1], own})
+      if (descriptor >= 0) close(descriptor);
+    return;
+  }
+  close(ends[1]);
+  aside = ends[0];
+  terminal = stream;
+  setvbuf(terminal, nullptr, _IOLBF, BUFSIZ);
+  std::signal(SIGABRT, ShowWhatIsAside);
+}
+
+}  // namespace clothfit
