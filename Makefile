@@ -6,14 +6,16 @@
 PRESET ?= release
 # Compilers at once. One takes up to 2 GB of memory.
 JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
+SUITE ?= bookworm
 BUILD := build/$(PRESET)
 
 # The tests and the fit run threads of their own; those of the BLAS would only get in their way.
 export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo portable test test-deep build bench format format-check tidy clean packages configure \
-        report-assets
+.PHONY: help demo install uninstall deb test test-deb test-deep build bench format format-check tidy clean \
+        packages test-packages configure report-assets
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -25,10 +27,21 @@ demo: configure ## Build the command and fit a cloth to the pictures in data/lif
 	$(BUILD)/apps/clothfit draw build/demo-run -o build/demo.png --force
 	$(BUILD)/apps/clothfit report build/demo-run -o build/demo.html --force
 
-portable: packages ## Build a program for every x86-64 processor into build/portable/clothfit
-	JOBS=$(JOBS) tools/portable build/portable/clothfit
+install: packages ## Build and install (PREFIX=/usr/local, DESTDIR=, PREFIX=~/.local needs no root)
+	cmake --preset $(PRESET) -DCMAKE_INSTALL_PREFIX="$$(realpath -m $(PREFIX))"
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target installed
+	DESTDIR=$(DESTDIR) cmake --install $(BUILD) --strip
 
-test: build ## Build everything and run all tests and source checks
+uninstall: ## Remove what the last make install has installed
+	xargs --delimiter='\n' rm --force --verbose < $(BUILD)/install_manifest.txt
+
+deb: packages test-packages ## Build Debian packages for every x86-64 processor into build/deb/packages
+	JOBS=$(JOBS) tools/make_deb build/deb/packages
+
+test-deb: ## Try the packages of make deb in a fresh Debian (needs root and debootstrap; SUITE=bookworm)
+	tests/clothfit/deb_test build/deb/packages build/deb/$(SUITE) $(SUITE)
+
+test: test-packages build ## Build everything and run all tests and source checks
 	ctest --preset $(PRESET)
 
 test-deep: test ## The same under the sanitizers, then clang-tidy: many minutes
@@ -69,6 +82,9 @@ report-assets: ## Bundle the page of `clothfit report` anew (needs Node.js and n
 
 clean: ## Remove everything that was built
 	rm -rf build
+
+test-packages: ## Install what tests, documentation and packaging need besides
+	@tools/install_packages tests/packages.txt
 
 packages: ## Install the Debian packages of packages.txt that are missing
 	@tools/install_packages

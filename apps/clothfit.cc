@@ -15,8 +15,8 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "apps/commands.h"
+#include "apps/version_text.h"
 #include "autodiff_sim/base/error.h"
-#include "fitting/files/version.h"
 #include "tracking/text/text.h"
 
 extern "C" void openblas_set_num_threads(int num_threads);
@@ -32,10 +32,11 @@ int Fail(std::string problem, int status) {
 
 void DeclareCommands(CLI::App* app, Action* action) {
   app->require_subcommand(1);
-  const std::string instruction_set = CLOTHFIT_INSTRUCTION_SET;
+  const CLI::Option* const verbose =
+      app->add_flag("--verbose", "with --version: libraries, compiler and machine, too");
   app->set_version_flag(
-      "--version",
-      "clothfit " + Version() + (instruction_set.empty() ? "" : " (" + instruction_set + ")"));
+      "--version", [verbose] { return verbose->empty() ? VersionLine() : VersionDetails(); },
+      "version; for a report of a bug with --verbose");
   app->set_help_flag("-h,--help", "show this help");
   app->footer(
       "Examples:\n"
@@ -61,6 +62,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
   AddStudyCommand(app, action);
   AddTrialsCommand(app, action);
   AddImportCommand(app, action);
+  AddManualPagesCommand(app, action);
 }
 
 // The innermost command that was named: motive for "import motive".
@@ -120,8 +122,11 @@ int Run(int argc, char** argv) {
 }  // namespace
 }  // namespace clothfit
 
-int main(int argc, char** argv) {
-  using namespace clothfit;  // NOLINT(google-build-using-namespace): this file is the program
+// The program, for main.cc: all that it does is in the library.
+extern "C" __attribute__((visibility("default"))) int clothfit_main(int argc, char** argv);
+
+int clothfit_main(int argc, char** argv) {
+  using namespace clothfit;  // NOLINT(google-build-using-namespace): this is the program
   openblas_set_num_threads(1);
   cv::setNumThreads(1);  // cameras are looked at side by side instead
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // errors are told here

@@ -39,5 +39,6 @@ void AddExportCommand(CLI::App* app, Action* action);
 void AddReportCommand(CLI::App* app, Action* action);
 void AddImportCommand(CLI::App* app, Action* action);
 void AddBatchCommand(CLI::App* app, Action* action);
+void AddManualPagesCommand(CLI::App* app, Action* action);
 
 }  // namespace clothfit

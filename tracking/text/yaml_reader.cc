@@ -19,14 +19,17 @@ YamlValue YamlValue::Child(const YAML::Node& node, const std::string& key) const
 }
 
 YamlValue YamlValue::Load(const std::filesystem::path& file) {
-  const std::string text = ReadTextFile(file);
+  return Parse(ReadTextFile(file), file.string());
+}
+
+YamlValue YamlValue::Parse(const std::string& text, const std::string& name) {
   YAML::Node node;
   try {
     node.reset(YAML::Load(text));
   } catch (const YAML::Exception& error) {
-    throw InputError(file.string() + ": line " + std::to_string(error.mark.line + 1), error.msg);
+    throw InputError(name + ": line " + std::to_string(error.mark.line + 1), error.msg);
   }
-  YamlValue top(std::make_shared<const YAML::Node>(node), file.string(), "");
+  YamlValue top(std::make_shared<const YAML::Node>(node), name, "");
   if (!node.IsMap()) top.Fail("expected a map of keys and values, found " + top.Found());
   return top;
 }
