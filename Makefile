@@ -6,14 +6,16 @@
 PRESET ?= release
 # Compilers at once. One takes up to 2 GB of memory.
 JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
+SUITE ?= bookworm
 BUILD := build/$(PRESET)
 
 # The tests and the fit run threads of their own; those of the BLAS would only get in their way.
 export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo portable test test-browser test-deep build docs bench format format-check tidy clean \
-        packages test-packages configure report-modules report-assets fuzz soak
+.PHONY: help demo install uninstall deb test test-browser test-deb test-deep build docs bench format \
+        format-check tidy clean packages test-packages configure report-modules report-assets fuzz soak
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -25,8 +27,19 @@ demo: configure ## Build the command and fit a cloth to the pictures in data/lif
 	$(BUILD)/apps/clothfit draw build/demo-run -o build/demo.png --force
 	$(BUILD)/apps/clothfit report build/demo-run -o build/demo.html --force
 
-portable: packages ## Build a program for every x86-64 processor into build/portable/clothfit
-	JOBS=$(JOBS) tools/portable build/portable/clothfit
+install: packages ## Build and install (PREFIX=/usr/local, DESTDIR=, PREFIX=~/.local needs no root)
+	cmake --preset $(PRESET) -DCMAKE_INSTALL_PREFIX="$$(realpath -m $(PREFIX))"
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target installed
+	DESTDIR=$(DESTDIR) cmake --install $(BUILD) --strip
+
+uninstall: ## Remove what the last make install has installed
+	xargs --delimiter='\n' rm --force --verbose < $(BUILD)/install_manifest.txt
+
+deb: packages test-packages ## Build Debian packages for every x86-64 processor into build/deb/packages
+	JOBS=$(JOBS) tools/make_deb build/deb/packages
+
+test-deb: ## Try the packages of make deb in a fresh Debian (needs root and debootstrap; SUITE=bookworm)
+	tests/clothfit/deb_test build/deb/packages build/deb/$(SUITE) $(SUITE)
 
 test: test-packages build ## Build everything and run all tests and source checks
 	ctest --preset $(PRESET)

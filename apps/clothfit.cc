@@ -18,11 +18,12 @@
 #include "apps/command_line.h"
 #include "apps/commands.h"
 #include "apps/help_text.h"
+#include "apps/interrupt.h"
 #include "apps/memory_limit.h"
 #include "apps/terminal.h"
+#include "apps/version_text.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/printable.h"
-#include "fitting/files/version.h"
 
 extern "C" void openblas_set_num_threads(int num_threads);
 
@@ -66,12 +67,12 @@ std::vector<CommandGroup> CommandGroups() {
 
 void DeclareCommands(CLI::App* app, Action* action) {
   app->require_subcommand(1);
-  const std::string instruction_set = CLOTHFIT_INSTRUCTION_SET;
   app->formatter_fn(HelpText);
   app->set_version_flag(
       "--version",
-      "clothfit " + Version() + (instruction_set.empty() ? "" : " (" + instruction_set + ")"),
-      "show the version");
+      [app] { return app->count("--verbose") > 0 ? VersionDetails() : VersionLine(); },
+      "show the version; for a report of a bug with --verbose");
+  app->add_flag("--verbose", "with --version: libraries, compiler and machine, too");
   app->set_help_flag("-h,--help", "show this help");
   app->footer(
       "Examples:\n"
@@ -86,6 +87,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
       app->get_subcommands([](CLI::App*) { return true; }).back()->group(group.title);
     }
   }
+  AddManualPagesCommand(app, action);
 }
 
 int Run(int argc, char** argv) {
@@ -111,8 +113,12 @@ int Run(int argc, char** argv) {
 }  // namespace
 }  // namespace clothfit
 
-int main(int argc, char** argv) {
-  using namespace clothfit;  // NOLINT(google-build-using-namespace): this file is the program
+// The program, for main.cc: all that it does is in the library.
+extern "C" __attribute__((visibility("default"))) int clothfit_main(int argc, char** argv);
+
+int clothfit_main(int argc, char** argv) {
+  using namespace clothfit;  // NOLINT(google-build-using-namespace): this is the program
+  ListenToSignals();
   TakeTerminal();
   LimitMemory();
   openblas_set_num_threads(1);

@@ -45,14 +45,13 @@ extern "C" void HandleInterrupt(int /*signal*/) {
   setitimer(ITIMER_REAL, &kTooLate, nullptr);
 }
 
-// Before main, and before the constructors of other globals.
-__attribute__((constructor(101))) void BeginToListen() {
+}  // namespace
+
+void ListenToSignals() {
   SetHandler(SIGINT, HandleInterrupt);
   SetHandler(SIGTERM, HandleInterrupt);
   SetHandler(SIGALRM, HandleTooLate);
 }
-
-}  // namespace
 
 const std::atomic<bool>* StopOnInterrupt() {
   is_awaited = true;

@@ -12,6 +12,7 @@
 #include "autodiff_sim/contact/intersections.h"
 #include "autodiff_sim/step/grips.h"
 #include "autodiff_sim/step/step_solver.h"
+#include "autodiff_sim/terms/added_terms.h"
 #include "autodiff_sim/terms/terms.h"
 
 namespace clothfit {
@@ -60,7 +61,13 @@ Simulation::Simulation(std::unique_ptr<ClothModel> model, const SimulationOption
 
 Simulation::Simulation(ClothMesh mesh, const World& world, const std::vector<SurfacePoint>& handles,
                        const SimulationOptions& options)
-    : Simulation(WithTerms(Terms{}, std::move(mesh), world, handles, options)) {}
+    : Simulation(std::make_unique<ClothModel>(
+                     std::move(mesh), world,
+                     [](const TermContext& context) {
+                       return WithAddedTerms(MakeForceBatches(Terms{}, context), context);
+                     },
+                     handles),
+                 options) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;

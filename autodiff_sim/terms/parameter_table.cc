@@ -7,6 +7,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/names.h"
 #include "autodiff_sim/term/list_check.h"
+#include "autodiff_sim/terms/added_terms.h"
 #include "autodiff_sim/terms/terms.h"
 
 namespace clothfit {
@@ -38,7 +39,16 @@ std::vector<NamedParameter> MakeParameterTable(const std::vector<TermInfo>& term
 }
 
 const std::vector<TermInfo>& AllTerms() {
-  static const std::vector<TermInfo> terms = MakeTermInfos(Terms{});
+  static const std::vector<TermInfo> terms = [] {
+    std::vector<TermInfo> all = MakeTermInfos(Terms{});
+    for (const AddedTerm& term : AddedTerms()) {
+      for (const TermInfo& other : all)
+        if (other.name == term.info.name)
+          throw InputError("term " + other.name, "is there already");
+      all.push_back(term.info);
+    }
+    return all;
+  }();
   return terms;
 }
 

@@ -7,6 +7,7 @@
 #include "fitting/export/gltf.h"
 #include "fitting/export/mesh_files.h"
 #include "fitting/export/point_cache.h"
+#include "fitting/export/usd.h"
 #include "fitting/files/npy_file.h"
 #include "tracking/files/output_folder.h"
 #include "tracking/files/whole_file.h"
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 
 std::string AsOneFile(const RunMotion& motion, const std::string& format) {
   if (format == "gltf") return MotionAsGlb(motion);
+  if (format == "usda") return MotionAsUsda(motion);
   if (format == "pc2") return MotionAsPc2(motion);
   if (format == "mdd") return MotionAsMdd(motion);
   if (format == "csv") return MotionAsCsv(motion);
@@ -41,6 +43,7 @@ void WriteSequence(const RunMotion& motion, const std::string& format, const fs:
 const std::vector<ExportFormat>& ExportFormats() {
   static const std::vector<ExportFormat> kFormats = {
       {"gltf", ".glb", false, "binary glTF 2.0, a morph target a frame; y is up"},
+      {"usda", ".usda", false, "USD as text, an animated mesh; z is up"},
       {"pc2", ".pc2", false, "point cache for the run's mesh.obj"},
       {"mdd", ".mdd", false, "point cache of LightWave for the run's mesh.obj"},
       {"obj", ".obj", true, "Wavefront OBJ, a file a frame"},

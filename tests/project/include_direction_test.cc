@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Includes flow one way: autodiff_sim <- tracking <- fitting <- apps, and inside each of these and
-// of their rooms that have rooms themselves from floor to floor.
+// Includes flow one way: autodiff_sim <- tracking <- fitting <- apps <- clothfit, and inside each
+// of these and of their rooms that have rooms themselves from floor to floor.
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -23,7 +23,8 @@ using Floors = std::vector<std::set<std::string>>;
 
 // By folder; "" is the project's own.
 const std::map<std::string, Floors> kRooms = {
-    {"", {{"autodiff_sim"}, {"tracking"}, {"fitting"}, {"apps"}}},
+    {"",
+     {{"autodiff_sim"}, {"tracking"}, {"fitting"}, {"apps"}, {"clothfit"}, {"python", "examples"}}},
     {"autodiff_sim",
      {{"base"}, {"linear", "mesh"}, {"contact"}, {"term"}, {"terms"}, {"step"}, {"scenes"}}},
     {"tracking",

@@ -14,8 +14,9 @@
 namespace clothfit::project {
 namespace {
 
-const std::vector<std::string> kFolders = {".ci",     "apps",  "autodiff_sim", "cmake",
-                                           "fitting", "tests", "tools",        "tracking"};
+const std::vector<std::string> kFolders = {".ci",   "apps",     "autodiff_sim", "clothfit",
+                                           "cmake", "examples", "fitting",      "python",
+                                           "tests", "tools",    "tracking"};
 
 bool IsScript(const SourceFile& file) {
   return !file.lines.empty() && file.lines[0].rfind("#!", 0) == 0;

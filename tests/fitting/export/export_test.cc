@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/videoio.hpp>
@@ -14,6 +16,7 @@
 #include "fitting/export/gltf.h"
 #include "fitting/export/mesh_files.h"
 #include "fitting/export/point_cache.h"
+#include "fitting/export/usd.h"
 #include "fitting/files/npy_file.h"
 #include "tests/support/small_run.h"
 #include "tests/support/test_folder.h"
@@ -139,6 +142,41 @@ TEST(Gltf, HasATargetForEveryLaterFrame) {
   EXPECT_FLOAT_EQ(ValueAt<float>(bytes, at + 8), -0.3F);
 }
 
+// The numbers in "key = [...]" or after it in the line that begins with "FRAME: [".
+std::vector<double> NumbersIn(const std::string& text, const std::string& after) {
+  const std::size_t begin = text.find('[', text.find(after)) + 1;
+  std::string list = text.substr(begin, text.find(']', begin) - begin);
+  for (char& c : list)
+    if (c == '(' || c == ')' || c == ',') c = ' ';
+  std::istringstream stream(list);
+  return {std::istream_iterator<double>(stream), {}};
+}
+
+TEST(Usd, HasASampleForEveryFrame) {
+  const RunMotion motion = MakeMotion();
+  const std::string text = MotionAsUsda(motion);
+  EXPECT_EQ(text.substr(0, 10), "#usda 1.0\n");
+  EXPECT_THAT(text, HasSubstr("timeCodesPerSecond = 25\n"));
+  EXPECT_THAT(text, HasSubstr("endTimeCode = 3\n"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '{'), std::count(text.begin(), text.end(), '}'));
+  EXPECT_EQ(NumbersIn(text, "faceVertexCounts =").size(), motion.mesh.triangles.size());
+  const std::vector<double> corners = NumbersIn(text, "faceVertexIndices =");
+  ASSERT_EQ(corners.size(), 3 * motion.mesh.triangles.size());
+  EXPECT_EQ(corners[1], motion.mesh.triangles[0][1]);
+  EXPECT_EQ(NumbersIn(text, "primvars:st =").size(), 12U);
+  const std::string points = text.substr(text.find("points.timeSamples"));
+  for (int f = 0; f < 4; ++f) {
+    const std::vector<double> x = NumbersIn(points, " " + std::to_string(f) + ": [");
+    ASSERT_EQ(x.size(), 18U);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      EXPECT_NEAR(x[i], motion.frames[static_cast<std::size_t>(f)][static_cast<Eigen::Index>(i)],
+                  1e-6);
+  }
+  const std::vector<double> normals = NumbersIn(text.substr(text.find("normals")), " 0: [");
+  ASSERT_EQ(normals.size(), 18U);
+  EXPECT_EQ(normals[2], 1.0);
+}
+
 TEST(Export, WritesEveryFormatOfARun) {
   const TestFolder folder;
   const RunFolder run = RunFolder::Open(MakeSmallRun(folder.path()));
@@ -150,7 +188,7 @@ TEST(Export, WritesEveryFormatOfARun) {
     EXPECT_TRUE(fs::exists(format.is_sequence ? output / ("000011" + format.extension) : output));
     ++checked;
   }
-  EXPECT_EQ(checked, 8);
+  EXPECT_EQ(checked, 9);
   EXPECT_EQ(ReadTextFile(folder.path() / "motion.npy"),
             ReadTextFile(run.path() / "trajectory.npy"));
   // The recording begins flat, at x = u and y = v: triangles and places belong together.

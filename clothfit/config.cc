@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "clothfit/config.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/terms/parameter_table.h"
+#include "clothfit/detail/boundary.h"
+#include "clothfit/detail/data.h"
+#include "fitting/config/keys.h"
+
+namespace clothfit::v0 {
+namespace {
+
+std::unique_ptr<ConfigData> Owned(FitConfig config) {
+  return std::make_unique<ConfigData>(ConfigData{std::move(config)});
+}
+
+FitConfig Defaults(const Recording& recording) {
+  FitConfig config = DefaultConfig(recording.data().recording);
+  config.recording = recording.folder();
+  return config;
+}
+
+}  // namespace
+
+Config::Config(std::unique_ptr<ConfigData> data) : data_(std::move(data)) {}
+Config::Config(const Recording& recording)
+    : data_(AtBoundary([&] { return Owned(Defaults(recording)); })) {}
+Config::Config(const Recording& recording, const std::string& file)
+    : data_(AtBoundary([&] {
+        FitConfig config = Defaults(recording);
+        ReadConfig(file, &config);
+        config.recording = recording.folder();
+        return Owned(std::move(config));
+      })) {}
+Config::Config(const Config& other) : data_(Owned(other.data_->config)) {}
+Config::Config(Config&&) noexcept = default;
+Config& Config::operator=(const Config& other) {
+  data_ = Owned(other.data_->config);
+  return *this;
+}
+Config& Config::operator=(Config&&) noexcept = default;
+Config::~Config() = default;
+
+void Config::Set(const std::string& parameter, double value) {
+  AtBoundary(
+      [&] { SetParameter("set", fmt::format("{}={:.17g}", parameter, value), &data_->config); });
+}
+
+void Config::Free(const std::string& name) {
+  AtBoundary([&] { SetFree("free", name, true, &data_->config); });
+}
+
+void Config::Fix(const std::string& name) {
+  AtBoundary([&] { SetFree("fix", name, false, &data_->config); });
+}
+
+void Config::Without(const std::string& term) {
+  AtBoundary([&] { SwitchOff("without", term, &data_->config); });
+}
+
+double Config::Value(const std::string& parameter) const {
+  return AtBoundary([&] {
+    RequireParameter(MakeParameterTable(), parameter, "value");
+    return data_->config.parameters.at(parameter).value;
+  });
+}
+
+void Config::SetKey(const std::string& key, const std::string& yaml) {
+  AtBoundary([&] { SetConfigKey("set", key, yaml, &data_->config); });
+}
+
+std::vector<Parameter> Config::parameters() const {
+  std::vector<Parameter> parameters;
+  for (const NamedParameter& named : MakeParameterTable()) {
+    const ParameterSetting& setting = data_->config.parameters.at(named.name);
+    parameters.push_back({named.name, named.parameter.unit, named.parameter.doc, setting.value,
+                          setting.free, setting.lower, setting.upper, named.parameter.off});
+  }
+  return parameters;
+}
+
+std::string Config::Yaml() const { return ConfigToYaml(data_->config); }
+
+}  // namespace clothfit::v0
