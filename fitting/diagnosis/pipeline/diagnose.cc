@@ -137,6 +137,16 @@ void Diagnoser::TellOfNull(const Ranking& ranking) {
   if (!quality_->result.misfit) diagnosis_.discretisation_rms = ranking.discretisation_rms;
 }
 
+void Diagnoser::TellCandidates(const Ranking& of_physics, const Ranking& of_faults) {
+  diagnosis_.ranking.clear();
+  for (const RankedCandidate& one : of_physics.candidates)
+    if (one.faults.empty()) diagnosis_.ranking.push_back(one.summary);
+  for (const RankedCandidate& one : of_faults.candidates)
+    if (!one.faults.empty()) diagnosis_.ranking.push_back(one.summary);
+  std::stable_sort(diagnosis_.ranking.begin(), diagnosis_.ranking.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+}
+
 // Of points, on the deciding mesh; outlines alone are held to simulated recordings of the baseline.
 bool Diagnoser::IsExplained(const Ranking& ranking) const {
   if (quality_->result.misfit) return quality_->is_explained;
@@ -454,8 +464,7 @@ bool Diagnoser::AddEffect() {
   last_ranking_ = ranking;
   if (is_first) {
     TellOfNull(ranking);
-    for (const RankedCandidate& candidate : ranking.candidates)
-      diagnosis_.ranking.push_back(candidate.summary);
+    TellCandidates(ranking, ranking);
   }
   if (IsExplained(ranking)) return false;
   if (is_first) LocateDiscrepancy(now_.coarse, ranking);
@@ -474,7 +483,7 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
   std::optional<ForecastRound> round = screening.Run(now_.fine, faults, probes);
   Spend("forecasts");
   if (!round) return {};
-  round->ranking.faults = ranking.faults;
+  if (kept_.empty()) TellCandidates(round->ranking, ranking);
   std::vector<JudgedModel>& judged = round->judged;
   Judge(round->before, &judged);
   Say("fitting all frames", 0.75);

@@ -52,6 +52,7 @@ class Diagnoser {
   bool AddEffect();
   void TellOfBaseline();
   void TellOfNull(const Ranking& ranking);
+  void TellCandidates(const Ranking& of_physics, const Ranking& of_faults);
   bool IsExplained(const Ranking& ranking) const;
   // Where, when and of what class a force is missing.
   void LocateDiscrepancy(const FittedScene& fitted, const Ranking& ranking);
