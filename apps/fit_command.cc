@@ -75,18 +75,6 @@ void TakeOptionsOfRun(FitOptions* options) {
   if (options->config.config.empty()) options->config.config = run.ConfigFile().string();
 }
 
-void RequireSameConfig(const RunFolder& run, const Recording& recording, const FitConfig& config) {
-  FitConfig of_run = DefaultConfig(recording);
-  ReadConfig(run.ConfigFile(), &of_run);
-  // A fit that was given less goes the same way as far as it goes.
-  of_run.max_iterations = config.max_iterations;
-  of_run.max_simulations = config.max_simulations;
-  const std::vector<std::string> differences = ConfigDifferences(of_run, config);
-  if (differences.empty()) return;
-  throw InputError("--resume",
-                   "the options differ from those of the run: " + JoinNames(differences));
-}
-
 FitResult FitWithDisplay(const Scene& scene, const FitConfig& config, const RunFolder& run,
                          const FitOptions& options) {
   ProgressDisplay display;

@@ -112,8 +112,8 @@ void AddJobCommand(CLI::App* app, Action* action) {
 
 void AddJobsCommand(CLI::App* app, Action* action) {
   const auto options = std::make_shared<ListOptions>();
-  CLI::App* const jobs = AddFolderCommand(
-      app, "jobs", "what is left to do, as commands; tables", &options->folder);
+  CLI::App* const jobs =
+      AddFolderCommand(app, "jobs", "what is left to do, as commands; tables", &options->folder);
   jobs->add_flag("--list", options->list, "print the commands that can be run now, one a job");
   jobs->add_flag("--gather", options->gather, "write the tables of what is done");
   jobs->footer(

@@ -69,6 +69,7 @@ Run FitInto(const fs::path& folder, const Recording& recording, FitConfig config
     const RunFolder run(folder, ToInternal(options.existing));
     config.recording = used.path.string();
     if (used.path.empty()) KeepRecording(run, recording, &config);
+    if (options.existing == Existing::kResume) RequireSameConfig(run, used, config);
     const FitResult result = FitIntoRun(scene, config, run, ToFitCallbacks(options.callbacks),
                                         options.existing == Existing::kResume);
     if (result.status == FitStatus::kFailed)

@@ -19,6 +19,7 @@
 #include "fitting/runs/surface_evaluation.h"
 #include "fitting/runs/workload.h"
 #include "tracking/silhouette/raster.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -157,6 +158,19 @@ std::vector<std::string> HandlesUnknownInHeldOutFrames(const Scene& scene) {
     if (range && range->last > scene.last_fitted_frame && !handle.path.is_known())
       names.push_back(handle.name);
   return names;
+}
+
+void RequireSameConfig(const RunFolder& run, const Recording& recording, const FitConfig& config) {
+  if (!IsThere(run.ConfigFile())) return;  // it ended before it began
+  FitConfig of_run = DefaultConfig(recording);
+  ReadConfig(run.ConfigFile(), &of_run);
+  // A fit that was given less goes the same way as far as it goes.
+  of_run.max_iterations = config.max_iterations;
+  of_run.max_simulations = config.max_simulations;
+  const std::vector<std::string> differences = ConfigDifferences(of_run, config);
+  if (differences.empty()) return;
+  throw InputError("--resume",
+                   "the options differ from those of the run: " + JoinNames(differences));
 }
 
 FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,

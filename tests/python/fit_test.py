@@ -64,6 +64,10 @@ def test_interrupt_ends_a_fit(demo, tmp_path):
     timer.join()
     run = clothfit.Run(tmp_path / "run")
     assert run.status == "interrupted" and numpy.isfinite(run.trajectory).all()
+    other = clothfit.Config(clothfit.Recording(str(demo)))
+    other["air_drag.normal"] = 2.0
+    with pytest.raises(clothfit.InputError, match="air_drag.normal"):
+        clothfit.fit(str(demo), other, folder=tmp_path / "run", resume=True)
 
 
 def test_an_exception_of_progress_ends_a_fit(demo):
