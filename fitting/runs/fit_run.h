@@ -27,8 +27,8 @@ void CheckFittable(const Scene& scene, const FitConfig& config);
 // not found either: what is predicted there says nothing.
 std::vector<std::string> HandlesUnknownInHeldOutFrames(const Scene& scene);
 
-// Throws InputError, naming what differs, where a run is not of this config: it cannot be resumed. A
-// fit that is given fewer iterations or simulations goes the same way as far as it goes.
+// Throws InputError, naming what differs, where a run is not of this config: it cannot be resumed.
+// A fit that is given fewer iterations or simulations goes the same way as far as it goes.
 void RequireSameConfig(const RunFolder& run, const Recording& recording, const FitConfig& config);
 
 // FitByStrategy with everything written into the run: config and log at once, the checkpoint after
