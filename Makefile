@@ -6,16 +6,18 @@
 PRESET ?= release
 # Compilers at once. One takes up to 2 GB of memory.
 JOBS ?= $(shell nproc)
+BUILD := build/$(PRESET)
+# Of the targets with CLOTHFIT_LIBRARY=ON, which CONTRIBUTING.md tells the state of.
 PREFIX ?= /usr/local
 SUITE ?= bookworm
-BUILD := build/$(PRESET)
 
 # The tests and the fit run threads of their own; those of the BLAS would only get in their way.
 export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo install uninstall deb test test-browser test-deb test-deep build docs bench format \
-        format-check tidy clean packages test-packages configure report-modules report-assets fuzz soak
+.PHONY: help demo portable test test-browser test-deep build docs bench format format-check tidy clean \
+        packages test-packages configure report-modules report-assets fuzz soak \
+        install uninstall deb test-library test-deb library-packages
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -27,19 +29,34 @@ demo: configure ## Build the command and fit a cloth to the pictures in data/lif
 	$(BUILD)/apps/clothfit draw build/demo-run -o build/demo.png --force
 	$(BUILD)/apps/clothfit report build/demo-run -o build/demo.html --force
 
-install: packages ## Build and install (PREFIX=/usr/local, DESTDIR=, PREFIX=~/.local needs no root)
-	cmake --preset $(PRESET) -DCMAKE_INSTALL_PREFIX="$$(realpath -m $(PREFIX))"
-	cmake --build --preset $(PRESET) --parallel $(JOBS) --target installed
-	DESTDIR=$(DESTDIR) cmake --install $(BUILD) --strip
+portable: packages ## Build a program for every x86-64 processor into build/portable/clothfit
+	JOBS=$(JOBS) tools/portable build/portable/clothfit
 
-uninstall: ## Remove what the last make install has installed
-	xargs --delimiter='\n' rm --force --verbose < $(BUILD)/install_manifest.txt
+# CLOTHFIT_LIBRARY=ON: under construction, see CONTRIBUTING.md. Not in the list of make help.
+install: packages library-packages
+	cmake --preset library -DCMAKE_INSTALL_PREFIX="$$(realpath -m $(PREFIX))"
+	cmake --build --preset library --parallel $(JOBS) --target installed
+	DESTDIR=$(DESTDIR) cmake --install build/library --strip
 
-deb: packages test-packages ## Build Debian packages for every x86-64 processor into build/deb/packages
+# What the last make install has installed.
+uninstall:
+	xargs --delimiter='\n' rm --force --verbose < build/library/install_manifest.txt
+
+# For every x86-64 processor, into build/deb/packages.
+deb: packages library-packages
 	JOBS=$(JOBS) tools/make_deb build/deb/packages
 
-test-deb: ## Try the packages of make deb in a fresh Debian (needs root and debootstrap; SUITE=bookworm)
+test-library: test-packages packages library-packages
+	cmake --preset library
+	cmake --build --preset library --parallel $(JOBS)
+	ctest --preset library
+
+# The packages of make deb in a fresh Debian; needs root.
+test-deb: library-packages
 	tests/clothfit/deb_test build/deb/packages build/deb/$(SUITE) $(SUITE)
+
+library-packages:
+	@tools/install_packages library-packages.txt
 
 test: test-packages build ## Build everything and run all tests and source checks
 	ctest --preset $(PRESET)

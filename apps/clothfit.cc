@@ -18,8 +18,9 @@
 #include "apps/command_line.h"
 #include "apps/commands.h"
 #include "apps/help_text.h"
-#include "apps/interrupt.h"
+#include "apps/manual_pages_command.h"
 #include "apps/memory_limit.h"
+#include "apps/signals.h"
 #include "apps/terminal.h"
 #include "apps/version_text.h"
 #include "autodiff_sim/base/error.h"
@@ -69,8 +70,7 @@ void DeclareCommands(CLI::App* app, Action* action) {
   app->require_subcommand(1);
   app->formatter_fn(HelpText);
   app->set_version_flag(
-      "--version",
-      [app] { return app->count("--verbose") > 0 ? VersionDetails() : VersionLine(); },
+      "--version", [app] { return app->count("--verbose") > 0 ? VersionDetails() : VersionLine(); },
       "show the version; for a report of a bug with --verbose");
   app->add_flag("--verbose", "with --version: libraries, compiler and machine, too");
   app->set_help_flag("-h,--help", "show this help");
@@ -87,13 +87,13 @@ void DeclareCommands(CLI::App* app, Action* action) {
       app->get_subcommands([](CLI::App*) { return true; }).back()->group(group.title);
     }
   }
-  AddManualPagesCommand(app, action);
 }
 
 int Run(int argc, char** argv) {
   CLI::App app("fits a simulated cloth to recordings of a real one", "clothfit");
   Action action;
   DeclareCommands(&app, &action);
+  if (argc == 3 && std::string(argv[1]) == "manual-pages") return WriteManualPages(app, argv[2]);
   std::vector<std::string> words = CompleteCommands(app, {argv + 1, argv + argc});
   std::reverse(words.begin(), words.end());  // as CLI11 takes them
   try {
@@ -113,7 +113,7 @@ int Run(int argc, char** argv) {
 }  // namespace
 }  // namespace clothfit
 
-// The program, for main.cc: all that it does is in the library.
+// The program, for main.cc: seen from outside where this is in libclothfit.
 extern "C" __attribute__((visibility("default"))) int clothfit_main(int argc, char** argv);
 
 int clothfit_main(int argc, char** argv) {

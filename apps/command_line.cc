@@ -16,9 +16,8 @@ bool StartsWith(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }
 
-// Without those that are hidden.
 std::vector<const CLI::App*> CommandsOf(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); });
+  return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
 std::vector<std::string> NamesOf(const std::vector<const CLI::App*>& commands) {
@@ -51,10 +50,8 @@ std::string Nearest(const std::string& wrong, const std::vector<std::string>& na
 
 const CLI::App& FindCommand(const CLI::App& app, const std::string& word) {
   std::vector<const CLI::App*> fitting;
-  for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (one->get_name() == word) return *one;
-  }
   for (const CLI::App* one : CommandsOf(app)) {
+    if (one->get_name() == word) return *one;
     if (StartsWith(one->get_name(), word)) fitting.push_back(one);
   }
   if (fitting.size() == 1) return *fitting[0];

@@ -42,7 +42,6 @@ void AddBatchCommand(CLI::App* app, Action* action);
 void AddJobCommand(CLI::App* app, Action* action);
 void AddJobsCommand(CLI::App* app, Action* action);
 void AddStatusCommand(CLI::App* app, Action* action);
-void AddManualPagesCommand(CLI::App* app, Action* action);
 
 // Of `study`, those that are lists of jobs: attraction, reconstructions, ...
 void AddJobStudies(CLI::App* study, Action* action);

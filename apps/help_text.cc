@@ -98,7 +98,6 @@ std::string OptionGroups(const CLI::App& command) {
 std::string CommandGroups(const CLI::App& command) {
   std::string text, group;
   for (const CLI::App* one : command.get_subcommands([](const CLI::App*) { return true; })) {
-    if (one->get_group().empty()) continue;  // hidden
     const std::string title = one->get_group() == "Subcommands" ? "Commands" : one->get_group();
     if (title != group) text += "\n" + title + ":\n";
     group = title;

@@ -9,9 +9,8 @@
 
 namespace clothfit {
 
-// First in the program: from here on a SIGINT or SIGTERM ends it at once, with kExitInterrupted. Not
-// in the library's constructors: other programs that load it have handlers of their own.
-void ListenToSignals();
+// Until StopOnInterrupt a SIGINT or SIGTERM ends the program at once, with kExitInterrupted. This
+// holds from the program's start on, before main.
 
 // From now on the first one sets the flag that is returned, to stop and keep what there is. A
 // second one, or two seconds, end the program.

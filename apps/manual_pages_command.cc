@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// clothfit manual-pages FOLDER, for the build: writes a man page a command and bash's completion,
-// all from what the commands say of themselves. It is in no list of commands.
+// Man pages and completion, all from what the commands say of themselves.
+#include "apps/manual_pages_command.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -24,10 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<const CLI::App*> Listed(const CLI::App& command) {
-  std::vector<const CLI::App*> listed;
-  for (const CLI::App* one : command.get_subcommands([](const CLI::App*) { return true; }))
-    if (!one->get_group().empty()) listed.push_back(one);
-  return listed;
+  return command.get_subcommands([](const CLI::App*) { return true; });
 }
 
 // troff takes a backslash, and a dot or an apostrophe at the beginning of a line, for its own, and
@@ -117,23 +114,15 @@ std::string BashCompletion(const CLI::App& root) {
          "complete -o bashdefault -o default -F _clothfit clothfit\n";
 }
 
-int WriteAll(const CLI::App& root, const fs::path& folder) {
+}  // namespace
+
+int WriteManualPages(const CLI::App& root, const fs::path& folder) {
   const fs::path pages = folder / "man/man1", completions = folder / "bash-completion/completions";
   fs::create_directories(pages);
   fs::create_directories(completions);
   WritePages(root, "", pages);
   WriteWholeFile(completions / "clothfit", BashCompletion(root));
   return kExitSuccess;
-}
-
-}  // namespace
-
-void AddManualPagesCommand(CLI::App* app, Action* action) {
-  CLI::App* const command = app->add_subcommand("manual-pages", "write man pages and completion");
-  command->group("");
-  const auto folder = std::make_shared<std::string>();
-  command->add_option("FOLDER", *folder, "of share/")->required();
-  command->callback([=] { *action = [=] { return WriteAll(*app, *folder); }; });
 }
 
 }  // namespace clothfit

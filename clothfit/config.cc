@@ -5,7 +5,11 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
+#include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/names.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "clothfit/detail/boundary.h"
 #include "clothfit/detail/data.h"
@@ -22,6 +26,44 @@ FitConfig Defaults(const Recording& recording) {
   FitConfig config = DefaultConfig(recording.data().recording);
   config.recording = recording.folder();
   return config;
+}
+
+// A file in memory: YamlValue reads files alone.
+class MemoryFile {
+ public:
+  explicit MemoryFile(const std::string& text) : descriptor_(memfd_create("clothfit", 0)) {
+    const auto size = static_cast<ssize_t>(text.size());
+    if (descriptor_ < 0 || write(descriptor_, text.data(), text.size()) != size)
+      throw std::runtime_error("no memory for a file");
+  }
+  ~MemoryFile() { close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  std::string path() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
+void ReadKey(const ConfigKey& key, const std::string& yaml, FitConfig* config) {
+  const MemoryFile file(fmt::format("{}:\n  {}: {}\n", key.section, key.name, yaml));
+  try {
+    key.read(YamlValue::Load(file.path()).Require(key.section).Require(key.name), config);
+  } catch (const InputError& error) {  // whose message begins with the file's name and ": "
+    throw InputError("set", std::string(error.what()).substr(file.path().size() + 2));
+  }
+  const std::string problem = key.problem(*config);
+  if (!problem.empty()) throw InputError("set", fmt::format("{}: {}", key.full_name(), problem));
+}
+
+// Sets a key by its full name to a value as a config file has it: "strategy.window" to "0.5".
+void SetConfigKey(const std::string& full_name, const std::string& yaml, FitConfig* config) {
+  std::vector<std::string> names;
+  for (const ConfigKey& key : ConfigKeys()) {
+    if (key.full_name() == full_name) return ReadKey(key, yaml, config);
+    names.push_back(key.full_name());
+  }
+  throw InputError("set", fmt::format("'{}': {}", full_name, Suggestion(full_name, names)));
 }
 
 }  // namespace
@@ -70,7 +112,7 @@ double Config::Value(const std::string& parameter) const {
 }
 
 void Config::SetKey(const std::string& key, const std::string& yaml) {
-  AtBoundary([&] { SetConfigKey("set", key, yaml, &data_->config); });
+  AtBoundary([&] { SetConfigKey(key, yaml, &data_->config); });
 }
 
 std::vector<Parameter> Config::parameters() const {

@@ -25,6 +25,25 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+// As ReadQueries does of the rows of a file.
+void CheckQueries(const std::vector<PredictionQuery>& queries, const Scene& scene) {
+  constexpr double kSlack = 1e-6;  // of a triangle: rounding
+  std::vector<Eigen::Vector2d> uv;
+  for (const PredictionQuery& query : queries) {
+    const std::string place = fmt::format("point {}", query.line);
+    CheckFrame(scene.recording, query.frame, place);
+    CheckOnCloth(scene.recording, query.uv, place);
+    uv.push_back(query.uv);
+  }
+  const std::vector<SurfacePoint> points = LocateOnCloth(scene.mesh, uv);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& weights = points[i].weights;
+    if (*std::min_element(weights.begin(), weights.end()) < -kSlack)
+      throw InputError(fmt::format("point {}", i),
+                       fmt::format("(u, v) = ({}, {}) is outside the cloth", uv[i].x(), uv[i].y()));
+  }
+}
+
 std::shared_ptr<const RunData> Load(const fs::path& folder, FittedRun fitted,
                                     std::shared_ptr<const PassingFolder> passing) {
   RunRecord record = ReadRunRecord(RunFolder::Open(folder));
@@ -175,7 +194,7 @@ Array Run::Predict(const std::vector<int>& frame, const std::vector<Vector2>& uv
     std::vector<PredictionQuery> queries;
     for (std::size_t i = 0; i < uv.size(); ++i)
       queries.push_back({frame[i], ToEigen(uv[i]), static_cast<int>(i)});
-    CheckQueries(queries, data_->fitted.scene, "point");
+    CheckQueries(queries, data_->fitted.scene);
     return ToRows(clothfit::Predict(data_->fitted, RunFolder::Open(data_->folder), queries), 3);
   });
 }

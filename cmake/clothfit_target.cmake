@@ -15,8 +15,10 @@ if(CLOTHFIT_MARCH)
 endif()
 # What is hidden is bound within this program, see shared_ceres.cmake. Where our Eigen and Ceres' do
 # meet, in Ceres' headers, they align alike.
-target_compile_options(clothfit_options INTERFACE -fvisibility=hidden -fvisibility-inlines-hidden
-                                                  -fno-semantic-interposition)
+target_compile_options(clothfit_options INTERFACE -fvisibility=hidden -fvisibility-inlines-hidden)
+if(CLOTHFIT_LIBRARY)
+  target_compile_options(clothfit_options INTERFACE -fno-semantic-interposition)
+endif()
 target_compile_definitions(clothfit_options INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 if(CLOTHFIT_SANITIZE)
   target_compile_options(clothfit_options INTERFACE -fsanitize=${CLOTHFIT_SANITIZE}

@@ -4,7 +4,7 @@
 // Prints the highest instruction set of this machine that clothfit is compiled for.
 #include <cstdio>
 
-#include "apps/guard/instruction_set.h"
+#include "apps/launcher/instruction_set.h"
 
 int main() {
   for (const char* const instruction_set : clothfit::kInstructionSets) {

@@ -4,7 +4,6 @@
 // A config as a YAML file.
 #include <fmt/format.h>
 
-#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/config/config.h"
 #include "fitting/config/keys.h"
@@ -120,21 +119,6 @@ void ReadConfig(const fs::path& file, FitConfig* config) {
     if (const auto section = top.Find(name)) ReadSection(*section, name, config);
   }
   config->Check(file.string());
-}
-
-void SetConfigKey(const std::string& place, const std::string& full_name, const std::string& yaml,
-                  FitConfig* config) {
-  std::vector<std::string> names;
-  for (const ConfigKey& key : ConfigKeys()) {
-    names.push_back(key.full_name());
-    if (names.back() != full_name) continue;
-    const std::string text = fmt::format("{}:\n  {}: {}\n", key.section, key.name, yaml);
-    key.read(YamlValue::Parse(text, place).Require(key.section).Require(key.name), config);
-    const std::string problem = key.problem(*config);
-    if (problem.empty()) return;
-    throw InputError(place, fmt::format("{}: {}", full_name, problem));
-  }
-  throw InputError(place, fmt::format("'{}': {}", full_name, Suggestion(full_name, names)));
 }
 
 std::string ReadConfigRecording(const fs::path& file) {

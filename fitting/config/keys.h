@@ -28,9 +28,4 @@ struct ConfigKey {
 // In the order in which they are written; the keys of a section stand together.
 const std::vector<ConfigKey>& ConfigKeys();
 
-// Sets one of them by its full name to a value as a config file has it: "strategy.window" to "0.5".
-// Throws InputError, naming `place`, and the nearest right name where there is no such key.
-void SetConfigKey(const std::string& place, const std::string& full_name, const std::string& yaml,
-                  FitConfig* config);
-
 }  // namespace clothfit

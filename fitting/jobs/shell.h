@@ -18,8 +18,8 @@ struct ShellResult {
 };
 ShellResult RunProgram(const std::vector<std::string>& words);
 
-// The file of this program that others are to start: a link as it was called, rather than what
-// stands behind it. Absolute.
+// The file of this program that others are to start: a link or a launcher, as it was called, rather
+// than what stands behind it. Absolute.
 std::string OwnProgram();
 
 }  // namespace clothfit

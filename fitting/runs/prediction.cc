@@ -35,6 +35,10 @@ std::vector<SurfacePoint> Locate(const Scene& scene, const std::vector<Predictio
   return LocateOnCloth(scene.mesh, uv);
 }
 
+std::string LineOf(const fs::path& file, int line) {
+  return fmt::format("{}: line {}", file.string(), line);
+}
+
 }  // namespace
 
 FittedRun ReadFittedRun(const RunFolder& run) {
@@ -51,25 +55,17 @@ FittedRun ReadFittedRun(const RunFolder& run) {
 std::vector<PredictionQuery> ReadQueries(const fs::path& file, const Scene& scene) {
   std::vector<PredictionQuery> queries;
   ReadCsv(file, {"frame", "u", "v"}, [&](const CsvRow& row) {
-    queries.push_back({row.Integer(0), row.Vector2(1), row.line()});
+    const PredictionQuery query{row.Integer(0), row.Vector2(1), row.line()};
+    CheckFrame(scene.recording, query.frame, LineOf(file, query.line));
+    CheckOnCloth(scene.recording, query.uv, LineOf(file, query.line));
+    queries.push_back(query);
   });
   if (queries.empty()) throw InputError(file.string(), "holds no points");
-  CheckQueries(queries, scene, file.string() + ": line");
-  return queries;
-}
-
-void CheckQueries(const std::vector<PredictionQuery>& queries, const Scene& scene,
-                  const std::string& place) {
-  const auto place_of = [&](const PredictionQuery& query) {
-    return fmt::format("{} {}", place, query.line);
-  };
-  for (const PredictionQuery& query : queries) {
-    CheckFrame(scene.recording, query.frame, place_of(query));
-    CheckOnCloth(scene.recording, query.uv, place_of(query));
-  }
   const std::vector<SurfacePoint> points = Locate(scene, queries);
-  for (size_t i = 0; i < points.size(); ++i)
-    CheckOnMesh(points[i], queries[i], place_of(queries[i]));
+  for (size_t i = 0; i < points.size(); ++i) {
+    CheckOnMesh(points[i], queries[i], LineOf(file, queries[i].line));
+  }
+  return queries;
 }
 
 std::vector<Eigen::Vector3d> Predict(const FittedRun& fitted, const RunFolder& run,

@@ -29,14 +29,9 @@ struct PredictionQuery {
   int line = 0;
 };
 
-// Reads columns frame,u,v. Throws InputError as CheckQueries, naming file and line, and where there
-// is no row.
+// Reads columns frame,u,v. Throws InputError, naming file and line, where a frame is not the
+// recording's or a point not on the cloth, and where there is no row.
 std::vector<PredictionQuery> ReadQueries(const std::filesystem::path& file, const Scene& scene);
-
-// Throws InputError, naming the query as "PLACE LINE", where a frame is not the recording's or a
-// point not on the cloth.
-void CheckQueries(const std::vector<PredictionQuery>& queries, const Scene& scene,
-                  const std::string& place);
 
 // Positions (m, world), one a query in the same order. Throws std::runtime_error where the
 // simulation does not reach a frame.

@@ -89,8 +89,7 @@ Workload WorkOfFit(const Scene& scene, const FitConfig& config) {
 
 void CheckAffordable(const Scene& scene, const Workload& work) {
   constexpr double kMostSteps = 1e7;  // hours for one simulation, of which a fit makes hundreds
-  const Recording& recording = scene.recording;  // of no folder where it was made in memory
-  const std::string place = recording.path.empty() ? recording.name : recording.path.string();
+  const std::string place = scene.recording.path.string();
   if (work.steps > kMostSteps) {
     throw InputError(place, fmt::format("{:.3g} steps to simulate ({} frames, {} steps each); "
                                         "expected at most {:g}: lower frame_count, or raise "

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The clothfit authors
 # SPDX-License-Identifier: Apache-2.0
-"""The code in docs/python.md runs as it stands, but for what needs PyTorch or JAX."""
+"""The code in python/README.md runs as it stands, but for what needs PyTorch or JAX."""
 import os
 import pathlib
 import re
@@ -9,7 +9,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 
 
 def test_the_code_of_the_page_runs(tmp_path):
-    page = (ROOT / "docs" / "python.md").read_text()
+    page = (ROOT / "python" / "README.md").read_text()
     blocks = re.findall(r"(<!-- not run: \w+ -->\n)?```python\n(.*?)```", page, re.DOTALL)
     assert sum(1 for skipped, _ in blocks if skipped) == 2
     (tmp_path / "data").symlink_to(ROOT / "data")
@@ -18,7 +18,7 @@ def test_the_code_of_the_page_runs(tmp_path):
     os.chdir(tmp_path)
     try:
         for skipped, code in blocks:
-            compile(code, "docs/python.md", "exec")
+            compile(code, "python/README.md", "exec")
             if not skipped:
                 exec(code, names)
     finally:

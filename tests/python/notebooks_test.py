@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 @pytest.mark.parametrize("name", ["fit", "diagnosis"])
 def test_runs(name, monkeypatch):
     monkeypatch.setenv("CLOTHFIT_DATA", str(ROOT / "data"))
-    notebook = nbformat.read(ROOT / "docs" / "notebooks" / f"{name}.ipynb", as_version=4)
+    notebook = nbformat.read(ROOT / "python" / "notebooks" / f"{name}.ipynb", as_version=4)
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     assert len(cells) > 3 and not any(cell.outputs for cell in cells)  # kept without results
     executor = preprocessors.ExecutePreprocessor(timeout=600, kernel_name="python3")

@@ -22,17 +22,14 @@ YamlValue YamlValue::Child(const YAML::Node& node, const std::string& key) const
 YamlValue YamlValue::Load(const std::filesystem::path& file) {
   // What people write is far shorter; nodes take some hundred times the memory of their text.
   constexpr std::size_t kMostYamlBytes = 4 << 20;
-  return Parse(ReadInputFile(file, kMostYamlBytes), file.string());
-}
-
-YamlValue YamlValue::Parse(const std::string& text, const std::string& name) {
+  const std::string text = ReadInputFile(file, kMostYamlBytes);
   YAML::Node node;
   try {
     node.reset(YAML::Load(text));
   } catch (const YAML::Exception& error) {
-    throw InputError(name + ": line " + std::to_string(error.mark.line + 1), error.msg);
+    throw InputError(file.string() + ": line " + std::to_string(error.mark.line + 1), error.msg);
   }
-  YamlValue top(std::make_shared<const YAML::Node>(node), name, "");
+  YamlValue top(std::make_shared<const YAML::Node>(node), file.string(), "");
   if (!node.IsMap()) top.Fail("expected a map of keys and values, found " + top.Found());
   return top;
 }

@@ -25,8 +25,6 @@ class YamlValue {
  public:
   // Reads a file whose top is a map. Throws InputError when it is missing or no YAML.
   static YamlValue Load(const std::filesystem::path& file);
-  // The same of a text; `name` is what messages call it.
-  static YamlValue Parse(const std::string& text, const std::string& name);
 
   // Throws unless this is a map that has no key but these, each at most once.
   void AllowKeys(const std::vector<std::string>& keys) const;

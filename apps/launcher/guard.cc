@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Ends a program whose libclothfit was compiled for another processor with one line before it
-// stumbles over an instruction that this one lacks. Compiled for the baseline, and run before all
-// other initialisers.
+// Ends a program that was compiled for another processor with one line before it stumbles over an
+// instruction that this one lacks. Compiled for the baseline, and run before all other
+// initialisers.
 #include <cstring>
 
 #include <unistd.h>
 
-#include "apps/guard/instruction_set.h"
+#include "apps/launcher/instruction_set.h"
 
 namespace {
 
@@ -20,9 +20,9 @@ void Write(const char* text) {
 
 __attribute__((constructor(101))) void CheckProcessor() {
   if (clothfit::ProcessorHas(kBuiltFor)) return;
-  Write("clothfit: error: this libclothfit was built for ");
+  Write("clothfit: error: this program was built for ");
   Write(kBuiltFor);
-  Write(", which this processor lacks; 'make deb' builds one for all\n");
+  Write(", which this processor lacks; 'make portable' builds one for all\n");
   _exit(2);
 }
 
