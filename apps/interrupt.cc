@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "apps/commands.h"
+#include "apps/signals.h"
 #include "apps/terminal.h"
 
 namespace clothfit {

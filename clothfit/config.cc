@@ -49,11 +49,11 @@ void ReadKey(const ConfigKey& key, const std::string& yaml, FitConfig* config) {
   const MemoryFile file(fmt::format("{}:\n  {}: {}\n", key.section, key.name, yaml));
   try {
     key.read(YamlValue::Load(file.path()).Require(key.section).Require(key.name), config);
-  } catch (const InputError& error) {  // whose message begins with the file's name and ": "
-    throw InputError("set", std::string(error.what()).substr(file.path().size() + 2));
+  } catch (const clothfit::InputError& error) {  // whose message begins with the file's name
+    throw InputError("set" + std::string(error.what()).substr(file.path().size()));
   }
   const std::string problem = key.problem(*config);
-  if (!problem.empty()) throw InputError("set", fmt::format("{}: {}", key.full_name(), problem));
+  if (!problem.empty()) throw InputError(fmt::format("set: {}: {}", key.full_name(), problem));
 }
 
 // Sets a key by its full name to a value as a config file has it: "strategy.window" to "0.5".
@@ -63,7 +63,7 @@ void SetConfigKey(const std::string& full_name, const std::string& yaml, FitConf
     if (key.full_name() == full_name) return ReadKey(key, yaml, config);
     names.push_back(key.full_name());
   }
-  throw InputError("set", fmt::format("'{}': {}", full_name, Suggestion(full_name, names)));
+  throw InputError(fmt::format("set: '{}': {}", full_name, Suggestion(full_name, names)));
 }
 
 }  // namespace

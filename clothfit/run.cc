@@ -39,8 +39,8 @@ void CheckQueries(const std::vector<PredictionQuery>& queries, const Scene& scen
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& weights = points[i].weights;
     if (*std::min_element(weights.begin(), weights.end()) < -kSlack)
-      throw InputError(fmt::format("point {}", i),
-                       fmt::format("(u, v) = ({}, {}) is outside the cloth", uv[i].x(), uv[i].y()));
+      throw InputError(
+          fmt::format("point {}: (u, v) = ({}, {}) is outside the cloth", i, uv[i].x(), uv[i].y()));
   }
 }
 
