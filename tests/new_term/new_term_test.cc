@@ -72,7 +72,7 @@ TEST(NewTerm, IsListed) {
   CLI::App app;
   Action action;
   AddTermsCommand(&app, &action);
-  app.parse("terms", false);
+  app.parse("terms --all", false);
   testing::internal::CaptureStdout();
   EXPECT_EQ(action(), kExitSuccess);
   const std::string text = testing::internal::GetCapturedStdout();

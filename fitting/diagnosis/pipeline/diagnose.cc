@@ -484,36 +484,69 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
   Spend("forecasts");
   if (!round) return {};
   if (kept_.empty()) TellCandidates(round->ranking, ranking);
-  std::vector<JudgedModel>& judged = round->judged;
+  std::vector<JudgedModel> judged = std::move(round->judged);
   Judge(round->before, &judged);
-  Say("fitting all frames", 0.75);
+  if (judged.empty() || Stopped()) return false;
+  const std::vector<JudgedModel> whole = FitWhole(judged);
+  if (whole.empty()) return false;
+  OrderByAllFrames(whole, &judged);
   for (const JudgedModel& one : judged) diagnosis_.models.push_back(Describe(one, round->before));
-  if (judged.empty() || Stopped() || judged.front().log_evidence < kStrongEvidence) return false;
   const double share = ShareOfForecasts(round->before, judged.front().model.fine);
   if (share < options_.least_share) {
     Log(fmt::format("{} explains {:.0f} % of what forecasts leave: no explanation",
                     judged.front().candidate.summary.name, 100.0 * share));
     return false;
   }
-  if (!IsBorneOut(judged.front())) return false;
+  if (!IsBorneOut(judged.front(), whole)) return false;
   diagnosis_.models[diagnosis_.models.size() - judged.size()].is_kept = true;
   Keep(std::move(judged), ranking);
   return true;
 }
 
-// Forecasts begin where the recorded cloth is said to have been, which may be wrong alike in all of
-// them: the motion as a whole has to speak for the model, too.
-bool Diagnoser::IsBorneOut(const JudgedModel& best) const {
-  const FittedScene& forecasts = best.model.fine;
-  const std::optional<FittedScene> whole =
-      FitBeyondForecasts(forecasts, 2 * kModelIterations, runner_);
-  if (!whole) return false;
-  const double evidence =
-      LogEvidence(now_.Cost(), whole->fit.cost_after,
-                  static_cast<double>(best.candidate.NumUnknowns()), ScaleOf(*whole));
-  Log(fmt::format("with {}: all frames cost {:.6g} -> {:.6g}, log evidence {:.4g}",
-                  best.candidate.summary.name, now_.Cost(), whole->fit.cost_after, evidence));
-  return evidence >= kStrongEvidence;
+// The models of forecasts, fitted to all frames.
+std::vector<JudgedModel> Diagnoser::FitWhole(const std::vector<JudgedModel>& forecasts) {
+  Say("fitting all frames", 0.75);
+  std::vector<std::optional<FittedScene>> fits(forecasts.size());
+  ParallelFor(static_cast<int>(forecasts.size()), NumThreads(0), [&](int i, int) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!Stopped())
+      fits[k] = FitBeyondForecasts(forecasts[k].model.fine, 2 * kModelIterations, runner_);
+  });
+  std::vector<JudgedModel> whole;
+  for (std::size_t k = 0; k < fits.size(); ++k)
+    if (fits[k]) whole.push_back({forecasts[k].candidate, {*fits[k], *fits[k]}});
+  Judge(now_.fine, &whole);
+  Spend("fitting all frames");
+  return whole;
+}
+
+// Forecasts find what is missing however chaotic a motion is, but the states that they begin with
+// are a little wrong: where the best model follows the recording to its end, all frames order them.
+void Diagnoser::OrderByAllFrames(const std::vector<JudgedModel>& whole,
+                                 std::vector<JudgedModel>* forecasts) const {
+  const FittedScene& best = whole.front().model.fine;
+  const bool is_lost = HasLargeResidual(best.scene, best.config, best.fit);
+  if (whole.size() != forecasts->size() || is_lost) return;
+  std::vector<JudgedModel> ordered;
+  for (const JudgedModel& one : whole) {
+    const auto same =
+        std::find_if(forecasts->begin(), forecasts->end(), [&](const JudgedModel& other) {
+          return other.candidate.summary.name == one.candidate.summary.name;
+        });
+    ordered.push_back(*same);
+    ordered.back().log_evidence = one.log_evidence;
+  }
+  *forecasts = std::move(ordered);
+}
+
+// Both have to speak for it: forecasts begin where the recorded cloth is said to have been, which
+// may be wrong alike in all of them.
+bool Diagnoser::IsBorneOut(const JudgedModel& best, const std::vector<JudgedModel>& whole) const {
+  const auto same = std::find_if(whole.begin(), whole.end(), [&](const JudgedModel& one) {
+    return one.candidate.summary.name == best.candidate.summary.name;
+  });
+  return best.log_evidence >= kStrongEvidence && same != whole.end() &&
+         same->log_evidence >= kStrongEvidence;
 }
 
 bool Diagnoser::AddByWholeFits(Ranking ranking) {

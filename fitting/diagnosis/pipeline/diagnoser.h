@@ -61,8 +61,10 @@ class Diagnoser {
   // A round by forecasts; empty where there are none.
   std::optional<bool> AddByForecasts(const Ranking& ranking);
   bool AddByWholeFits(Ranking ranking);
-  // Do all frames speak for a model of forecasts, too?
-  bool IsBorneOut(const JudgedModel& best) const;
+  std::vector<JudgedModel> FitWhole(const std::vector<JudgedModel>& forecasts);
+  void OrderByAllFrames(const std::vector<JudgedModel>& whole,
+                        std::vector<JudgedModel>* forecasts) const;
+  bool IsBorneOut(const JudgedModel& best, const std::vector<JudgedModel>& whole) const;
   std::vector<FittedModel> Screen(const Ranking& ranking);
   // The models that may be it, on the deciding mesh; what the recording speaks for most comes
   // first.
