@@ -106,7 +106,9 @@ TEST(RunJobs, BeginsAStageAfterTheOneBefore) {
   for (std::size_t i = 4; i < jobs.size(); ++i) jobs[i].stage = 1;
   std::atomic<int> first_done = 0;
   const JobWork work = [&](const Job& job, const JobContext& context) {
-    if (job.stage == 1) EXPECT_EQ(first_done, 4) << job.name;
+    if (job.stage == 1) {
+      EXPECT_EQ(first_done, 4) << job.name;
+    }
     nlohmann::json square = Square(job, context);
     first_done += job.stage == 0 ? 1 : 0;
     return square;
