@@ -74,7 +74,7 @@ double Fitter::PolishTolerance(double correlation) const {
   // standard error of one parameter is worth, a sixth of what two models have to differ by.
   constexpr double kNegligible = 0.5;
   const double observed = observations_.NumObserved(0, scene_.last_fitted_frame);
-  constexpr double kMost = 1e-3;  // however much residuals hang together
+  constexpr double kMost = 2e-4;  // however much residuals hang together
   const double negligible = 2.0 * kNegligible * correlation / std::max(1.0, observed);
   return std::max(config_.function_tolerance, std::min(kMost, negligible));
 }

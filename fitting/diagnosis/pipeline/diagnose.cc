@@ -347,6 +347,12 @@ void Diagnoser::Keep(std::vector<JudgedModel> judged, Ranking ranking) {
 void Diagnoser::GoOnBeyondForecasts() {
   Say("fitting all frames", 0.75);
   std::optional<FittedScene> fine = FitBeyondForecasts(now_.fine, 2 * kModelIterations, runner_);
+  const bool may_gain = fine && fine->fit.status != FitStatus::kConverged && !Stopped() &&
+                        !HasLargeResidual(fine->scene, fine->config, fine->fit);
+  if (may_gain) {
+    fine =
+        Cheaper(fine, FitModel(*fine, GoOn(*fine), 2 * kModelIterations, runner_, kEnoughToDecide));
+  }
   std::optional<BothMeshes> both =
       fine ? meshes_.Coarsen(*fine, kModelIterations) : std::optional<BothMeshes>();
   if (both) now_ = std::move(*both);
