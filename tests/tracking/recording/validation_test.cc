@@ -375,7 +375,7 @@ TEST(CheckRecording, FindsWhatCannotComeFromDisk) {
                [&](Recording* r) { (*r->handles[0].path)[0] = Eigen::Vector3d(0, nan, 0); });
   expect_error("frame_rate: expected a number above 0", [&](Recording* r) { r->frame_rate = nan; });
   expect_error("gravity: expected finite numbers", [&](Recording* r) { r->gravity.x() = nan; });
-  expect_error("ground.height: expected a finite number",
+  expect_error("ground.height: expected finite numbers",
                [&](Recording* r) { r->ground_height = nan; });
   expect_error("cameras[0].R: expected a rotation",
                [&](Recording* r) { r->cameras[0].camera_from_world_rotation(0, 0) = nan; });

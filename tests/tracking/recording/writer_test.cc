@@ -24,7 +24,7 @@ Recording AwkwardRecording() {
   recording.cloth.size = {std::sqrt(2.0), 1.0 / 0.7};
   recording.cloth.areal_density = 0.1 + 0.2;
   recording.gravity = {1e-17, -0.0, -9.80665};
-  recording.markers[0].position = {1.0 / 3.0, -1e-300, 1e17 / 7.0};
+  recording.markers[0].position = {1.0 / 3.0, -1e-300, 1e4 / 7.0};
   recording.tracks[0].pixel = {std::sqrt(200.0), std::nextafter(30.0, 31.0)};
   (*recording.handles[0].path)[5] = Eigen::Vector3d(0.1, 0.2, 0.7).normalized();
   recording.cameras[0].fx = 1e3 / 7.0;
