@@ -22,7 +22,7 @@ double UsedMemory() {
 // CLOTHFIT_FITS=1000 for a soak.
 TEST(Memory, DoesNotGrowFromFitToFit) {
   const char* const given = std::getenv("CLOTHFIT_FITS");
-  const int fits = given != nullptr ? std::atoi(given) : 30;
+  const int fits = given != nullptr ? std::atoi(given) : 100;
   SmallRecordingOptions options;
   options.particles = 3;
   options.frames = 4;
@@ -37,7 +37,8 @@ TEST(Memory, DoesNotGrowFromFitToFit) {
     if (i + 1 == kFirst) after_first = UsedMemory();
   }
   ASSERT_GT(after_first, 0.0);
-  // One leaked state of these nine particles a fit would be 1000 bytes each.
+  // One leaked state of these nine particles a fit would be 1000 bytes each; what the allocator
+  // keeps for threads is some 10 000 in all.
   EXPECT_LT(UsedMemory() - after_first, 200.0 * fits);
 }
 
