@@ -201,6 +201,7 @@ TEST_F(KeptFilesOfRuns, ADiagnosisAndARunDoNotReplaceEachOther) {
 TEST_F(KeptFilesOfRuns, RunsOfVersion010AreStillReplacedAndUsed) {
   ASSERT_EQ(Run(Fit("run")).status, 0);
   fs::remove(path() / "run" / ".clothfit.json");  // which that version did not write
+  fs::rename(path() / "run" / "checkpoint.bin", path() / "run" / "checkpoint.json");
   folder_.Write("points.csv", "frame,u,v\n0,0,0\n");
   EXPECT_EQ(Run({"predict", "run", "--at", "points.csv", "-o", "out.csv"}).status, 0);
   WriteMine({"run/mine.txt"});
