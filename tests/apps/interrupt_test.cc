@@ -97,7 +97,7 @@ TEST(Terminate, IsTakenAsCtrlCAndTheSecondEndsAtOnce) {
 TEST(Interrupted, EndsAtAnyMomentWithinTwoSeconds) {
   const TestFolder folder;
   WriteSmallRecording(folder);
-  int checked = 0;
+  int checked = 0, interrupted = 0;
   for (const int milliseconds : {0, 20, 60, 120, 200, 300, 500, 1000}) {
     RunningCommand command(kFit, folder.path());
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
@@ -105,14 +105,18 @@ TEST(Interrupted, EndsAtAnyMomentWithinTwoSeconds) {
     const auto begin = std::chrono::steady_clock::now();
     const int status = command.Wait().status;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-    // Before the program's first instruction the system itself ends it.
-    EXPECT_TRUE(status == 130 || status == -SIGTERM || status == -SIGINT) << status;
+    // Before the program's first instruction the system itself ends it; a quick machine may have
+    // finished by the last moments.
+    const bool is_interrupted = status == 130 || status == -SIGTERM || status == -SIGINT;
+    EXPECT_TRUE(is_interrupted || (status == 0 && milliseconds >= 300)) << status;
+    if (is_interrupted) ++interrupted;
     EXPECT_LT(passed.count(), 3.0) << "1.8 s and what a busy machine takes";
     std::error_code ignored;
     fs::remove_all(folder.path() / "run", ignored);
     ++checked;
   }
   EXPECT_EQ(checked, 8);
+  EXPECT_GE(interrupted, 5);
 }
 
 // The baseline's fit alone takes seconds.
