@@ -172,7 +172,8 @@ std::optional<FittedScene> FitToForecasts(const ModelStart& start, const std::ar
   from.next_window = lengths_done;
   if (after != nullptr) from.theta.tail(after->unknown.size()) = after->unknown;
   const FitResult result = runner.RunForecasts(scene, config, &from);
-  if (result.status == FitStatus::kFailed || !std::isfinite(result.cost_after)) return {};
+  // One that was interrupted may have come to no misfit, by which it could be judged.
+  if (!result.misfit || !std::isfinite(result.cost_after)) return {};
   FittedScene fitted = MakeFittedScene(std::move(scene), config, result);
   fitted.of_forecasts = true;
   return fitted;
