@@ -7,7 +7,7 @@ PRESET ?= release
 # Compilers at once. One takes up to 2 GB of memory.
 JOBS ?= $(shell nproc)
 BUILD := build/$(PRESET)
-# Of the targets with CLOTHFIT_LIBRARY=ON, which CONTRIBUTING.md tells the state of.
+# Where make install puts everything, and the Debian that make test-deb makes.
 PREFIX ?= /usr/local
 SUITE ?= bookworm
 
@@ -32,27 +32,26 @@ demo: configure ## Build the command and fit a cloth to the pictures in data/lif
 portable: packages ## Build a program for every x86-64 processor into build/portable/clothfit
 	JOBS=$(JOBS) tools/portable build/portable/clothfit
 
-# CLOTHFIT_LIBRARY=ON: under construction, see CONTRIBUTING.md. Not in the list of make help.
-install: packages library-packages
+install: packages library-packages ## Command, libclothfit and Python's package into PREFIX=/usr/local
 	cmake --preset library -DCMAKE_INSTALL_PREFIX="$$(realpath -m $(PREFIX))"
 	cmake --build --preset library --parallel $(JOBS) --target installed
 	DESTDIR=$(DESTDIR) cmake --install build/library --strip
+	[ -n "$(DESTDIR)" ] || [ "$$(id -u)" -ne 0 ] || ldconfig
 
-# What the last make install has installed.
-uninstall:
+uninstall: ## Remove what the last make install has installed
 	xargs --delimiter='\n' rm --force --verbose < build/library/install_manifest.txt
 
-# For every x86-64 processor, into build/deb/packages.
-deb: packages library-packages
-	JOBS=$(JOBS) tools/make_deb build/deb/packages
+deb: packages library-packages ## Debian packages for every x86-64 processor, into build/deb/packages
+	JOBS=$(JOBS) MAINTAINER="$(MAINTAINER)" tools/make_deb build/deb/packages
 
-test-library: test-packages packages library-packages
+test-library: test-packages packages library-packages ## The tests of libclothfit, of Python and of what is installed
 	cmake --preset library
-	cmake --build --preset library --parallel $(JOBS)
-	ctest --preset library
+	cmake --build --preset library --parallel $(JOBS) --target installed clothfit_term_tests apps_tests small_diagnosis
+	for folder in clothfit python apps; do \
+	  ctest --test-dir build/library/tests/$$folder --output-on-failure --no-tests=error -j 2 || exit; \
+	done
 
-# The packages of make deb in a fresh Debian; needs root.
-test-deb: library-packages
+test-deb: library-packages ## Install and use the packages of make deb in a fresh Debian; needs root
 	tests/clothfit/deb_test build/deb/packages build/deb/$(SUITE) $(SUITE)
 
 library-packages:
