@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// clothfit report: a run, a diagnosis, a comparison or a study as one page to open in a browser.
+// clothfit report: a recording, a run, a diagnosis, a comparison or a study as one page to open in
+// a browser.
 #include <filesystem>
 #include <memory>
 
@@ -21,10 +22,19 @@ struct ReportCommandOptions {
   bool force = false;
 };
 
+// A recording is somebody's own: its page comes to where the command is run.
+std::filesystem::path PageOf(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "recording.yaml")) return folder / "report.html";
+  const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
+  const std::filesystem::path name =
+      whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+  return name.string() + ".html";
+}
+
 int RunReportCommand(const ReportCommandOptions& options) {
   const std::filesystem::path folder = options.folder;
   const std::filesystem::path file =
-      options.output.empty() ? folder / "report.html" : std::filesystem::path(options.output);
+      options.output.empty() ? PageOf(folder) : std::filesystem::path(options.output);
   CheckMayWrite(file, OverwriteIf(options.force));
   const ReportPage page = MakeReport(folder, PageAssets(), options.report);
   WriteOutputFile(file, page.html, OverwriteIf(options.force));
@@ -41,13 +51,15 @@ int RunReportCommand(const ReportCommandOptions& options) {
 
 void AddReportCommand(CLI::App* app, Action* action) {
   CLI::App* const command = app->add_subcommand(
-      "report", "a run, diagnosis, comparison or study as one page to open in a browser");
+      "report", "a recording, run, diagnosis, comparison or study as a page to open in a browser");
   const auto options = std::make_shared<ReportCommandOptions>();
   command
-      ->add_option("FOLDER", options->folder, "what fit, diagnose, compare, study or trials wrote")
+      ->add_option("FOLDER", options->folder,
+                   "a recording, or what fit, diagnose, compare, study or trials wrote")
       ->required();
   command
-      ->add_option("-o,--output", options->output, "page to write; FOLDER/report.html if left out")
+      ->add_option("-o,--output", options->output,
+                   "page to write; FOLDER/report.html if left out, of a recording NAME.html")
       ->type_name("FILE.html");
   command
       ->add_option("--pictures", options->report.pictures,

@@ -121,11 +121,12 @@ ReportJson ClothMapSection(const ReportScene& report, const std::vector<ScalarFi
     for (const Motion& motion : report.motions) {
       if (!motion.positions.empty()) blocks.push_back(ClothMap(report, field, motion));
     }
-    ReportJson own =
-        blocks.back();  // beside the start's errors those of the fit may all look alike
-    own["title"] = own["title"].get<std::string>() + ", in colours of its own";
-    own.erase("group");
-    blocks.push_back(own);
+    if (blocks.size() > 1) {  // beside the start's errors those of the fit may all look alike
+      ReportJson own = blocks.back();
+      own["title"] = own["title"].get<std::string>() + ", in colours of its own";
+      own.erase("group");
+      blocks.push_back(own);
+    }
   }
   ReportJson section = SectionOf("cloth-map", "Where on the cloth", blocks, "Cloth");
   section["lead"] = field.title + ", root mean square over all frames, in the material.";

@@ -24,7 +24,8 @@ bool HasFileEndingIn(const fs::path& folder, const char* extension) {
 ReportPage MakeReportOfKind(const fs::path& folder, const ReportAssets& assets,
                             const ReportOptions& options) {
   constexpr const char* kExpected =
-      "; expected one that 'clothfit fit', 'diagnose', 'compare', 'study' or 'trials' wrote";
+      "; expected a recording, or one that 'clothfit fit', 'diagnose', 'compare', 'study' or "
+      "'trials' wrote";
   if (!fs::exists(folder)) throw InputError(folder.string(), "does not exist");
   if (!fs::is_directory(folder))
     throw InputError(folder.string(), std::string("is no folder") + kExpected);
@@ -33,11 +34,11 @@ ReportPage MakeReportOfKind(const fs::path& folder, const ReportAssets& assets,
   if (kind == FolderKind::kDiagnosis) return MakeDiagnosisReport(folder, assets, options);
   if (kind == FolderKind::kComparison) return MakeComparisonReport(folder, assets);
   if (kind == FolderKind::kRecording || fs::exists(folder / "recording.yaml"))
-    throw InputError(folder.string(), std::string("is the folder of a recording") + kExpected);
+    return MakeRecordingReport(folder, assets, options);
   if (HasFileEndingIn(folder, ".md") || HasFileEndingIn(folder, ".csv"))
     return MakeStudyReport(folder, assets);
   throw InputError(folder.string(),
-                   std::string("is not the folder of a run or a study") + kExpected);
+                   std::string("is not the folder of a recording, a run or a study") + kExpected);
 }
 
 }  // namespace

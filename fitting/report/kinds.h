@@ -16,6 +16,9 @@ ReportPage MakeDiagnosisReport(const std::filesystem::path& folder, const Report
                                const ReportOptions& options);
 // What 'clothfit compare' wrote.
 ReportPage MakeComparisonReport(const std::filesystem::path& folder, const ReportAssets& assets);
+// A recording, of which nothing was fitted yet.
+ReportPage MakeRecordingReport(const std::filesystem::path& folder, const ReportAssets& assets,
+                               const ReportOptions& options);
 // What 'clothfit study' and 'clothfit trials' wrote, or any folder of NAME.md beside tables (.csv)
 // and pictures (.svg, .png).
 ReportPage MakeStudyReport(const std::filesystem::path& folder, const ReportAssets& assets);

@@ -16,6 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::shared_ptr<const Silhouettes> LoadAllMasks(const Recording& recording) {
+  if (!HasMasks(recording)) return nullptr;
+  return std::make_shared<const Silhouettes>(
+      LoadSilhouettes(recording, [](int, int) { return false; }));
+}
+
+}  // namespace
+
 std::vector<Eigen::VectorXd> SimulateStart(const FittedRun& fitted) {
   const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
   std::vector<Eigen::VectorXd> positions;
@@ -24,14 +32,6 @@ std::vector<Eigen::VectorXd> SimulateStart(const FittedRun& fitted) {
                  [&](int, const State& state) { positions.push_back(state.x); });
   return positions;
 }
-
-std::shared_ptr<const Silhouettes> LoadAllMasks(const Recording& recording) {
-  if (!HasMasks(recording)) return nullptr;
-  return std::make_shared<const Silhouettes>(
-      LoadSilhouettes(recording, [](int, int) { return false; }));
-}
-
-}  // namespace
 
 void CheckTrajectory(const fs::path& file, const Scene& scene,
                      const std::vector<Eigen::VectorXd>& trajectory) {

@@ -38,6 +38,9 @@ struct ReportScene {
   const Scene& scene() const { return fitted.scene; }
 };
 
+// At the values that a fit begins with.
+std::vector<Eigen::VectorXd> SimulateStart(const FittedRun& fitted);
+
 // A scene whose motions are still to be filled in. Throws InputError as ReadRecording does.
 ReportScene GatherReportScene(FittedRun fitted, const std::filesystem::path& pictures);
 

@@ -36,8 +36,17 @@ TEST_F(ReportCommand, WritesAPageIntoTheRun) {
   EXPECT_TRUE(fs::exists(folder_.path() / "other.html"));
 }
 
+TEST_F(ReportCommand, ShowsARecordingBeforeItIsFitted) {
+  const CommandResult result = Run({"report", "rec"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("report: rec.html ("));
+  const std::string page = ReadTextFile(folder_.path() / "rec.html");
+  for (const char* words : {"What it holds", "Markers seen", "Default material", "path known in"})
+    EXPECT_THAT(page, HasSubstr(words));
+  EXPECT_FALSE(fs::exists(folder_.path() / "rec" / "report.html"));
+}
+
 TEST_F(ReportCommand, SaysInOneLineWhatIsWrong) {
-  EXPECT_THAT(BadInputLine(Run({"report", "rec"})), HasSubstr("is the folder of a recording"));
   EXPECT_THAT(BadInputLine(Run({"report", "run", "--pictures", "none"})), HasSubstr("none"));
   EXPECT_THAT(BadInputLine(Run({"report", "run", "-o", "none/a.html"})),
               HasSubstr("none: no such folder"));

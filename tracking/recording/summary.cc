@@ -14,7 +14,7 @@ namespace clothfit {
 namespace {
 
 std::string SummaryRow(const std::string& label, const std::string& text) {
-  return fmt::format("{:<12}{}\n", label, text);
+  return fmt::format("{:<{}}{}\n", label, kLabelWidth, text);
 }
 
 // "3 of 5 frames (0..4)".

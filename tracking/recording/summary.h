@@ -11,7 +11,9 @@
 
 namespace clothfit {
 
-// A compact table for people, several lines, each ended by a newline.
+// A compact table for people, several lines, each ended by a newline: a label of kLabelWidth
+// characters and what there is of it.
+inline constexpr std::size_t kLabelWidth = 12;
 std::string DescribeRecording(const Recording& recording);
 
 // Things that are allowed but worth knowing, one line each, the most important first.

@@ -107,9 +107,9 @@ TEST_F(FolderReport, OfAnUnfinishedStudySaysSo) {
 TEST_F(FolderReport, OfAnythingElseSaysWhatItIs) {
   EXPECT_THAT(ErrorOf(), HasSubstr("does not exist"));
   Write("recording.yaml", "name: x\n");
-  EXPECT_THAT(ErrorOf(), HasSubstr("is the folder of a recording; expected one that"));
+  EXPECT_THAT(ErrorOf(), HasSubstr("recording.yaml"));
   fs::rename(folder() / "recording.yaml", folder() / "notes.pdf");
-  EXPECT_THAT(ErrorOf(), HasSubstr("is not the folder of a run or a study"));
+  EXPECT_THAT(ErrorOf(), HasSubstr("is not the folder of a recording, a run or a study"));
   EXPECT_THAT(InputErrorOf([this] { MakeReport(folder() / "notes.pdf", kTestAssets); }),
               HasSubstr("is no folder"));
 }
