@@ -173,9 +173,21 @@ void RequireSameConfig(const RunFolder& run, const Recording& recording, const F
                    "the options differ from those of the run: " + JoinNames(differences));
 }
 
+void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& result,
+              const RunFolder& run) {
+  const FreeParameters free(config, scene, MakeParameterTable());
+  run.WriteParameters(result);
+  StepReport steps;
+  run.WriteTrajectory(scene, SimulatePositions(scene, config, free, result.theta,
+                                               scene.recording.frame_count - 1, &steps));
+  WriteObstacles(scene, run);
+  LogContact(scene, config, steps, run);
+  run.WriteSummary(scene, config, result);
+  run.AppendLog("status: " + ToString(result.status));
+}
+
 FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
                      const FitCallbacks& callbacks, bool resume) {
-  const FreeParameters free(config, scene, MakeParameterTable());
   if (resume) {
     const bool goes_on = run.HasCheckpoint();
     run.AppendLog(goes_on ? "resumed from the checkpoint" : "resumed from the beginning");
@@ -191,15 +203,7 @@ FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
   FitCallbacks with_run = WithRun(callbacks, run);
   with_run.journal = &journal;
   FitResult result = FitByStrategy(scene, unchecked, with_run);
-
-  run.WriteParameters(result);
-  StepReport steps;
-  run.WriteTrajectory(scene, SimulatePositions(scene, config, free, result.theta,
-                                               scene.recording.frame_count - 1, &steps));
-  WriteObstacles(scene, run);
-  LogContact(scene, config, steps, run);
-  run.WriteSummary(scene, config, result);
-  run.AppendLog("status: " + ToString(result.status));
+  WriteFit(scene, config, result, run);
   const bool is_final =
       result.status == FitStatus::kConverged || result.status == FitStatus::kFailed;
   if (is_final) run.RemoveCheckpoint();

@@ -31,6 +31,10 @@ std::vector<std::string> HandlesUnknownInHeldOutFrames(const Scene& scene);
 // A fit that is given fewer iterations or simulations goes the same way as far as it goes.
 void RequireSameConfig(const RunFolder& run, const Recording& recording, const FitConfig& config);
 
+// A fit's results into the run, but for the config: parameters, trajectory, obstacles, summary.
+void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& result,
+              const RunFolder& run);
+
 // FitByStrategy with everything written into the run: config and log at once, the checkpoint after
 // every accepted step, the results at the end. The checkpoint stays behind where more can be had:
 // after an interruption, or when the iterations were used up. `callbacks` are called too. `resume`

@@ -52,6 +52,8 @@ RunFolder RunFolder::Open(const fs::path& folder) {
   if (!fs::is_directory(folder, error)) throw InputError(folder.string(), "no such folder");
   const std::optional<FolderKind> kind = KindOfFolder(folder);
   if (kind == FolderKind::kRun) return RunFolder(folder);
+  if (kind == FolderKind::kDiagnosis && KindOfFolder(folder / kOfDiagnosis) == FolderKind::kRun)
+    return RunFolder(folder / kOfDiagnosis);
   throw InputError(folder.string(),
                    "is not the folder of a run; expected one that 'clothfit fit' "
                    "made" +

@@ -25,7 +25,8 @@ class RunFolder {
   // Makes the folder and begins its log; other commands are kept out of it as long as this lives.
   // Throws InputError as OutputFolder does, and where there is no run to resume or a finished one.
   RunFolder(const std::filesystem::path& folder, Existing existing);
-  // An existing run, to read.
+  static constexpr const char* kOfDiagnosis = "fit";  // the run in a diagnosis' folder
+  // An existing run, to read, or that of a diagnosis.
   static RunFolder Open(const std::filesystem::path& folder);
 
   const std::filesystem::path& path() const { return path_; }

@@ -161,6 +161,17 @@ TEST(InterruptedDiagnosis, GoesOnToTheSameAnswer) {
   EXPECT_EQ(one, other);
   EXPECT_THAT(BadInputLine(RunCommand(again, folder.path())),
               HasSubstr("holds a finished diagnosis"));
+  // What was fitted is a run, and stands for the diagnosis where a run is asked for.
+  EXPECT_EQ(read("run/fit/parameters.yaml"), read("whole/fit/parameters.yaml"));
+  EXPECT_EQ(read("run/fit/trajectory.npy"), read("whole/fit/trajectory.npy"));
+  folder.Write("points.csv", "frame,u,v\n0,0.1,0.1\n");
+  for (const std::string run : {"whole", "whole/fit"}) {
+    const std::string predicted = run == "whole" ? "of_diagnosis.csv" : "of_fit.csv";
+    const CommandResult predict =
+        RunCommand({"predict", run, "--at", "points.csv", "-o", predicted}, folder.path());
+    ASSERT_EQ(predict.status, 0) << predict.err;
+  }
+  EXPECT_EQ(read("of_diagnosis.csv"), read("of_fit.csv"));
 }
 
 TEST(Resume, NeedsARun) {

@@ -60,6 +60,14 @@ struct DiscrepancyPictures {
   cv::Mat map, cloth;
 };
 
+// A fit of the deciding mesh, as `clothfit fit` would have made it: what the answer was read from,
+// or the baseline where there is none.
+struct DiagnosisFit {
+  Scene scene;  // faults of the observation put right
+  FitConfig config;
+  FitResult result;
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::kNothingMissing;
   std::string words;  // the answer as a paragraph
@@ -92,6 +100,7 @@ struct Diagnosis {
   std::optional<SeparatingMotion> separating;
   std::vector<std::pair<std::string, double>> seconds;  // where the time went
   DiagnosisMotions motions;                             // for pages and pictures
+  std::optional<DiagnosisFit> fit;  // none where it was interrupted before there was any
 };
 
 }  // namespace clothfit

@@ -10,6 +10,7 @@
 #include "fitting/diagnosis/answer/summary_text.h"
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/files/npy_file.h"
+#include "fitting/runs/fit_run.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/synthetic/picture_writer.h"
 
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kFits = "fits/";
+constexpr const char* kFit = "fit/";
 constexpr const char* kMap = "missing-force.png";
 constexpr const char* kCloth = "missing-force-cloth.png";
 constexpr const char* kBaseline = "baseline.npy";
@@ -50,9 +52,9 @@ DiagnosisFolder::DiagnosisFolder(const fs::path& folder, Existing existing) : pa
   if (goes_on && !is_unfinished)
     throw InputError(folder.string(),
                      "holds a finished diagnosis; there is nothing to resume, --force replaces it");
-  std::vector<std::string> files = {"config.yaml", "diagnosis.json", "diagnosis.md", "report.html",
-                                    kMap,          kCloth,           kBaseline,      kAnswer,
-                                    kForce};
+  std::vector<std::string> files = {
+      "config.yaml", "diagnosis.json", "diagnosis.md", "report.html", kMap,
+      kCloth,        kBaseline,        kAnswer,        kForce,        kFit};
   if (goes_on) output_->Remove(files);
   files.insert(files.end(), {"log.txt", kFits});
   output_->Begin(files);
@@ -79,6 +81,12 @@ void DiagnosisFolder::Write(const Diagnosis& diagnosis) const {
   if (diagnosis.discrepancy_pictures) {
     WritePicture(diagnosis.discrepancy_pictures->map, path_ / kMap);
     WritePicture(diagnosis.discrepancy_pictures->cloth, path_ / kCloth);
+  }
+  if (diagnosis.fit) {
+    const DiagnosisFit& fit = *diagnosis.fit;
+    const RunFolder run(path_ / RunFolder::kOfDiagnosis, Existing::kReplace);
+    run.WriteConfig(fit.config);
+    WriteFit(fit.scene, fit.config, fit.result, run);
   }
   if (diagnosis.verdict != Verdict::kInterrupted) output_->Remove({kFits});
 }

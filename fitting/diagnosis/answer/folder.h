@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A diagnosis on disk: diagnosis.json, diagnosis.md, config.yaml (the answer's, else the
-// baseline's), log.txt; the cloth without and with what was found, baseline.npy and model.npy;
-// where a force is missing, missing-force.npy, missing-force.png and missing-force-cloth.png. While
-// it is not finished: fits/, the fits that are.
+// baseline's), log.txt; fit/, the fit of that as a run, which commands that read runs take; the
+// cloth without and with what was found, baseline.npy and model.npy; where a force is missing,
+// missing-force.npy, missing-force.png and missing-force-cloth.png. While it is not finished:
+// fits/, the fits that are.
 #pragma once
 
 #include <filesystem>
