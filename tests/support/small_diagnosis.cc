@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fitting/diagnosis/answer/effect_words.h"
 #include "fitting/diagnosis/answer/folder.h"
 #include "fitting/files/npy_file.h"
 #include "tests/support/small_run.h"
@@ -44,7 +45,8 @@ fs::path MakeSmallDiagnosis(const fs::path& folder) {
   const Recording recording = ReadRecording(folder / "rec");
   Diagnosis diagnosis;
   diagnosis.verdict = Verdict::kNamed;
-  diagnosis.words = "What was left out: wind. It explains 80 % of what the baseline cannot.";
+  diagnosis.words =
+      "What was left out: " + PlainName("wind") + ". It explains 80 % of what the baseline cannot.";
   diagnosis.baseline = DefaultConfig(recording);
   ReadConfig(run / "config.yaml", &diagnosis.baseline);
   diagnosis.baseline.recording = (folder / "rec").string();

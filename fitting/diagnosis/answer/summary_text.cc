@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "fitting/diagnosis/answer/effect_words.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/files/version.h"
 #include "tracking/text/text.h"
@@ -26,24 +27,14 @@ std::string Length(double value, bool is_px) {
   return is_px ? fmt::format("{:.3g} px", value) : fmt::format("{:.3g} mm", 1000.0 * value);
 }
 
-std::string Estimate(const EffectParameter& p) {
-  const double half = 0.5 * (p.upper90 - p.lower90);
-  const std::string unit = p.unit == "1" || p.unit.empty() ? "" : " " + p.unit;
-  if (!std::isfinite(half)) return fmt::format("{} = {:.3g}{}", p.name, p.value, unit);
-  return fmt::format("{} = {:.3g}{} ({:.3g} to {:.3g})", p.name, p.value, unit, p.lower90,
-                     p.upper90);
-}
-
 std::string NameEffects(const Diagnosis& diagnosis) {
   const Model& answer = *diagnosis.answer;
   const bool is_none = diagnosis.verdict == Verdict::kNoneOfTheAbove;
   std::string words = is_none ? "None of the effects that clothfit knows; what comes nearest: "
                               : "What was left out: ";
-  words += JoinNames(diagnosis.effects) + ".";
-  std::string estimates;
-  for (const EffectParameter& p : answer.parameters)
-    estimates += (estimates.empty() ? "" : "; ") + Estimate(p);
-  if (!estimates.empty()) words += " " + estimates + ".";
+  words += PlainNames(diagnosis.effects) + ".";
+  const std::string amounts = AmountsInWords(diagnosis.effects, answer.parameters);
+  if (!amounts.empty()) words += " " + amounts;
   return words + fmt::format(
                      " It explains {:.0f} % of what the baseline cannot; the natural "
                      "logarithm of the odds for it is {:.3g}.",
@@ -71,11 +62,26 @@ std::string SayValidation(const Model& answer) {
   return words;
 }
 
+// Of the models that were fitted, by the effect that each adds.
+std::string AmountsOfOthers(const Diagnosis& diagnosis, const std::vector<std::string>& others) {
+  std::string words;
+  for (const std::string& other : others) {
+    const auto model = std::find_if(
+        diagnosis.models.begin(), diagnosis.models.end(),
+        [&](const Model& one) { return !one.effects.empty() && one.effects.back() == other; });
+    if (model == diagnosis.models.end()) continue;
+    const std::string amounts = AmountsInWords({other}, model->parameters);
+    if (!amounts.empty()) words += " " + amounts;
+  }
+  return words;
+}
+
 std::string SayConfidenceSet(const Diagnosis& diagnosis) {
   if (diagnosis.confidence_set.size() < 2) return "";
-  std::vector<std::string> others(diagnosis.confidence_set.begin() + 1,
-                                  diagnosis.confidence_set.end());
-  std::string words = "This recording cannot tell it from " + JoinNames(others) + ".";
+  const std::vector<std::string> others(diagnosis.confidence_set.begin() + 1,
+                                        diagnosis.confidence_set.end());
+  std::string words = "This recording cannot tell it from " + PlainNames(others) + "." +
+                      AmountsOfOthers(diagnosis, others);
   if (diagnosis.separating) words += " " + Describe(*diagnosis.separating);
   return words;
 }

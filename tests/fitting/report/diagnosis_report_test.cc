@@ -55,7 +55,10 @@ TestFolder* DiagnosisReport::made_ = nullptr;
 std::string* DiagnosisReport::html_ = nullptr;
 
 TEST_F(DiagnosisReport, SaysTheAnswerFirst) {
-  EXPECT_THAT(*html_, HasSubstr("<h1>What the simulation lacked: wind.</h1>"));
+  EXPECT_THAT(
+      *html_,
+      HasSubstr("<h1>What the simulation lacked: air that moves evenly, felt through the air "
+                "drag (wind).</h1>"));
   EXPECT_THAT(*html_, HasSubstr("<li>It explains 80 % of what the baseline cannot.</li>"));
   EXPECT_THAT(*html_, Not(HasSubstr("<li>What was left out")));  // the headline says it
   EXPECT_THAT(*html_, HasSubstr("Error of the baseline"));

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/diagnosis/answer/effect_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Core>
+#include <fmt/format.h>
+
+#include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/fitted/named_parameter.h"
+
+namespace clothfit {
+namespace {
+
+constexpr double kDegrees = 180.0 / M_PI;
+constexpr double kNothingBeside = 0.1;  // of the largest of the same unit
+
+std::optional<TermInfo> TermNamed(const std::string& name) {
+  for (const TermInfo& term : AllTerms())
+    if (term.name == name) return term;
+  return {};
+}
+
+std::string TermOf(const std::string& parameter) {
+  return parameter.substr(0, parameter.find('.'));
+}
+
+bool IsAmount(const EffectParameter& p) { return SwitchesOff(ParameterNamed(p.name)); }
+
+std::string WithUnit(const EffectParameter& p, double factor, const std::string& unit) {
+  const std::string text = fmt::format("{:.3g}{}", factor * p.value, unit);
+  if (!std::isfinite(p.lower90) || !std::isfinite(p.upper90)) return text;
+  return text + fmt::format(" ({:.3g} to {:.3g})", factor * p.lower90, factor * p.upper90);
+}
+
+std::string Alone(const EffectParameter& p) {
+  const bool is_angle = p.unit == "rad";
+  const bool is_bare = p.unit == "1" || p.unit.empty();
+  return WithUnit(p, is_angle ? kDegrees : 1.0,
+                  is_angle  ? " degrees"
+                  : is_bare ? ""
+                            : " " + p.unit);
+}
+
+// Of numbers that are one: its size, as if the size alone were not known along itself.
+EffectParameter SizeOf(const std::vector<EffectParameter>& parts) {
+  EffectParameter size{"", parts.front().unit};
+  double squares = 0.0, variance = 0.0;
+  for (const EffectParameter& p : parts) squares += p.value * p.value;
+  size.value = std::sqrt(squares);
+  for (const EffectParameter& p : parts) {
+    const double along = size.value > 0.0 ? p.value / size.value : 1.0;
+    variance += std::pow(along * 0.5 * (p.upper90 - p.lower90), 2);
+  }
+  size.lower90 = std::max(0.0, size.value - std::sqrt(variance));
+  size.upper90 = size.value + std::sqrt(variance);
+  return size;
+}
+
+// x, y and z of a term's amounts in one unit.
+bool IsVector(const std::vector<EffectParameter>& amounts) {
+  if (amounts.size() != 3) return false;
+  const char* const ends[] = {".x", ".y", ".z"};
+  for (std::size_t k = 0; k < amounts.size(); ++k) {
+    const std::string& name = amounts[k].name;
+    if (name.substr(name.size() - std::min<std::size_t>(2, name.size())) != ends[k]) return false;
+  }
+  return amounts[0].unit == amounts[1].unit && amounts[1].unit == amounts[2].unit;
+}
+
+bool IsTilt(const std::vector<EffectParameter>& amounts) {
+  return amounts.size() == 2 && amounts[0].unit == "rad" && amounts[1].unit == "rad";
+}
+
+std::string AmountsOfTerm(const std::vector<EffectParameter>& amounts) {
+  if (IsVector(amounts)) {
+    const EffectParameter size = SizeOf(amounts);
+    if (!(size.value > 0.0)) return Alone(size);
+    const Eigen::Vector3d along =
+        Eigen::Vector3d(amounts[0].value, amounts[1].value, amounts[2].value) / size.value;
+    return fmt::format("{} along ({:.2g}, {:.2g}, {:.2g})", Alone(size), along.x(), along.y(),
+                       along.z());
+  }
+  if (IsTilt(amounts)) return Alone(SizeOf(amounts));
+  std::string words;
+  for (const EffectParameter& p : amounts) {
+    const auto is_larger = [&](const EffectParameter& other) {
+      return other.unit == p.unit && std::abs(p.value) < kNothingBeside * std::abs(other.value);
+    };
+    if (std::any_of(amounts.begin(), amounts.end(), is_larger)) continue;
+    words += (words.empty() ? "" : ", ") + Alone(p) + " " + ParameterNamed(p.name).doc;
+  }
+  return words;
+}
+
+}  // namespace
+
+std::string PlainName(const std::string& effect) {
+  const std::optional<TermInfo> term = TermNamed(effect);
+  return term ? fmt::format("{} ({})", term->doc, effect) : effect;
+}
+
+std::string PlainNames(const std::vector<std::string>& effects) {
+  std::string names;
+  for (const std::string& effect : effects)
+    names += (names.empty() ? "" : "; ") + PlainName(effect);
+  return names;
+}
+
+std::string AmountsInWords(const std::vector<std::string>& effects,
+                           const std::vector<EffectParameter>& parameters) {
+  std::string words;
+  for (const std::string& effect : effects) {
+    const bool is_term = TermNamed(effect).has_value();
+    std::vector<EffectParameter> amounts, shapes;
+    for (const EffectParameter& p : parameters) {
+      const bool is_own = is_term ? TermOf(p.name) == effect : p.name.rfind(effect, 0) == 0;
+      if (is_own) (is_term && !IsAmount(p) ? shapes : amounts).push_back(p);
+    }
+    if (amounts.empty()) continue;
+    std::string of_effect = is_term ? AmountsOfTerm(amounts) : "";
+    for (const EffectParameter& p : is_term ? shapes : amounts) {
+      const std::string name = is_term ? p.name.substr(p.name.find('.') + 1) : p.name;
+      of_effect += (of_effect.empty() ? "" : ", ") + name + " " + Alone(p);
+    }
+    words +=
+        fmt::format("{}{}{}", words.empty() ? "" : " ", is_term ? effect + ": " : "", of_effect) +
+        ".";
+  }
+  return words;
+}
+
+}  // namespace clothfit
