@@ -117,8 +117,9 @@ int NumForecastLengths(const Scene& scene, const FitConfig& config) {
 }
 
 FitResult FitForecasts(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
-                       const FitCheckpoint* from) {
-  return Fitter(scene, config, callbacks).Forecast(NumForecastLengths(scene, config), from);
+                       const FitCheckpoint* from, int most_lengths) {
+  return Fitter(scene, config, callbacks)
+      .Forecast(NumForecastLengths(scene, config), most_lengths, from);
 }
 
 FitResult AppraiseFit(const Scene& scene, const FitConfig& config, const Eigen::VectorXd& theta) {

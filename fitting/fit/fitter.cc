@@ -220,12 +220,12 @@ void Fitter::LengthenWindows() {
   const Patience at_the_end{std::min(2 * kMostIterations, config_.max_iterations), 0.2 * kTolerance,
                             kLeastRadius};
   ShootingWindows windows(scene_, config_, free_, callbacks_.stop);
-  const int count = static_cast<int>(lengths_.size());
+  const int all = static_cast<int>(lengths_.size()), count = std::min(all, most_lengths_);
   at_best_ = {};
   for (int& k = progress_.next_window; k < count && !Stopped(); ++k) {
     const int frames = lengths_[static_cast<std::size_t>(k)];
     stage_ = fmt::format("windows of {:.2g} s", frames / scene_.recording.frame_rate);
-    stage_share_ = kShareOfWindows / count;
+    stage_share_ = kShareOfWindows / all;
     stage_begin_ = k * stage_share_;
     if (!windows.Lay(progress_.theta, frames)) {
       if (!Stopped()) Log(stage_ + ": the motion that they begin from cannot be simulated");
@@ -246,14 +246,20 @@ void Fitter::LengthenWindows() {
       continue;
     }
     const int observed = observations_.NumObserved(0, scene_.last_fitted_frame);
-    const bool is_compared = only_forecasts_ && k == count - 1;
+    const bool is_compared = only_forecasts_ && k == all - 1;
+    best_cost_ = std::numeric_limits<double>::infinity();
     in_windows_.converged =
         Minimise({std::ref(evaluate), windows.NumResiduals(), observed},
                  is_compared ? at_the_end : on_the_way, k == 0 ? kCautiousRadius : kRadiusNear)
             .converged;
     in_windows_.cost = best_cost_;
+    if (!std::isfinite(best_cost_)) {
+      if (!Stopped()) Log(stage_ + ": where it begins cannot be differentiated");
+      continue;
+    }
     is_near_ = true;
-    if (is_compared) in_windows_.residuals = windows.Residuals(observations_, progress_.theta);
+    if (only_forecasts_ && k == count - 1)
+      in_windows_.residuals = windows.Residuals(observations_, progress_.theta);
   }
   in_windows_.simulated += windows.simulated_frames();
   in_windows_.differentiated += windows.differentiated_frames();
@@ -448,12 +454,13 @@ void Fitter::FitPulled(int most_iterations) {
   if (!Stopped()) progress_.next_window = NumStages();
 }
 
-FitResult Fitter::Forecast(int num_lengths, const FitCheckpoint* from) {
+FitResult Fitter::Forecast(int num_lengths, int most_lengths, const FitCheckpoint* from) {
   ToStart();
+  most_lengths_ = most_lengths;
   if (from != nullptr) progress_ = *from;
   only_forecasts_ = true;
   lengths_.resize(static_cast<std::size_t>(num_lengths));
-  progress_.next_window = std::min(progress_.next_window, num_lengths - 1);
+  progress_.next_window = std::min(progress_.next_window, std::min(num_lengths, most_lengths) - 1);
   if (HasWork() && num_lengths > 0) LengthenWindows();
   FitResult result;
   result.theta = progress_.theta;

@@ -32,8 +32,9 @@ class Fitter {
   // Its result tells noise from what mesh and step leave (MeasurePoints).
   void TellMisfit() { tells_misfit_ = true; }
   void Begin(const FitCheckpoint* resume);
-  // Instead of what follows: fits the first lengths of windows alone, see FitForecasts.
-  FitResult Forecast(int num_lengths, const FitCheckpoint* from);
+  // Instead of what follows: fits windows alone, the first most_lengths of num_lengths lengths. See
+  // FitForecasts.
+  FitResult Forecast(int num_lengths, int most_lengths, const FitCheckpoint* from);
   void Advance(int most_iterations);
   FitResult End();
   // Measures the config's own start for a result; what comes before the fit of all frames must not
@@ -160,6 +161,7 @@ class Fitter {
   double cost_before_ = std::numeric_limits<double>::infinity();
   double polish_tolerance_;
   double radius_ = 0.0;  // of the trust region that the polish has come to; 0 before
+  int most_lengths_ = std::numeric_limits<int>::max();  // of windows
   bool is_near_ = false, only_comes_near_ = false, only_forecasts_ = false, tells_misfit_ = false;
 };
 

@@ -7,6 +7,8 @@
 // do.
 #pragma once
 
+#include <limits>
+
 #include "fitting/fit/fit.h"
 
 namespace clothfit {
@@ -19,11 +21,14 @@ inline constexpr double kLeadTime = 0.54;
 // one. 0 where there are no windows.
 int NumForecastLengths(const Scene& scene, const FitConfig& config);
 
-// Fits windows of those lengths. The
-// result has theta, parameters, the cost and the misfit of the longest windows (cost_after with the
-// priors), and neither errors nor intervals; it has failed where they cannot be simulated. `from`:
-// where it begins, and with how many lengths done.
+inline constexpr int kAllLengths = std::numeric_limits<int>::max();
+
+// Fits windows of those lengths, the first most_lengths of them. The result has theta, parameters,
+// the cost and the misfit of the longest windows (cost_after with the priors), and neither errors
+// nor intervals; it has failed where they cannot be simulated. `from`: where it begins, and with
+// how many lengths done.
 FitResult FitForecasts(const Scene& scene, const FitConfig& config,
-                       const FitCallbacks& callbacks = {}, const FitCheckpoint* from = nullptr);
+                       const FitCallbacks& callbacks = {}, const FitCheckpoint* from = nullptr,
+                       int most_lengths = kAllLengths);
 
 }  // namespace clothfit

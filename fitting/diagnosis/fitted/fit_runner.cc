@@ -6,11 +6,12 @@
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/fitted/kept_fit.h"
 #include "fitting/files/sha256.h"
 #include "fitting/fit/fit_inputs.h"
-#include "fitting/fit/forecast_fit.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/text/text.h"
 
@@ -54,11 +55,14 @@ FitResult FitRunner::Run(const Scene& scene, const FitConfig& config, const FitC
 }
 
 FitResult FitRunner::RunForecasts(const Scene& scene, const FitConfig& config,
-                                  const FitCheckpoint* from) const {
+                                  const FitCheckpoint* from, int most_lengths) const {
   FitCallbacks callbacks;
   callbacks.stop = stop_;
-  const auto run = [&] { return FitForecasts(scene, config, callbacks, from); };
-  return folder_.empty() ? run() : RunOnce("forecasts-" + FitKey(scene, config, from), run);
+  const auto run = [&] { return FitForecasts(scene, config, callbacks, from, most_lengths); };
+  if (folder_.empty()) return run();
+  const std::string kind =
+      most_lengths == kAllLengths ? "forecasts-" : fmt::format("forecasts-{}-", most_lengths);
+  return RunOnce(kind + FitKey(scene, config, from), run);
 }
 
 FitResult FitRunner::UnderWay::Once(const std::string& key, const std::function<FitResult()>& run) {

@@ -18,6 +18,7 @@
 
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/fit/fit.h"
+#include "fitting/fit/forecast_fit.h"
 
 namespace clothfit {
 
@@ -38,7 +39,7 @@ class FitRunner {
                 FitCallbacks callbacks = {}) const;
   // The same of FitForecasts.
   FitResult RunForecasts(const Scene& scene, const FitConfig& config,
-                         const FitCheckpoint* from = nullptr) const;
+                         const FitCheckpoint* from = nullptr, int most_lengths = kAllLengths) const;
 
  private:
   FitResult RunOnce(const std::string& key, const std::function<FitResult()>& run) const;
