@@ -10,14 +10,25 @@
 
 namespace clothfit {
 
-double MostOfIt(double unexplained) {
+double MostOfIt(double unexplained, bool is_lost) {
   constexpr double kMostFromAfar = 0.5;
-  return unexplained > kUnusableResidual ? kMostFromAfar : kMostOfIt;
+  return is_lost || unexplained > kUnusableResidual ? kMostFromAfar : kMostOfIt;
 }
+
+namespace {
+
+// Would a full step of the fit explain half of what it leaves beyond noise?
+bool PromisesMost(double promised, double unexplained) {
+  constexpr double kMost = 0.5;
+  const double beyond = unexplained * unexplained;
+  return promised * (1.0 + beyond) >= kMost * beyond;
+}
+
+}  // namespace
 
 Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome) {
   if (diagnosis.law) return Verdict::kNoneOfTheAbove;
-  const bool is_most = outcome.explained >= MostOfIt(outcome.unexplained);
+  const bool is_most = outcome.explained >= outcome.most;
   if (outcome.has_physics) {
     const bool may_be_mesh = outcome.unexplained < std::max(kTooLittle, outcome.mesh);
     return outcome.is_explained || is_most || may_be_mesh ? Verdict::kNamed
@@ -25,7 +36,8 @@ Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome) {
   }
   if (!diagnosis.effects.empty()) return Verdict::kObservationFault;
   if (outcome.is_explained || outcome.unexplained < kTooLittle) return Verdict::kNothingMissing;
-  return diagnosis.promised < kAtMinimum ? Verdict::kNoneOfTheAbove : Verdict::kUndecided;
+  return PromisesMost(diagnosis.promised, outcome.unexplained) ? Verdict::kUndecided
+                                                               : Verdict::kNoneOfTheAbove;
 }
 
 std::string ToString(Verdict verdict) {

@@ -15,11 +15,12 @@ struct Outcome {
   double explained = 0.0;     // share of what was beyond that without physics
   double unexplained = 0.0;   // root mean square beyond noise that the last fit leaves, sigmas
   double mesh = 0.0;          // what mesh and step do, likewise; 0 where that is not known
+  double most = 0.9;          // the share that named physics has to explain
 };
 
 // The share that named physics has to explain: 0.9, or half where the fit leaves more than
-// kUnusableResidual sigmas beyond noise.
-double MostOfIt(double unexplained);
+// kUnusableResidual sigmas beyond noise, or has lost the recorded motion, so that forecasts tell.
+double MostOfIt(double unexplained, bool is_lost = false);
 
 // Of a diagnosis that has run to its end.
 Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -21,7 +22,10 @@ namespace {
 
 constexpr std::size_t kMostJudged = 3;  // that are fitted on the deciding mesh
 constexpr double kMayWin = 0.5;         // of what the best gains on the coarser one
-constexpr int kCoarsest = 13;           // particles a side, below which lifted cloth locks (ADR 7)
+constexpr double kMayCome = 0.25;       // of what the best gains in forecasts of half that length
+constexpr int kFirstIterations = 5, kIterations = 8;  // on the coarser mesh, of each length
+constexpr int kFirstLengths = 1;  // of forecasts, by which most models are put aside
+constexpr int kCoarsest = 13;     // particles a side, below which lifted cloth locks (ADR 7)
 
 // The next coarser mesh: forecasts are short, so that it is right about their order.
 std::array<int, 2> ScreeningGrid(const ClothMesh& mesh) {
@@ -46,11 +50,13 @@ std::optional<FittedScene> InForecasts(FittedScene fitted) {
 
 }  // namespace
 
-double ShareOfForecasts(const FittedScene& before, const FittedScene& model) {
-  const double observed = before.fit.misfit ? before.fit.misfit->observed : 0.0;
-  const double missing = before.fit.cost_after - 0.5 * observed;
-  const double gain = before.fit.cost_after - model.fit.cost_after;
-  return missing > 0.0 ? std::clamp(gain / missing, 0.0, 1.0) : 0.0;
+bool CanForecast(const FittedScene& fitted) {
+  return fitted.scene.mesh.is_grid() && NumForecastLengths(fitted.scene, fitted.config) > 0;
+}
+
+double LeftByForecasts(const FittedScene& fitted) {
+  const double observed = fitted.fit.misfit ? fitted.fit.misfit->observed : 0.0;
+  return std::max(0.0, fitted.fit.cost_after - 0.5 * observed);
 }
 
 void JudgeModels(const FittedScene& before, std::vector<JudgedModel>* judged) {
@@ -82,7 +88,8 @@ std::vector<RankedCandidate> ForecastScreening::Entrants(const Ranking& ranking)
 // From either sign of its amount, where both are likely.
 std::optional<FittedScene> ForecastScreening::FitPhysics(const FittedScene& base,
                                                          const Ranking& ranking,
-                                                         const RankedCandidate& candidate) const {
+                                                         const RankedCandidate& candidate,
+                                                         int last_length) const {
   std::vector<RankedCandidate> starts = {candidate};
   for (const RankedCandidate::Start& other : candidate.other_starts) {
     starts.push_back(candidate);
@@ -92,8 +99,9 @@ std::optional<FittedScene> ForecastScreening::FitPhysics(const FittedScene& base
   std::optional<FittedScene> best;
   for (const RankedCandidate& start : starts) {
     if (Stopped()) break;
-    best = Cheaper(std::move(best), FitToForecasts(SwitchOn(base, start, ranking.faults),
-                                                   base.scene.mesh.grid, 0, runner_, &base));
+    best = Cheaper(std::move(best),
+                   FitToForecasts(SwitchOn(base, start, ranking.faults), base.scene.mesh.grid,
+                                  {0, last_length, kFirstIterations}, runner_, &base));
   }
   return best;
 }
@@ -121,7 +129,7 @@ std::vector<JudgedModel> ForecastScreening::Decide(const FittedScene& current,
     if (Stopped()) return;
     fits[k] = coarse.scene.mesh.grid == grid
                   ? coarse
-                  : FitToForecasts(GoOn(coarse), grid, 1, runner_, &coarse);
+                  : FitToForecasts(GoOn(coarse), grid, {1}, runner_, &coarse);
   });
   std::vector<JudgedModel> judged;
   for (std::size_t k = 0; k < chosen.size(); ++k)
@@ -132,20 +140,29 @@ std::vector<JudgedModel> ForecastScreening::Decide(const FittedScene& current,
 std::optional<ForecastRound> ForecastScreening::Run(
     const FittedScene& current, const std::vector<FittedModel>& faults,
     const std::map<std::string, std::vector<Probe>>& more_probes) const {
-  if (!current.scene.mesh.is_grid() || NumForecastLengths(current.scene, current.config) == 0)
-    return {};
+  if (!CanForecast(current)) return {};
   Say("fitting forecasts", 0.45);
   const bool is_off = HasLargeResidual(current.scene, current.config, current.fit);
   const ModelStart start = is_off ? WithMaterialOf(baseline_, GoOn(current)) : GoOn(current);
   const std::array<int, 2>& deciding = current.scene.mesh.grid;
   const std::array<int, 2> grid = ScreeningGrid(current.scene.mesh);
-  const std::optional<FittedScene> base = FitToForecasts(start, grid, 0, runner_, &current);
+  const int first_lengths =
+      std::min(kFirstLengths, NumForecastLengths(current.scene, start.config));
+  const auto go_on = [&](const FittedScene& fitted) {
+    return FitToForecasts(GoOn(fitted), grid, {first_lengths, kAllLengths, kIterations}, runner_,
+                          &fitted);
+  };
+  const std::optional<FittedScene> first =
+      FitToForecasts(start, grid, {0, first_lengths, kIterations}, runner_, &current);
+  if (!first || Stopped()) return {};
+  const std::optional<FittedScene> base = go_on(*first);
   if (!base || Stopped()) return {};
   const std::optional<FittedScene> looked_at = InForecasts(*base);
   if (!looked_at) return {};
   ForecastRound round;
   RankingStart by;
   by.draws = 0;
+  by.refinements = 1;
   by.more_probes = more_probes;
   round.ranking = RankCandidates(*looked_at, options_, by);
   const std::vector<RankedCandidate> entrants = Entrants(round.ranking);
@@ -156,16 +173,29 @@ std::optional<ForecastRound> ForecastScreening::Run(
   Say("fitting forecasts with what could be missing", 0.55);
   const std::size_t count = entrants.size() + faults.size();
   std::vector<std::optional<FittedScene>> fits(count);
-  ParallelFor(static_cast<int>(count), NumThreads(0), [&](int i, int) {
-    const auto k = static_cast<std::size_t>(i);
-    if (Stopped()) return;
+  const auto for_all = [&](const std::function<void(std::size_t)>& work) {
+    ParallelFor(static_cast<int>(count), NumThreads(0), [&](int i, int) {
+      if (!Stopped()) work(static_cast<std::size_t>(i));
+    });
+  };
+  for_all([&](std::size_t k) {
     if (k < entrants.size()) {
-      fits[k] = FitPhysics(*base, round.ranking, entrants[k]);
+      fits[k] = FitPhysics(*base, round.ranking, entrants[k], first_lengths);
     } else {
       ModelStart put_right = GoOn(*base);
       put_right.recording = faults[k - entrants.size()].scene.scene.recording;
-      fits[k] = FitToForecasts(put_right, grid, 0, runner_, &*base);
+      fits[k] =
+          FitToForecasts(put_right, grid, {0, first_lengths, kFirstIterations}, runner_, &*base);
     }
+  });
+  double least = first->fit.cost_after;
+  for (const auto& fit : fits)
+    if (fit) least = std::min(least, fit->fit.cost_after);
+  const double most = first->fit.cost_after - kMayCome * (first->fit.cost_after - least);
+  for_all([&](std::size_t k) {
+    if (!fits[k]) return;
+    const bool may_come = fits[k]->fit.cost_after <= most;
+    fits[k] = may_come ? go_on(*fits[k]) : std::nullopt;
   });
   std::vector<FittedModel> models;
   for (std::size_t k = 0; k < count; ++k) {
@@ -175,7 +205,7 @@ std::optional<ForecastRound> ForecastScreening::Run(
   }
   if (Stopped()) return {};
   std::optional<FittedScene> before =
-      deciding == grid ? base : FitToForecasts(GoOn(*base), deciding, 1, runner_, &*base);
+      deciding == grid ? base : FitToForecasts(GoOn(*base), deciding, {1}, runner_, &*base);
   if (!before) return {};
   round.before = std::move(*before);
   round.judged = Decide(current, *base, std::move(models));

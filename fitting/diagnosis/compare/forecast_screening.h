@@ -23,6 +23,9 @@ struct ForecastRound {
   std::vector<JudgedModel> judged;  // the highest evidence first; both meshes are the deciding one
 };
 
+// Are there points to nudge a motion to, and a mesh that can be refined?
+bool CanForecast(const FittedScene& fitted);
+
 class ForecastScreening {
  public:
   // `baseline`: the config that a diagnosis was given, whose material parameters fits begin from
@@ -40,7 +43,7 @@ class ForecastScreening {
  private:
   std::vector<RankedCandidate> Entrants(const Ranking& ranking) const;
   std::optional<FittedScene> FitPhysics(const FittedScene& base, const Ranking& ranking,
-                                        const RankedCandidate& candidate) const;
+                                        const RankedCandidate& candidate, int last_length) const;
   // The models that may come first, on the deciding mesh.
   std::vector<JudgedModel> Decide(const FittedScene& current, const FittedScene& base,
                                   std::vector<FittedModel> models) const;
@@ -61,7 +64,7 @@ class ForecastScreening {
 // `before` and of the models' fits on the deciding mesh: all of forecasts, or none.
 void JudgeModels(const FittedScene& before, std::vector<JudgedModel>* judged);
 
-// Share of what a fit to forecasts leaves beyond noise that a model explains.
-double ShareOfForecasts(const FittedScene& before, const FittedScene& model);
+// What a fit to forecasts leaves beyond noise, as a cost.
+double LeftByForecasts(const FittedScene& fitted);
 
 }  // namespace clothfit

@@ -23,6 +23,7 @@ bool CanAct(const TermInfo& term, const World& world) {
 // Others help a fit or an estimate, keep apart what is known to be there, or are a second form of
 // one that is looked for.
 bool IsAskedFor(Role role, CandidateSet set) {
+  if (set == CandidateSet::kNone) return false;
   if (set == CandidateSet::kLaws) return role == Role::kLaw;
   return role == Role::kMayBeMissing || role == Role::kOrdinary;
 }

@@ -32,6 +32,7 @@ enum class CandidateSet {
   // Features of which a law is learned (law/learn.h), with one probe each: the middle of what was
   // recorded.
   kLaws,
+  kNone,  // faults of the observation alone
 };
 
 // The candidates of a fitted config, and at most `most_probes` probes each: all combinations where

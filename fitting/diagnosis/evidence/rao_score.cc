@@ -11,6 +11,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
+#include "fitting/optimise/checked_factor.h"
+
 namespace clothfit {
 namespace {
 
@@ -114,6 +116,18 @@ Score ScoreOf(const Projection& projection, const ScoredGroup& group,
     break;
   }
   return score;
+}
+
+Eigen::VectorXd DecreasesOfAll(const Projection& projection, const std::vector<int>& columns,
+                               const Eigen::MatrixXd& projected_products) {
+  constexpr double kRidge = 1e-6;  // of a column of length 1: a thousandth of it is not seen
+  Scaled scaled = ToUnitLength(projection.gram()(columns, columns));
+  scaled.gram.diagonal().array() += kRidge;
+  const auto factor = TryCholesky(scaled.gram);
+  if (!factor) return Eigen::VectorXd::Zero(projected_products.cols());
+  const Eigen::MatrixXd white =
+      factor->matrixL().solve(scaled.scale.asDiagonal() * projected_products);
+  return white.colwise().squaredNorm();
 }
 
 double LargestCosine(const Projection& projection, const std::vector<int>& a,

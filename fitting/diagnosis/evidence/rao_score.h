@@ -69,6 +69,11 @@ class Projection {
 Score ScoreOf(const Projection& projection, const ScoredGroup& group,
               const Eigen::VectorXd& projected_products);
 
+// By how much these columns together, of either sign each, would lower the sum of squares of each
+// column of products (columns x residuals).
+Eigen::VectorXd DecreasesOfAll(const Projection& projection, const std::vector<int>& columns,
+                               const Eigen::MatrixXd& projected_products);
+
 // Cosine between what two groups can do, after projection: the largest canonical correlation.
 double LargestCosine(const Projection& projection, const std::vector<int>& a,
                      const std::vector<int>& b);

@@ -10,8 +10,6 @@ namespace clothfit {
 
 inline constexpr double kLargeResidual = 2.0;      // sigmas of residuals
 inline constexpr double kUnusableResidual = 10.0;  // sigmas that no mesh makes up for
-// Share of the cost that a full step may promise of a fit that has come to rest.
-inline constexpr double kAtMinimum = 0.05;
 
 // Does a fit leave more than kLargeResidual?
 bool HasLargeResidual(const Scene& scene, const FitConfig& config, const FitResult& fit);

@@ -15,8 +15,8 @@ namespace clothfit {
 namespace {
 
 // Weaker and weaker: what pulls also hides a part of what is wrong.
-constexpr double kNudgingShares[] = {1.0, 0.3, 0.1, 0.03};
-constexpr int kNudgedIterations = 4;  // of each
+constexpr double kNudgingShares[] = {1.0, 0.2, 0.03};
+constexpr int kNudgedIterations = 3;  // of each
 // Particles a side: where something pulls, the motion is as good on a coarse mesh.
 constexpr int kNudgedSide = 13;
 
@@ -161,17 +161,19 @@ std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart&
 }
 
 std::optional<FittedScene> FitToForecasts(const ModelStart& start, const std::array<int, 2>& grid,
-                                          int lengths_done, const FitRunner& runner,
+                                          const ForecastLengths& lengths, const FitRunner& runner,
                                           const FittedScene* after) {
   FitConfig config = start.config;
   config.resolution = grid;
+  FitConfig quick = config;
+  quick.max_iterations = std::min(config.max_iterations, lengths.most_iterations);
   Scene scene = MakeScene(start.recording, config, after != nullptr ? &after->scene : nullptr);
   if (!FitsWindows(scene, config)) return {};
   const FreeParameters free(config, scene, MakeParameterTable());
   FitCheckpoint from = Beginning(free);
-  from.next_window = lengths_done;
+  from.next_window = lengths.first;
   if (after != nullptr) from.theta.tail(after->unknown.size()) = after->unknown;
-  const FitResult result = runner.RunForecasts(scene, config, &from);
+  const FitResult result = runner.RunForecasts(scene, quick, &from, lengths.last);
   // One that was interrupted may have come to no misfit, by which it could be judged.
   if (!result.misfit || !std::isfinite(result.cost_after)) return {};
   FittedScene fitted = MakeFittedScene(std::move(scene), config, result);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,11 +68,16 @@ std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart&
                                     int most_iterations, const FitRunner& runner,
                                     double tolerance = kEnoughForDiagnosis);
 
-// Fits it to forecasts on a grid, from lengths_done of their lengths on, and from the handles'
-// paths and initial state of `after`, where that is given. Empty where the fit fails, or where
-// there are no windows.
+// Which lengths of forecasts are fitted, and by how many iterations each at most.
+struct ForecastLengths {
+  int first = 0, last = kAllLengths;  // the last one is not
+  int most_iterations = std::numeric_limits<int>::max();
+};
+
+// Fits it to forecasts on a grid, from the handles' paths and initial state of `after`, where that
+// is given. Empty where the fit fails, or where there are no windows.
 std::optional<FittedScene> FitToForecasts(const ModelStart& start, const std::array<int, 2>& grid,
-                                          int lengths_done, const FitRunner& runner,
+                                          const ForecastLengths& lengths, const FitRunner& runner,
                                           const FittedScene* after = nullptr);
 
 // A fit to forecasts gone on with: windows that grow further, then all frames.

@@ -17,7 +17,7 @@ namespace {
 constexpr int kLongestSide = 11;      // particles: a force that is even over patches needs no more
 constexpr int kMostKnots = 24;        // in time
 constexpr double kKnotSpacing = 0.1;  // s, at least
-constexpr int kLinearisations = 3;    // at most
+constexpr int kLinearisations = 2;    // at most
 constexpr int kNulls = 99;            // so that a p-value of 0.01 can be seen
 constexpr int kErrorDraws = 2;        // of parameters, at which the numerical error is measured
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A diagnosis under way: what is known so far, and its steps. diagnose.cc has the rounds, in which
-// effects are found one after the other; diagnoser_answer.cc what is made of them.
+// A diagnosis under way: what is known so far, and its steps. Effects are found one after the
+// other, in rounds by forecasts or by whole fits; diagnoser_answer.cc has what is made of them.
 #pragma once
 
 #include <chrono>
@@ -17,6 +17,7 @@
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/diagnosis/fitted/options.h"
 #include "fitting/diagnosis/locate/contact_shapes.h"
+#include "fitting/diagnosis/locate/locate_missing_force.h"
 #include "fitting/diagnosis/locate/residual_force.h"
 #include "fitting/diagnosis/model/screening.h"
 #include "fitting/diagnosis/rank/ranking.h"
@@ -54,14 +55,23 @@ class Diagnoser {
   void TellOfNull(const Ranking& ranking);
   void TellCandidates(const Ranking& of_physics, const Ranking& of_faults);
   bool IsExplained(const Ranking& ranking) const;
+  // What the coarse mesh tells: faults, ranked, and where a force is missing.
+  struct CoarseLook {
+    Ranking ranking;
+    std::optional<LocatedForce> located;  // of the first round
+  };
+  CoarseLook LookOnCoarse(const FittedScene& coarse, bool is_first) const;
+  std::optional<LocatedForce> Locate(const FittedScene& fitted, const Ranking& ranking) const;
   // Where, when and of what class a force is missing.
-  void LocateDiscrepancy(const FittedScene& fitted, const Ranking& ranking);
+  void TellLocated(const std::optional<LocatedForce>& found);
   // Where an obstacle would stand that pushes as the missing force does, by term.
   std::map<std::string, std::vector<Probe>> ContactProbes() const;
   // A round by forecasts; empty where there are none.
   std::optional<bool> AddByForecasts(const Ranking& ranking);
+  double ShareOfForecasts(const FittedScene& before, const FittedScene& model) const;
   bool AddByWholeFits(Ranking ranking);
-  std::vector<JudgedModel> FitWhole(const std::vector<JudgedModel>& forecasts);
+  std::vector<JudgedModel> FitWhole(const FittedScene& before,
+                                    const std::vector<JudgedModel>& forecasts);
   void OrderByAllFrames(const std::vector<JudgedModel>& whole,
                         std::vector<JudgedModel>* forecasts) const;
   bool IsBorneOut(const JudgedModel& best, const std::vector<JudgedModel>& whole) const;
@@ -76,6 +86,8 @@ class Diagnoser {
   bool CatchesUp(std::vector<JudgedModel>* judged);
   void Judge(const FittedScene& before, std::vector<JudgedModel>* judged) const;
   void Keep(std::vector<JudgedModel> judged, Ranking ranking);
+  // A fit to forecasts, gone on with to all frames; far where it follows the recording to its end.
+  std::optional<FittedScene> FitAllFrames(const FittedScene& forecasts) const;
   // What was kept by forecasts, fitted to all frames.
   void GoOnBeyondForecasts();
   // A model like another one, fitted as that is: to forecasts or to all frames.
@@ -108,6 +120,9 @@ class Diagnoser {
   const Ranking& RankingWithoutPhysics() const;
   // Share of what a fit without physics leaves beyond noise and mesh that is gone now.
   double Explained(const FittedScene& fine) const;
+  bool IsLost() const;
+  double ExplainedByAnswer() const;
+  double MostOfAnswer() const;  // that has to be
   std::vector<std::string> EffectsSoFar() const;
   std::vector<std::string> ParametersSoFar() const;
   void Say(const std::string& stage, double fraction) const {
@@ -118,7 +133,6 @@ class Diagnoser {
   }
   bool Stopped() const { return runner_.IsStopped(); }
   void Spend(const std::string& stage);
-  void SpendOn(const Ranking& ranking);
 
   Recording recording_;
   FitConfig baseline_;
@@ -132,6 +146,9 @@ class Diagnoser {
   Ranking last_ranking_;                                  // of what was missing in now_
   std::optional<FitQuality> baseline_quality_, quality_;  // of the baseline and of now_
   int restarts_ = 0, rounds_left_ = 0;
+  bool is_baseline_fitted_ = false;  // on the deciding mesh
+  // What forecasts leave beyond noise, as costs: without physics, and with what was kept last.
+  double forecasts_lack_ = 0.0, forecasts_left_ = 0.0;
   std::optional<MissingForce> missing_;
   std::vector<Push> pushes_;  // of it
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();

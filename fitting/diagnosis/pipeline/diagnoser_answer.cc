@@ -38,6 +38,19 @@ double Diagnoser::Explained(const FittedScene& fine) const {
                         0.5 * rows * (1 + mesh * mesh), 0.0);
 }
 
+// What has lost the recorded motion is told of by forecasts.
+bool Diagnoser::IsLost() const {
+  const FittedScene& fine = now_.fine;
+  return HasPhysics() && forecasts_lack_ > 0.0 &&
+         HasLargeResidual(fine.scene, fine.config, fine.fit);
+}
+
+double Diagnoser::ExplainedByAnswer() const {
+  return IsLost() ? std::max(0.0, 1.0 - forecasts_left_ / forecasts_lack_) : Explained(now_.fine);
+}
+
+double Diagnoser::MostOfAnswer() const { return MostOfIt(quality_->Unexplained(), IsLost()); }
+
 double Diagnoser::UnexplainedWithoutPhysics() const {
   return BeyondNoise(2.0 * WithoutPhysics().Cost() / baseline_quality_->scale.rows);
 }
@@ -54,9 +67,8 @@ void Diagnoser::ForgetPhysics() {
 
 // Where less than noise is left beyond noise, a name has to explain most of it.
 void Diagnoser::TakeBackWhatIsTooLittle() {
-  const double left = UnexplainedWithoutPhysics(), explained = Explained(now_.fine);
-  const bool stands = quality_->is_explained || left >= kTooLittle ||
-                      explained >= MostOfIt(quality_->Unexplained());
+  const double left = UnexplainedWithoutPhysics(), explained = ExplainedByAnswer();
+  const bool stands = quality_->is_explained || left >= kTooLittle || explained >= MostOfAnswer();
   if (stands || !HasPhysics()) return;
   Log(
       fmt::format("{} is not kept: without it {:.2g} sigmas are left beyond noise, of which it "
@@ -75,7 +87,7 @@ void Diagnoser::SetAnswer(const BothMeshes& before) {
   answer.effects = EffectsSoFar();
   answer.config = fine.values;
   answer.cost = now_.Cost();
-  answer.explained = Explained(fine);
+  answer.explained = ExplainedByAnswer();
   // A fault's own amounts are in no config.
   std::vector<EffectParameter> of_faults;
   for (const Kept& kept : kept_) {
@@ -106,7 +118,7 @@ void Diagnoser::SetAnswer(const BothMeshes& before) {
 
 void Diagnoser::LearnInstead() {
   const bool is_open = !IsExplained(last_ranking_) && UnexplainedWithoutPhysics() >= kTooLittle &&
-                       Explained(now_.fine) < MostOfIt(quality_->Unexplained());
+                       ExplainedByAnswer() < MostOfAnswer();
   if (!is_open || Stopped()) return;
   const BothMeshes without = WithoutPhysics();
   Say("learning a law", 0.85);
@@ -171,12 +183,14 @@ void Diagnoser::Conclude() {
   diagnosis_.effects = EffectsSoFar();
   if (!kept_.empty()) SetAnswer(kept_.back().before);
   LearnInstead();
-  const double explained = Explained(now_.fine);
-  const Outcome outcome{HasPhysics(), IsExplained(last_ranking_), explained,
-                        quality_->Unexplained(), quality_->mesh};
+  const double explained = ExplainedByAnswer();
+  const Outcome outcome{HasPhysics(),   IsExplained(last_ranking_),
+                        explained,      quality_->Unexplained(),
+                        quality_->mesh, MostOfAnswer()};
   diagnosis_.verdict = Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, outcome);
   if (missing_)
     diagnosis_.motions.missing_force = ForceOnParticles(now_.fine.scene.mesh, *missing_);
+  diagnosis_.fit = DiagnosisFit{now_.fine.scene, now_.fine.config, quality_->result};
   diagnosis_.motions.held_out = recording_.splits.held_out_frames;
   if (diagnosis_.answer || !diagnosis_.effects.empty())
     diagnosis_.motions.answer = SimulateFitted(now_.fine);

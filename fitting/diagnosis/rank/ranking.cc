@@ -3,7 +3,6 @@
 #include "fitting/diagnosis/rank/ranking.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -35,6 +34,7 @@ class Ranker {
         set_(start.set),
         draws_(start.draws),
         most_probes_(start.probes),
+        refinements_(start.refinements),
         more_probes_(start.more_probes),
         observations_(fitted.scene, fitted.config),
         frames_(fitted.scene, observations_, kMostRows),
@@ -70,7 +70,7 @@ class Ranker {
   const DiagnosisOptions& options_;
   std::shared_ptr<const DiscretisationErrors> errors_;
   CandidateSet set_;
-  int draws_, most_probes_;
+  int draws_, most_probes_, refinements_;
   std::map<std::string, std::vector<Probe>> more_probes_;
   ObservationResiduals observations_;
   RowFrames frames_;
@@ -211,10 +211,11 @@ ScoredGroup Ranker::GroupOf(const Trial& trial) const {
   return {trial.columns, candidates_[trial.candidate].is_one_sided, {}};
 }
 
-// Places and shapes beside the best ones of the candidates that look best, finer each time.
+// Places and shapes beside the best ones of the candidates that look best, finer each time. What
+// more probes were given for is known as well as that.
 void Ranker::Refine() {
   double step = 0.5;
-  for (int round = 0; round < 2; ++round, step *= 0.5) {
+  for (int round = 0; round < refinements_; ++round, step *= 0.5) {
     Scale();
     const Projection projection(gram_, Nuisances(""));
     std::vector<std::pair<double, std::size_t>> best(candidates_.size(), {-1.0, 0});
@@ -230,6 +231,14 @@ void Ranker::Refine() {
     std::size_t most = 0;
     for (const auto& [decrease, t] : best) {
       const CandidateTerm& candidate = candidates_[trials_[t].candidate];
+      const auto given = more_probes_.find(candidate.name);
+      const bool is_known =
+          given != more_probes_.end() &&
+          std::count(given->second.begin(), given->second.end(), trials_[t].probe);
+      if (is_known) {
+        near.emplace_back();
+        continue;
+      }
       near.push_back(ProbesNear(candidate, trials_[t].probe, extent_, step));
       most = std::max(most, near.back().size());
     }
@@ -342,18 +351,22 @@ RankedCandidate Ranker::Observation(const std::string& group, const Projection& 
 // null: small effects show here long before they show in the whole sum.
 double Ranker::ExplainedTogether(const Projection& projection,
                                  const std::vector<Eigen::VectorXd>& nulls) const {
-  ScoredGroup all;
+  // What the baseline and faults can do as well has no length of its own left.
+  constexpr double kItsOwn = 1e-10;
+  std::vector<int> columns;
   for (const Trial& trial : trials_)
-    all.columns.insert(all.columns.end(), trial.columns.begin(), trial.columns.end());
-  all.is_one_sided.assign(all.columns.size(), false);
+    for (const int column : trial.columns)
+      if (projection.gram()(column, column) > kItsOwn) columns.push_back(column);
+  if (columns.empty()) return 0.0;
   constexpr std::size_t kEnough = 20;
-  double of_null = 0.0;
   const std::size_t count = std::min(kEnough, nulls.size());
+  Eigen::MatrixXd products(columns.size(), 1 + count);
+  products.col(0) = projection.gram().col(residual_)(columns);
   for (std::size_t k = 0; k < count; ++k)
-    of_null += ScoreOf(projection, all, nulls[k]).decrease / static_cast<double>(count);
-  const double own = ScoreOf(projection, all, projection.gram().col(residual_)).decrease /
-                     (scale_[residual_] * scale_[residual_]);
-  return std::max(0.0, own - of_null);
+    products.col(1 + static_cast<Eigen::Index>(k)) = nulls[k](columns);
+  const Eigen::VectorXd decreases = DecreasesOfAll(projection, columns, products);
+  const double of_null = count > 0 ? decreases.tail(count).mean() : 0.0;
+  return std::max(0.0, decreases[0] / (scale_[residual_] * scale_[residual_]) - of_null);
 }
 
 void Ranker::DrawTheNulls() {
@@ -398,19 +411,10 @@ void Ranker::PassGate(Ranking* ranking) {
 
 Ranking Ranker::Run() {
   Ranking ranking;
-  auto mark = std::chrono::steady_clock::now();
-  const auto spent = [&](const char* part) {
-    const auto now = std::chrono::steady_clock::now();
-    ranking.seconds.emplace_back(part, std::chrono::duration<double>(now - mark).count());
-    mark = now;
-  };
   RunBaseline();
   AddDiscretisationErrors();
-  spent("errors of mesh and step");
   AddFirstTrials();
-  spent("absent terms");
   if (set_ == CandidateSet::kCatalogue) Refine();
-  spent("their places and shapes");
   PassGate(&ranking);
   const Projection projection(gram_, Nuisances("")), raw(gram_, {});
   ranking.faults = faults_;
@@ -445,7 +449,6 @@ Ranking Ranker::Run() {
                    [](const auto& a, const auto& b) { return a.summary.score > b.summary.score; });
   ShortList(HasPoints(fitted_.scene), options_, &ranking);
   ranking.projection = projection;
-  spent("scores");
   return ranking;
 }
 

@@ -71,15 +71,15 @@ struct Ranking {
   std::shared_ptr<const DiscretisationErrors> errors;
   // What they do to a prediction of held-out frames, root mean square; 0 where that is not known.
   double PredictionError() const { return errors ? errors->held_out_rms : 0.0; }
-  std::vector<std::pair<std::string, double>> seconds;  // spent on each part
 };
 
 // What is known before a ranking.
 struct RankingStart {
   std::shared_ptr<const DiscretisationErrors> errors;  // null: measured
   CandidateSet set = CandidateSet::kCatalogue;
-  int draws = 3;   // of the errors of mesh and step, where they are measured
-  int probes = 8;  // places, times and shapes of a candidate that are looked at first
+  int draws = 3;        // of the errors of mesh and step, where they are measured
+  int probes = 8;       // places, times and shapes of a candidate that are looked at first
+  int refinements = 2;  // of the best ones' places and shapes
   std::map<std::string, std::vector<Probe>> more_probes = {};  // by candidate
 };
 

@@ -8,7 +8,7 @@ namespace clothfit {
 namespace {
 
 Outcome WithPhysics(double explained, double unexplained) {
-  return {true, false, explained, unexplained};
+  return {true, false, explained, unexplained, 0.0, MostOfIt(unexplained)};
 }
 
 TEST(Verdict, NamesPhysicsThatExplainsMostOfIt) {
@@ -24,6 +24,11 @@ TEST(Verdict, NamesPhysicsThatLeavesTooLittleToAskFor) {
   // Mesh and step may make what is left.
   EXPECT_EQ(VerdictOf(diagnosis, {true, false, 0.85, 1.5, 2.0}), Verdict::kNamed);
   EXPECT_EQ(VerdictOf(diagnosis, {true, false, 0.85, 1.5, 1.2}), Verdict::kNoneOfTheAbove);
+}
+
+TEST(Verdict, NamesWhatExplainsHalfOfForecastsWhereTheMotionIsLost) {
+  EXPECT_EQ(MostOfIt(3.0), 0.9);
+  EXPECT_EQ(MostOfIt(3.0, true), 0.5);
 }
 
 TEST(Verdict, NamesWhatExplainsHalfWhereNoFitComesNear) {
@@ -44,7 +49,9 @@ TEST(Verdict, OfNothingFoundDependsOnWhatIsLeft) {
   EXPECT_EQ(VerdictOf(diagnosis, {false, true, 0.0, 3.0}), Verdict::kNothingMissing);
   EXPECT_EQ(VerdictOf(diagnosis, {false, false, 0.0, 0.9}), Verdict::kNothingMissing);
   EXPECT_EQ(VerdictOf(diagnosis, {false, false, 0.0, 1.1}), Verdict::kNoneOfTheAbove);
-  diagnosis.promised = 0.2;  // the fit has come to no minimum
+  diagnosis.promised = 0.2;  // of all; a third of what is beyond noise
+  EXPECT_EQ(VerdictOf(diagnosis, {false, false, 0.0, 1.1}), Verdict::kNoneOfTheAbove);
+  diagnosis.promised = 0.4;
   EXPECT_EQ(VerdictOf(diagnosis, {false, false, 0.0, 1.1}), Verdict::kUndecided);
 }
 

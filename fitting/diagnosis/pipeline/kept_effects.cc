@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What was kept so far, what a new effect does to it, and how it is described.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "fitting/diagnosis/answer/parameter_intervals.h"
+#include "fitting/diagnosis/compare/forecast_screening.h"
+#include "fitting/diagnosis/compare/separating_motion.h"
+#include "fitting/diagnosis/fitted/refit.h"
+#include "fitting/diagnosis/gate/baseline_fit.h"
+#include "fitting/diagnosis/model/switch_on.h"
+#include "fitting/diagnosis/pipeline/diagnoser.h"
+#include "fitting/diagnosis/validate/model_validation.h"
+
+namespace clothfit {
+
+void Diagnoser::Judge(const FittedScene& before, std::vector<JudgedModel>* judged) const {
+  JudgeModels(before, judged);
+  for (const JudgedModel& one : *judged) {
+    Log(fmt::format("with {}: cost {:.6g} -> {:.6g} on {} particles, log evidence {:.4g}",
+                    one.candidate.summary.name, before.fit.cost_after, one.model.Cost(),
+                    one.model.fine.scene.mesh.num_particles(), one.log_evidence));
+  }
+}
+
+void Diagnoser::Keep(std::vector<JudgedModel> judged, Ranking ranking) {
+  const bool is_physics = judged.front().candidate.faults.empty();
+  const bool is_first = !HasPhysics();
+  if (is_first) TellApart(judged);
+  BothMeshes before = std::move(now_);
+  now_ = judged.front().model;
+  RankedCandidate candidate = judged.front().candidate;
+  kept_.push_back({std::move(candidate), std::move(before), std::move(ranking), std::move(judged)});
+  if (is_physics && !is_first) LookBack();
+  if (now_.fine.of_forecasts) {
+    GoOnBeyondForecasts();
+  } else if (!is_physics) {
+    FitAgainWithoutFault();
+  }
+}
+
+// Backward elimination: a stiff patch that was kept for a stiff seam has nothing left to stand for
+// once the seam has been found. Exchange: wind and a heavy patch look like a tilted gravity while
+// the patch is not known, and like nothing but wind beside it.
+void Diagnoser::LookBack() {
+  if (Stopped()) return;
+  const auto first_physics =
+      std::find_if(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.IsPhysics(); });
+  const auto first = static_cast<std::size_t>(first_physics - kept_.begin());
+  const RankedCandidate second = kept_.back().candidate;
+  const BothMeshes& before = first_physics->before;
+  Say("fitting without " + first_physics->candidate.summary.name, 0.7);
+  std::optional<FittedScene> alone =
+      FitLike(now_.fine, WithOnly(before.fine, now_.fine, second), 2 * kModelIterations);
+  Spend("fitting without what was found");
+  if (!alone) return;
+  std::vector<JudgedModel> both = {{first_physics->candidate, now_}};
+  for (const JudgedModel& rival : first_physics->rivals) {
+    const bool is_other = rival.candidate.summary.name != first_physics->candidate.summary.name &&
+                          rival.candidate.summary.name != second.summary.name;
+    if (!is_other || !rival.candidate.faults.empty() || Stopped()) continue;
+    std::optional<FittedScene> beside = FitLike(
+        rival.model.fine, WithEffectOf(now_.fine, second, rival.model.fine), kModelIterations);
+    if (beside) both.push_back({rival.candidate, {rival.model.coarse, std::move(*beside)}});
+  }
+  Spend("another effect in its place");
+  Judge(*alone, &both);
+  if (both.front().log_evidence < kStrongEvidence) {
+    Log(fmt::format("{} is dropped: {} does without it", first_physics->candidate.summary.name,
+                    second.summary.name));
+    std::optional<BothMeshes> meshes = OnBoth(*alone);
+    if (!meshes) return;
+    Kept last = std::move(kept_.back());
+    last.before = before;
+    kept_.pop_back();
+    kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(first));
+    kept_.push_back(std::move(last));
+    now_ = std::move(*meshes);
+    diagnosis_.confidence_set = {second.summary.name};
+    diagnosis_.separating.reset();
+    ++rounds_left_;  // one effect more may be added than if it had been found at once
+    return;
+  }
+  PutInPlaceOf(first, std::move(both));
+}
+
+// both: of models that have the newest effect besides.
+void Diagnoser::PutInPlaceOf(std::size_t first, std::vector<JudgedModel> both) {
+  Kept& kept = kept_[first];
+  const JudgedModel& best = both.front();
+  if (best.candidate.summary.name != kept.candidate.summary.name) {
+    std::optional<BothMeshes> meshes = OnBoth(best.model.fine);
+    if (!meshes) return;
+    Log(fmt::format("{} takes the place of {}", best.candidate.summary.name,
+                    kept.candidate.summary.name));
+    kept.candidate = best.candidate;
+    now_ = std::move(*meshes);
+  }
+  TellApart(both);
+}
+
+// What is of forecasts will be gone on with to all frames, and comes to the coarse mesh then.
+std::optional<BothMeshes> Diagnoser::OnBoth(const FittedScene& fine) const {
+  if (fine.of_forecasts) return BothMeshes{fine, fine};
+  return meshes_.Coarsen(fine, kModelIterations);
+}
+
+std::optional<FittedScene> Diagnoser::FitLike(const FittedScene& other, const ModelStart& start,
+                                              int most_iterations) const {
+  if (!other.of_forecasts) return FitModel(other, start, most_iterations, runner_);
+  return FitToForecasts(start, other.scene.mesh.grid, {1}, runner_, &other);
+}
+
+void Diagnoser::TellApart(const std::vector<JudgedModel>& judged) {
+  diagnosis_.confidence_set.clear();
+  diagnosis_.separating.reset();
+  std::vector<const FittedScene*> fitted;
+  for (const JudgedModel& c : judged) {
+    if (c.log_evidence < judged.front().log_evidence - kStrongEvidence) continue;
+    diagnosis_.confidence_set.push_back(c.candidate.summary.name);
+    // What is put right in the observation moves no cloth.
+    if (c.candidate.faults.empty()) fitted.push_back(&c.model.fine);
+  }
+  if (fitted.size() < 2) return;
+  diagnosis_.separating = FindSeparatingMotion(fitted);
+  Spend("separating motion");
+}
+
+// Beside what was kept.
+Model Diagnoser::Describe(const JudgedModel& one, const FittedScene& before) const {
+  Model described;
+  described.effects = EffectsSoFar();
+  for (const std::string& effect : one.candidate.Effects()) described.effects.push_back(effect);
+  const FittedScene& fine = one.model.fine;
+  described.config = fine.values;
+  described.cost = fine.fit.cost_after;
+  described.log_evidence = one.log_evidence;
+  described.explained = fine.of_forecasts ? ShareOfForecasts(before, fine) : Explained(fine);
+  std::vector<std::string> names = ParametersSoFar();
+  if (one.candidate.faults.empty()) {
+    names.insert(names.end(), one.candidate.names.begin(), one.candidate.names.end());
+    for (const auto& [name, value] : one.candidate.probe) names.push_back(name);
+  } else {
+    described.parameters = one.candidate.summary.parameters;
+  }
+  const std::vector<EffectParameter> estimates = EstimatesOf(fine.fit, fine.config, names);
+  described.parameters.insert(described.parameters.end(), estimates.begin(), estimates.end());
+  described.validation = ValidateOn(fine, now_.fine, one.candidate, last_ranking_);
+  return described;
+}
+
+HeldOutValidation Diagnoser::ValidateOn(const FittedScene& model, const FittedScene& before,
+                                        const RankedCandidate& candidate,
+                                        const Ranking& ranking) const {
+  // What mesh and step do to a prediction is held against physics, not against a camera.
+  const double by_mesh = candidate.faults.empty() ? last_ranking_.PredictionError() : 0.0;
+  return ValidateOnHeldOut(model, before, FaultySource(candidate, ranking), by_mesh, options_.seed);
+}
+
+std::vector<std::string> Diagnoser::EffectsSoFar() const {
+  std::vector<std::string> effects = swaps_;
+  for (const Kept& kept : kept_) {
+    for (const std::string& effect : kept.candidate.Effects()) {
+      const bool is_again =  // a fault that is put right once more
+          std::find(effects.begin(), effects.end(), effect) != effects.end();
+      if (!is_again) effects.push_back(effect);
+    }
+  }
+  return effects;
+}
+
+std::vector<std::string> Diagnoser::ParametersSoFar() const {
+  std::vector<std::string> names;
+  for (const Kept& kept : kept_) {
+    if (!kept.IsPhysics()) continue;
+    names.insert(names.end(), kept.candidate.names.begin(), kept.candidate.names.end());
+    for (const auto& [name, value] : kept.candidate.probe) names.push_back(name);
+  }
+  return names;
+}
+
+bool Diagnoser::HasPhysics() const {
+  return std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.IsPhysics(); });
+}
+
+}  // namespace clothfit

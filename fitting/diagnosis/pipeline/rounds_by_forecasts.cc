@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rounds by forecasts: how an effect is found and decided upon where there are points.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/base/parallel.h"
+#include "fitting/diagnosis/compare/forecast_screening.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/fitted/refit.h"
+#include "fitting/diagnosis/gate/baseline_fit.h"
+#include "fitting/diagnosis/model/switch_on.h"
+#include "fitting/diagnosis/pipeline/diagnoser.h"
+
+namespace clothfit {
+namespace {
+
+// Other equations than the recorded cloth's leave something of which one of sixty terms always
+// takes a part; what is missing takes most. In between: docs/adr/0017.
+constexpr double kLeastShareBeside = 0.4;  // of an effect beside another one
+// Of what the best gains in forecasts: with as much the order is that of all frames.
+constexpr double kInDoubt = 0.8;
+
+bool Follows(const FittedScene& fitted) {
+  return !HasLargeResidual(fitted.scene, fitted.config, fitted.fit);
+}
+
+const JudgedModel* Named(const JudgedModel& one, const std::vector<JudgedModel>& models) {
+  const auto same = std::find_if(models.begin(), models.end(), [&](const JudgedModel& other) {
+    return other.candidate.summary.name == one.candidate.summary.name;
+  });
+  return same == models.end() ? nullptr : &*same;
+}
+
+}  // namespace
+
+std::map<std::string, std::vector<Probe>> Diagnoser::ContactProbes() const {
+  std::map<std::string, std::vector<Probe>> probes;
+  for (const ContactStart& start : ContactStarts(pushes_, now_.fine.scene.world.gravity)) {
+    probes[start.term].push_back(start.probe);
+    std::string words;
+    for (const auto& [name, value] : start.probe) words += fmt::format(" {} {:.3g}", name, value);
+    Log("the missing force pushes as from" + words);
+  }
+  return probes;
+}
+
+std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
+  const ForecastScreening screening(baseline_, options_);
+  const std::vector<FittedModel> faults =
+      ModelScreening(baseline_, options_).FitFaults(now_.coarse, ranking);
+  Spend("fitting faults");
+  const auto probes = HasPhysics() ? std::map<std::string, std::vector<Probe>>() : ContactProbes();
+  std::optional<ForecastRound> round = screening.Run(now_.fine, faults, probes);
+  Spend("forecasts");
+  if (!round) return {};
+  if (kept_.empty()) TellCandidates(round->ranking, ranking);
+  if (!HasPhysics()) forecasts_lack_ = LeftByForecasts(round->before);
+  std::vector<JudgedModel> judged = std::move(round->judged);
+  Judge(round->before, &judged);
+  if (judged.empty() || Stopped()) return false;
+  const double share = ShareOfForecasts(round->before, judged.front().model.fine);
+  const bool may_explain = share >= (HasPhysics() ? kLeastShareBeside : options_.least_share);
+  std::vector<JudgedModel> whole;
+  if (may_explain) {
+    whole = FitWhole(round->before, judged);
+    if (whole.empty()) return false;
+    OrderByAllFrames(whole, &judged);
+  }
+  for (const JudgedModel& one : judged) diagnosis_.models.push_back(Describe(one, round->before));
+  if (!may_explain) {
+    Log(fmt::format("{} explains {:.2g} % of what forecasts leave: no explanation",
+                    judged.front().candidate.summary.name, 100.0 * share));
+    return false;
+  }
+  if (!IsBorneOut(judged.front(), whole)) return false;
+  diagnosis_.models[diagnosis_.models.size() - judged.size()].is_kept = true;
+  forecasts_left_ = LeftByForecasts(judged.front().model.fine);
+  Keep(std::move(judged), ranking);
+  return true;
+}
+
+// Of what forecasts leave beyond noise.
+double Diagnoser::ShareOfForecasts(const FittedScene& before, const FittedScene& model) const {
+  const double gain = before.fit.cost_after - model.fit.cost_after, left = LeftByForecasts(before);
+  return left > 0.0 ? std::clamp(gain / left, 0.0, 1.0) : 0.0;
+}
+
+// The models of forecasts, the best first, fitted to all frames: the others only where the best
+// follows the recording to its end, since what has lost it says nothing of their order, and where
+// forecasts leave the order in doubt.
+std::vector<JudgedModel> Diagnoser::FitWhole(const FittedScene& before,
+                                             const std::vector<JudgedModel>& forecasts) {
+  Say("fitting all frames", 0.75);
+  const double cost = before.fit.cost_after;
+  const double doubtful = cost - kInDoubt * (cost - forecasts.front().model.Cost());
+  std::vector<std::optional<FittedScene>> fits(forecasts.size());
+  const auto fit = [&](std::size_t k) {
+    if (!Stopped() && forecasts[k].model.Cost() <= doubtful)
+      fits[k] = FitAllFrames(forecasts[k].model.fine);
+  };
+  fit(0);
+  if (fits[0] && Follows(*fits[0])) {
+    ParallelFor(static_cast<int>(fits.size()) - 1, NumThreads(0),
+                [&](int i, int) { fit(static_cast<std::size_t>(i) + 1); });
+  }
+  std::vector<JudgedModel> whole;
+  for (std::size_t k = 0; k < fits.size(); ++k)
+    if (fits[k]) whole.push_back({forecasts[k].candidate, {*fits[k], *fits[k]}});
+  Judge(now_.fine, &whole);
+  Spend("fitting all frames");
+  return whole;
+}
+
+// Forecasts find what is missing however chaotic a motion is, but the states that they begin with
+// are a little wrong: where the best follows the recording to its end, all frames order those that
+// were fitted to them. The others stay as far behind the best as they were.
+void Diagnoser::OrderByAllFrames(const std::vector<JudgedModel>& whole,
+                                 std::vector<JudgedModel>* forecasts) const {
+  const JudgedModel* const best = Named(forecasts->front(), whole);
+  if (best == nullptr || !Follows(best->model.fine)) return;
+  const double shift = best->log_evidence - forecasts->front().log_evidence;
+  for (JudgedModel& one : *forecasts) {
+    const JudgedModel* const same = Named(one, whole);
+    one.log_evidence = same != nullptr ? same->log_evidence : one.log_evidence + shift;
+  }
+  std::stable_sort(
+      forecasts->begin(), forecasts->end(),
+      [](const JudgedModel& a, const JudgedModel& b) { return a.log_evidence > b.log_evidence; });
+}
+
+// Both have to speak for it: forecasts begin where the recorded cloth is said to have been, which
+// may be wrong alike in all of them.
+bool Diagnoser::IsBorneOut(const JudgedModel& best, const std::vector<JudgedModel>& whole) const {
+  const JudgedModel* const same = Named(best, whole);
+  return best.log_evidence >= kStrongEvidence && same != nullptr &&
+         same->log_evidence >= kStrongEvidence;
+}
+
+// What has lost the recorded motion comes to no minimum, however far it is fitted.
+std::optional<FittedScene> Diagnoser::FitAllFrames(const FittedScene& forecasts) const {
+  std::optional<FittedScene> fine = FitBeyondForecasts(forecasts, kModelIterations / 2, runner_);
+  const bool may_gain =
+      fine && fine->fit.status != FitStatus::kConverged && !Stopped() && Follows(*fine);
+  if (!may_gain) return fine;
+  return Cheaper(fine,
+                 FitModel(*fine, GoOn(*fine), 3 * kModelIterations, runner_, kEnoughToDecide));
+}
+
+void Diagnoser::GoOnBeyondForecasts() {
+  Say("fitting all frames", 0.75);
+  const std::optional<FittedScene> fine = FitAllFrames(now_.fine);
+  std::optional<BothMeshes> both =
+      fine ? meshes_.Coarsen(*fine, kModelIterations) : std::optional<BothMeshes>();
+  if (both) now_ = std::move(*both);
+  Spend("fitting what was kept to all frames");
+}
+
+}  // namespace clothfit
