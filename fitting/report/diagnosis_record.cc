@@ -44,6 +44,7 @@ DiagnosisRecord ReadDiagnosisRecord(const fs::path& folder) {
     record.verdict = record.json.at("verdict").get<std::string>();
     record.words = Typeset(record.json.at("words").get<std::string>());
     record.effects = record.json.at("effects").get<std::vector<std::string>>();
+    record.effects_in_words = record.json.value("effects_in_words", JoinNames(record.effects));
     record.confidence_set = record.json.at("ambiguity").get<std::vector<std::string>>();
     CheckFiles(record);
     record.resolution = record.json.at("resolution").get<std::array<int, 2>>();

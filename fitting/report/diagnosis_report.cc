@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/answer/effect_words.h"
 #include "fitting/files/npy_file.h"
 #include "fitting/report/diagnosis_record.h"
 #include "fitting/report/diagnosis_sections.h"
@@ -30,7 +29,7 @@ Grade GradeOf(const std::string& verdict) {
 }
 
 std::string HeadlineOf(const DiagnosisRecord& record) {
-  const std::string effects = PlainNames(record.effects);
+  const std::string& effects = record.effects_in_words;
   if (record.verdict == "nothing is missing") return "Nothing is missing from the simulation.";
   if (record.verdict == "named") return "What the simulation lacked: " + effects + ".";
   if (record.verdict == "observation fault") {
@@ -169,7 +168,7 @@ ReportPage MakeDiagnosisReport(const fs::path& folder, const ReportAssets& asset
   obstacles.insert(obstacles.end(), extras.obstacles.begin(), extras.obstacles.end());
   return MakeScenePage({report,
                         {GradeOf(record.verdict), HeadlineOf(record),
-                         Sentences(record.words, PlainNames(record.effects))},
+                         Sentences(record.words, record.effects_in_words)},
                         "Diagnosis of " + report.scene().recording.name,
                         record.effects.empty() ? "Error of the baseline"
                                                : "Error of the baseline → with what was found",

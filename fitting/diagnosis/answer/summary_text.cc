@@ -287,6 +287,7 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
   json["class"] =
       diagnosis.discrepancy_class ? AsJson(*diagnosis.discrepancy_class) : OrderedJson(nullptr);
   json["effects"] = diagnosis.effects;
+  json["effects_in_words"] = PlainNames(diagnosis.effects);
   json["ambiguity"] = diagnosis.confidence_set;
   json["separating_motion"] = nullptr;
   if (diagnosis.separating) {
