@@ -86,8 +86,9 @@ class Diagnoser {
   bool CatchesUp(std::vector<JudgedModel>* judged);
   void Judge(const FittedScene& before, std::vector<JudgedModel>* judged) const;
   void Keep(std::vector<JudgedModel> judged, Ranking ranking);
-  // A fit to forecasts, gone on with to all frames; far where it follows the recording to its end.
-  std::optional<FittedScene> FitAllFrames(const FittedScene& forecasts) const;
+  // A fit to forecasts, gone on with to all frames; by so many more iterations where it follows the
+  // recording to its end.
+  std::optional<FittedScene> FitAllFrames(const FittedScene& forecasts, int most_more) const;
   // What was kept by forecasts, fitted to all frames.
   void GoOnBeyondForecasts();
   // A model like another one, fitted as that is: to forecasts or to all frames.

@@ -101,7 +101,7 @@ std::vector<JudgedModel> Diagnoser::FitWhole(const FittedScene& before,
   std::vector<std::optional<FittedScene>> fits(forecasts.size());
   const auto fit = [&](std::size_t k) {
     if (!Stopped() && forecasts[k].model.Cost() <= doubtful)
-      fits[k] = FitAllFrames(forecasts[k].model.fine);
+      fits[k] = FitAllFrames(forecasts[k].model.fine, kModelIterations);
   };
   fit(0);
   if (fits[0] && Follows(*fits[0])) {
@@ -142,18 +142,18 @@ bool Diagnoser::IsBorneOut(const JudgedModel& best, const std::vector<JudgedMode
 }
 
 // What has lost the recorded motion comes to no minimum, however far it is fitted.
-std::optional<FittedScene> Diagnoser::FitAllFrames(const FittedScene& forecasts) const {
+std::optional<FittedScene> Diagnoser::FitAllFrames(const FittedScene& forecasts,
+                                                   int most_more) const {
   std::optional<FittedScene> fine = FitBeyondForecasts(forecasts, kModelIterations / 2, runner_);
   const bool may_gain =
       fine && fine->fit.status != FitStatus::kConverged && !Stopped() && Follows(*fine);
   if (!may_gain) return fine;
-  return Cheaper(fine,
-                 FitModel(*fine, GoOn(*fine), 3 * kModelIterations, runner_, kEnoughToDecide));
+  return Cheaper(fine, FitModel(*fine, GoOn(*fine), most_more, runner_, kEnoughToDecide));
 }
 
 void Diagnoser::GoOnBeyondForecasts() {
   Say("fitting all frames", 0.75);
-  const std::optional<FittedScene> fine = FitAllFrames(now_.fine);
+  const std::optional<FittedScene> fine = FitAllFrames(now_.fine, 3 * kModelIterations);
   std::optional<BothMeshes> both =
       fine ? meshes_.Coarsen(*fine, kModelIterations) : std::optional<BothMeshes>();
   if (both) now_ = std::move(*both);
