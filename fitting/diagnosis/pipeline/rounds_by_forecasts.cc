@@ -22,8 +22,9 @@ namespace {
 // Other equations than the recorded cloth's leave something of which one of sixty terms always
 // takes a part; what is missing takes most. In between: docs/adr/0017.
 constexpr double kLeastShareBeside = 0.4;  // of an effect beside another one
-// Of what the best gains in forecasts: with as much the order is that of all frames.
-constexpr double kInDoubt = 0.8;
+// The order is that of all frames where forecasts leave it in doubt: of what the best gains, and
+// times what it leaves beyond noise.
+constexpr double kGainInDoubt = 0.8, kLeftInDoubt = 2.0;
 
 bool Follows(const FittedScene& fitted) {
   return !HasLargeResidual(fitted.scene, fitted.config, fitted.fit);
@@ -96,8 +97,10 @@ double Diagnoser::ShareOfForecasts(const FittedScene& before, const FittedScene&
 std::vector<JudgedModel> Diagnoser::FitWhole(const FittedScene& before,
                                              const std::vector<JudgedModel>& forecasts) {
   Say("fitting all frames", 0.75);
-  const double cost = before.fit.cost_after;
-  const double doubtful = cost - kInDoubt * (cost - forecasts.front().model.Cost());
+  const double cost = before.fit.cost_after, best = forecasts.front().model.Cost();
+  const double left = LeftByForecasts(forecasts.front().model.fine);
+  const double doubtful =
+      std::min(cost - kGainInDoubt * (cost - best), best + (kLeftInDoubt - 1.0) * left);
   std::vector<std::optional<FittedScene>> fits(forecasts.size());
   const auto fit = [&](std::size_t k) {
     if (!Stopped() && forecasts[k].model.Cost() <= doubtful)
