@@ -45,18 +45,20 @@ std::string Alone(const EffectParameter& p) {
                             : " " + p.unit);
 }
 
-// Of numbers that are one: its size, as if the size alone were not known along itself.
+// Of numbers that are one: its size, whose errors are theirs along it.
 EffectParameter SizeOf(const std::vector<EffectParameter>& parts) {
   EffectParameter size{"", parts.front().unit};
-  double squares = 0.0, variance = 0.0;
+  double squares = 0.0, below = 0.0, above = 0.0;
   for (const EffectParameter& p : parts) squares += p.value * p.value;
   size.value = std::sqrt(squares);
   for (const EffectParameter& p : parts) {
     const double along = size.value > 0.0 ? p.value / size.value : 1.0;
-    variance += std::pow(along * 0.5 * (p.upper90 - p.lower90), 2);
+    const double down = p.value - p.lower90, up = p.upper90 - p.value;
+    below += std::pow(along * (along > 0.0 ? down : up), 2);
+    above += std::pow(along * (along > 0.0 ? up : down), 2);
   }
-  size.lower90 = std::max(0.0, size.value - std::sqrt(variance));
-  size.upper90 = size.value + std::sqrt(variance);
+  size.lower90 = std::max(0.0, size.value - std::sqrt(below));
+  size.upper90 = size.value + std::sqrt(above);
   return size;
 }
 
