@@ -44,7 +44,12 @@ template <class Derived>
 std::optional<Eigen::LDLT<typename Derived::PlainObject>> TrySemidefinite(
     const Eigen::MatrixBase<Derived>& matrix) {
   constexpr double kRounding = 1e-10;  // of the largest pivot
-  const Eigen::LDLT<typename Derived::PlainObject> factor(matrix);
+  // Of each diagonal entry, above what rounding makes of a pivot that is zero: to Eigen one below
+  // zero, or another one behind it, is a failure.
+  constexpr double kRidge = 1e-13;
+  typename Derived::PlainObject raised = matrix;
+  raised.diagonal() *= 1.0 + kRidge;
+  const Eigen::LDLT<typename Derived::PlainObject> factor(raised);
   if (factor.info() != Eigen::Success || !factor.matrixLDLT().allFinite()) return {};
   const auto& pivots = factor.vectorD();
   const bool is_usable =

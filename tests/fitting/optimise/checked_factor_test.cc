@@ -41,6 +41,20 @@ TEST(Cholesky, IsNoneOfWhatIsNot) {
   }
 }
 
+// Columns that hang together, as those of an obstacle that is touched at one place.
+TEST(TrySemidefinite, FactorsWhatIsSingularButForRounding) {
+  for (int seed = 0; seed < 200; ++seed) {
+    std::srand(seed);
+    const int rank = 1 + seed % 7;
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Random(20, rank) * Eigen::MatrixXd::Random(rank, 12);
+    rows.array().rowwise() *= Eigen::ArrayXd::LinSpaced(12, -4.0, 4.0).exp().transpose();
+    const Eigen::MatrixXd gram = rows.transpose() * rows;
+    const auto factor = TrySemidefinite(gram);
+    ASSERT_TRUE(factor) << "seed " << seed;
+    EXPECT_LT((factor->reconstructedMatrix() - gram).norm(), 1e-12 * gram.norm());
+  }
+}
+
 TEST(TrySemidefinite, AllowsNothingBelowRounding) {
   EXPECT_TRUE(TrySemidefinite(Symmetric(2.0, 0.5)));
   EXPECT_TRUE(TrySemidefinite(Symmetric(1.0, 1.0)));
