@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Obstacles that no picture shows: a plane, a sphere, a capsule (a bar with round ends). Each
+// Obstacles that no picture shows: a plane, a table with an edge, a sphere, a capsule (a bar with
+// round ends). Each
 // pushes the particles that are inside along its surface's normal, without friction, with a
 // pressure that grows with the depth d and whose slope is continuous where contact begins,
 //   pressure = stiffness d^2 / (2 s) for d < s, stiffness (d - s / 2) beyond,  s = 5 mm.
+// Inside of a sphere or capsule of radius R, r from its middle or axis, the depth is taken for
+// (R^2 - r^2) / (2 R) and the normal for r / R: to first order the same at the surface, and smooth
+// in the middle, from where a normal of unit length would point in all directions.
 #pragma once
 
 #include <cmath>
@@ -23,15 +27,11 @@ T SoftDepth(const T& depth) {
   return depth - 0.5 * kSoft;
 }
 
-// The push on a particle at `offset` from the middle of a ball, m. Without a direction, in the very
-// middle, there is none.
+// The push on a particle at `offset` from the middle of a ball, m.
 template <class T>
 Vector3<T> PushOfBall(const Vector3<T>& offset, const T& radius, const T& stiffness) {
-  using std::sqrt;
-  const T square = offset.dot(offset);
-  if (!(Value(square) > 0.0)) return Vector3<T>(T(0.0), T(0.0), T(0.0));
-  const T distance = sqrt(square);
-  return offset * (stiffness * SoftDepth<T>(radius - distance) / distance);
+  const T depth = (radius * radius - offset.dot(offset)) / (2.0 * radius);
+  return offset * (stiffness * SoftDepth<T>(depth) / radius);
 }
 
 constexpr Parameter kObstacleStiffness = {"stiffness", "Pa/m", "pressure per depth", 0.0, 0.0,
@@ -78,6 +78,54 @@ struct ObstaclePlane : TermDefaults {
     const T depth = in.parameter[1] + down.dot(in.x[0]);
     const T push = in.parameter[0] * element.area * SoftDepth<T>(depth);
     for (int k = 0; k < 3; ++k) out->force[0][k] -= push * down[k];
+  }
+};
+
+// Level, with one straight edge, and a side that goes down from it without end. Where a is the depth
+// below the top and b that behind the side, the depth is a + b - sqrt(a^2 + b^2) (Rvachev's
+// R-function of an intersection): next to either face the depth below that one, and smooth between.
+struct ObstacleTable : TermDefaults {
+  static constexpr const char* kName = "obstacle_table";
+  static constexpr const char* kDoc = "an unseen table with an edge";
+  static constexpr const char* kReference = "penalty contact";
+  static constexpr std::array kTies = {Tie::kContact, Tie::kWorld};
+  static constexpr int kNodes = 1;
+  static constexpr bool kInternal = false;
+  static constexpr std::array<Parameter, 5> kParameters = {{
+      kObstacleStiffness,
+      PlaceInWorld("x", Meaning::kPlaceX, "a point of its edge"),
+      PlaceInWorld("y", Meaning::kPlaceY, "a point of its edge"),
+      PlaceInWorld("z", Meaning::kPlaceZ, "a point of its edge"),
+      Shape({"direction", "rad", "out over the edge, about up from the world's x", 0.0, 0.0, -6.4,
+             6.4, Scale::kLinear, 0.3},
+            Meaning::kNumber, 0.0, M_PI / 2, M_PI, -M_PI / 2),
+  }};
+  using Element = ObstaclePlane::Element;
+  static std::vector<Element> Elements(const TermContext& context) {
+    return ObstaclePlane::Elements(context);
+  }
+
+  template <class T>
+  static void AddForce(const Element& element, const ElementInput<ObstacleTable, T>& in,
+                       ElementOutput<ObstacleTable, T>* out) {
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    const std::array<T, 5>& p = in.parameter;
+    const Vector3<T> below = Vector3<T>(p[1], p[2], p[3]) - in.x[0];
+    const DownFrame& frame = element.frame;
+    const T cosine = cos(p[4]), sine = sin(p[4]);
+    Vector3<T> over, up;
+    for (int k = 0; k < 3; ++k) {
+      over[k] = cosine * frame.axis_1[k] + sine * frame.axis_2[k];
+      up[k] = T(-frame.down[k]);
+    }
+    const T a = below.dot(up), b = below.dot(over);
+    if (!(Value(a) > 0.0 && Value(b) > 0.0)) return;
+    const T r = sqrt(a * a + b * b);
+    const T push = p[0] * element.area * SoftDepth<T>(a + b - r);
+    for (int k = 0; k < 3; ++k)
+      out->force[0][k] += push * (up[k] * (1.0 - a / r) + over[k] * (1.0 - b / r));
   }
 };
 

@@ -25,6 +25,7 @@ constexpr double kMayWin = 0.5;         // of what the best gains on the coarser
 constexpr double kMayCome = 0.25;       // of what the best gains in forecasts of half that length
 constexpr int kFirstIterations = 5, kIterations = 8;  // on the coarser mesh, of each length
 constexpr int kFirstLengths = 1;  // of forecasts, by which most models are put aside
+constexpr std::size_t kMostStarts = 2;  // of a model
 constexpr int kCoarsest = 13;     // particles a side, below which lifted cloth locks (ADR 7)
 
 // The next coarser mesh: forecasts are short, so that it is right about their order.
@@ -32,6 +33,26 @@ std::array<int, 2> ScreeningGrid(const ClothMesh& mesh) {
   const int side = std::max(mesh.grid[0], mesh.grid[1]);
   const int coarser = 1 + static_cast<int>(std::lround((side - 1) / kFiner));
   return GridWithSide(mesh.grid, std::min(side, std::max(kCoarsest, coarser)));
+}
+
+// A contact is nothing like its derivative where there is none yet: an obstacle begins at the
+// shapes that make the missing force, solid at once. What carries all of the cloth at one place is
+// harder than what carries it evenly. Empty where no shape is of this candidate.
+std::optional<RankedCandidate> AtContacts(const FittedScene& base, const RankedCandidate& candidate,
+                                          const std::vector<ContactShape>& contacts) {
+  constexpr double kTimesAsHard[] = {10.0, 100.0};
+  std::vector<RankedCandidate::Start> starts;
+  for (const ContactShape& shape : contacts) {
+    if (shape.term != candidate.term.name) continue;
+    for (const double times : kTimesAsHard)
+      starts.push_back({shape.probe, Eigen::VectorXd::Constant(1, times * SoftestObstacle(base))});
+  }
+  if (starts.empty()) return {};
+  RankedCandidate solid = candidate;
+  solid.probe = starts.front().probe;
+  solid.amounts = starts.front().amounts;
+  solid.other_starts.assign(starts.begin() + 1, starts.end());
+  return solid;
 }
 
 // The same fit, looked at in its longest forecasts. Empty where they cannot be laid.
@@ -74,18 +95,25 @@ void JudgeModels(const FittedScene& before, std::vector<JudgedModel>* judged) {
   });
 }
 
-std::vector<RankedCandidate> ForecastScreening::Entrants(const Ranking& ranking) const {
-  std::vector<RankedCandidate> entrants;
+std::vector<RankedCandidate> ForecastScreening::Entrants(
+    const FittedScene& base, const Ranking& ranking,
+    const std::vector<ContactShape>& contacts) const {
+  std::vector<RankedCandidate> entrants, obstacles;
+  int count = 0;
   for (const RankedCandidate& candidate : ranking.candidates) {
-    const bool is_worth_it = candidate.summary.kind == CandidateKind::kPhysics &&
-                             candidate.summary.share >= options_.least_share;
-    if (is_worth_it && static_cast<int>(entrants.size()) < options_.max_models)
+    if (candidate.summary.kind != CandidateKind::kPhysics) continue;
+    if (std::optional<RankedCandidate> obstacle = AtContacts(base, candidate, contacts)) {
+      obstacles.push_back(*std::move(obstacle));
+    } else if (candidate.summary.share >= options_.least_share && count < options_.max_models) {
       entrants.push_back(candidate);
+      ++count;
+    }
   }
+  entrants.insert(entrants.end(), obstacles.begin(), obstacles.end());
   return entrants;
 }
 
-// From either sign of its amount, where both are likely.
+// From either sign of its amount, where both are likely; of more starts from the cheapest ones.
 std::optional<FittedScene> ForecastScreening::FitPhysics(const FittedScene& base,
                                                          const Ranking& ranking,
                                                          const RankedCandidate& candidate,
@@ -96,12 +124,26 @@ std::optional<FittedScene> ForecastScreening::FitPhysics(const FittedScene& base
     starts.back().probe = other.probe;
     starts.back().amounts = other.amounts;
   }
+  const auto fit = [&](const RankedCandidate& start, int iterations) {
+    return FitToForecasts(SwitchOn(base, start, ranking.faults), base.scene.mesh.grid,
+                          {0, last_length, iterations}, runner_, &base);
+  };
+  if (starts.size() > kMostStarts) {
+    std::vector<std::pair<double, std::size_t>> costs;
+    for (std::size_t i = 0; i < starts.size() && !Stopped(); ++i) {
+      const std::optional<FittedScene> as_it_is = fit(starts[i], 0);
+      if (as_it_is) costs.push_back({as_it_is->fit.cost_after, i});
+    }
+    std::sort(costs.begin(), costs.end());
+    std::vector<RankedCandidate> cheapest;
+    for (std::size_t k = 0; k < costs.size() && k < kMostStarts; ++k)
+      cheapest.push_back(starts[costs[k].second]);
+    starts = std::move(cheapest);
+  }
   std::optional<FittedScene> best;
   for (const RankedCandidate& start : starts) {
     if (Stopped()) break;
-    best = Cheaper(std::move(best),
-                   FitToForecasts(SwitchOn(base, start, ranking.faults), base.scene.mesh.grid,
-                                  {0, last_length, kFirstIterations}, runner_, &base));
+    best = Cheaper(std::move(best), fit(start, kFirstIterations));
   }
   return best;
 }
@@ -139,7 +181,7 @@ std::vector<JudgedModel> ForecastScreening::Decide(const FittedScene& current,
 
 std::optional<ForecastRound> ForecastScreening::Run(
     const FittedScene& current, const std::vector<FittedModel>& faults,
-    const std::map<std::string, std::vector<Probe>>& more_probes) const {
+    const std::vector<ContactShape>& contacts) const {
   if (!CanForecast(current)) return {};
   Say("fitting forecasts", 0.45);
   const bool is_off = HasLargeResidual(current.scene, current.config, current.fit);
@@ -163,9 +205,8 @@ std::optional<ForecastRound> ForecastScreening::Run(
   RankingStart by;
   by.draws = 0;
   by.refinements = 1;
-  by.more_probes = more_probes;
   round.ranking = RankCandidates(*looked_at, options_, by);
-  const std::vector<RankedCandidate> entrants = Entrants(round.ranking);
+  const std::vector<RankedCandidate> entrants = Entrants(*base, round.ranking, contacts);
   std::vector<std::string> names;
   for (const RankedCandidate& entrant : entrants) names.push_back(entrant.summary.name);
   Log(fmt::format("forecasts leave {:.3g} sigmas; looked at: {}", round.ranking.residual_rms,

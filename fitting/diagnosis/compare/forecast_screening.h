@@ -5,7 +5,6 @@
 // scored along them, the best are fitted to them, and so are judged.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "fitting/diagnosis/compare/two_meshes.h"
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/diagnosis/fitted/options.h"
+#include "fitting/diagnosis/locate/contact_shapes.h"
 #include "fitting/diagnosis/model/fitted_model.h"
 
 namespace clothfit {
@@ -34,14 +34,15 @@ class ForecastScreening {
       : baseline_(baseline), options_(options), runner_(options) {}
 
   // `current`: the fit without, on the deciding mesh. `faults`: of the observation, that compete,
-  // by the recordings that they were put right in. `more_probes`: as RankingStart has them. Empty
-  // where there are no forecasts, or where they cannot be fitted.
-  std::optional<ForecastRound> Run(
-      const FittedScene& current, const std::vector<FittedModel>& faults,
-      const std::map<std::string, std::vector<Probe>>& more_probes) const;
+  // by the recordings that they were put right in. `contacts`: shapes of obstacles, which compete
+  // too. Empty where there are no forecasts, or where they cannot be fitted.
+  std::optional<ForecastRound> Run(const FittedScene& current,
+                                   const std::vector<FittedModel>& faults,
+                                   const std::vector<ContactShape>& contacts) const;
 
  private:
-  std::vector<RankedCandidate> Entrants(const Ranking& ranking) const;
+  std::vector<RankedCandidate> Entrants(const FittedScene& base, const Ranking& ranking,
+                                        const std::vector<ContactShape>& contacts) const;
   std::optional<FittedScene> FitPhysics(const FittedScene& base, const Ranking& ranking,
                                         const RankedCandidate& candidate, int last_length) const;
   // The models that may come first, on the deciding mesh.

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Where an obstacle that no one told of would stand. What a contact does to a cloth points along
-// the obstacle's outward normal, at a place that is fixed in the world: the places that a missing
-// force pushed from sweep out its surface.
+// the obstacle's outward normal, where the cloth is at a place that is fixed in the world, and
+// nowhere else: among all planes, edges of tables, balls and bars, those whose push explains most of the missing
+// force.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,44 +18,23 @@
 
 namespace clothfit {
 
-// A piece of cloth at one time, and the force on it.
-struct Push {
-  Eigen::Vector3d at;     // m, world
-  Eigen::Vector3d force;  // N/m^2, world
+struct ContactShape {
+  std::string term;  // obstacle_plane, obstacle_table, obstacle_sphere or obstacle_capsule
+  Probe probe;       // its shape, as the term has it
+  double score;      // by how much its push lowers the sum of squares, in units of the noise
 };
 
-// Those of at least a third of the largest, of the mesh that the force was estimated on.
-std::vector<Push> StrongestPushes(const ClothMesh& mesh, const MissingForce& missing);
-
-struct PlaneFit {
-  Eigen::Vector3d normal;  // outward
-  double height;           // m, of the plane along it
-};
-// Through the pushes' places, square to their mean.
-PlaneFit FitPlane(const std::vector<Push>& pushes);
-
-struct SphereFit {
-  Eigen::Vector3d middle;  // m
-  double radius;           // m
-};
-// The point that the lines along the forces come nearest to; empty where they are parallel.
-std::optional<SphereFit> FitSphere(const std::vector<Push>& pushes);
-
-struct CapsuleFit {
-  Eigen::Vector3d end_1, end_2;  // m, of its axis
-  double radius;                 // m
-};
-// Along the direction that the forces have least of; its axis is what lines along them come nearest
-// to, and its ends are beyond all places by half of their extent. Empty where the forces are
-// parallel.
-std::optional<CapsuleFit> FitCapsule(const std::vector<Push>& pushes);
-
-// The terms obstacle_* that these pushes may come from, each with the shape that fits them.
-struct ContactStart {
-  std::string term;
-  Probe probe;
-};
-std::vector<ContactStart> ContactStarts(const std::vector<Push>& pushes,
-                                        const Eigen::Vector3d& gravity);
+// The best few of each kind, the best first; none where no push outwards explains anything.
+//
+// An obstacle pushes what is within 2 cm of its surface, or beyond it, along its normal with one
+// pressure a times a share that grows over these 2 cm. With p that pattern for a = 1 in the
+// missing force's own coefficients (force_layout.h), N and b their equations, and nu the noise, the
+// best pressure lowers the sum of squares by (b'p)^2 / (p'Np nu^2), and counts where it is positive.
+// There is no cloth inside of an obstacle: the score is 1 - i/o of that, i the cloth (area times
+// time) that would be deeper than 2 cm, o the rest of what is pushed.
+// Shapes are looked for on a grid over all places where the cloth comes and then by Nelder and
+// Mead's simplex. mesh: the one that the force was estimated on; gravity in m/s^2.
+std::vector<ContactShape> FindContactShapes(const ClothMesh& mesh, const Eigen::Vector3d& gravity,
+                                            const MissingForce& missing);
 
 }  // namespace clothfit

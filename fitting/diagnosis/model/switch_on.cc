@@ -28,18 +28,13 @@ void FreeShapes(const Probe& probe, FitConfig* config) {
   }
 }
 
-// Something solid carries the cloth's weight where it has sunk in by a centimetre. What is softer
-// is a field of force, and no obstacle.
 double LeastStiffness(const RankedCandidate& candidate, const FittedScene& fitted) {
-  constexpr double kSinksIn = 0.01;  // m
   for (const TermInfo& term : AllTerms()) {
     const auto is = [&](Tie tie) {
       return std::find(term.ties.begin(), term.ties.end(), tie) != term.ties.end();
     };
-    if (term.name == candidate.term.term && is(Tie::kContact) && is(Tie::kWorld)) {
-      return fitted.values.parameters.at("cloth.areal_density").value *
-             fitted.scene.world.gravity.norm() / kSinksIn;
-    }
+    if (term.name == candidate.term.term && is(Tie::kContact) && is(Tie::kWorld))
+      return SoftestObstacle(fitted);
   }
   return 0.0;
 }
@@ -71,6 +66,12 @@ double CostOf(const FittedScene& fitted, const ModelStart& start) {
 }
 
 }  // namespace
+
+double SoftestObstacle(const FittedScene& fitted) {
+  constexpr double kSinksIn = 0.01;  // m
+  return fitted.values.parameters.at("cloth.areal_density").value *
+         fitted.scene.world.gravity.norm() / kSinksIn;
+}
 
 ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
                     const std::vector<Fault>& faults) {

@@ -17,6 +17,10 @@ namespace clothfit {
 ModelStart SwitchOn(const FittedScene& fitted, const RankedCandidate& candidate,
                     const std::vector<Fault>& faults);
 
+// Pa/m, of an obstacle into which the cloth sinks by a centimetre where nothing else carries its
+// weight. What is softer is a field of force, and no obstacle.
+double SoftestObstacle(const FittedScene& fitted);
+
 // The scene of a fit with one candidate of a model that has others besides, begun from what the
 // model found for that candidate and the material parameters.
 ModelStart WithOnly(const FittedScene& before, const FittedScene& model,

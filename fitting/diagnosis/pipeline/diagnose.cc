@@ -29,12 +29,13 @@ namespace {
 
 constexpr int kDraws = 2;               // of mesh and step, that faults are held to
 constexpr int kIterationsToBeNear = 8;  // of all frames, after windows
+// An obstacle takes at least as much of the missing force as an even force somewhere and at some
+// time does, but for this share: it has as many unknowns.
+constexpr double kOfThePatch = 0.5;
 
-// May the fit be somewhere else than the recorded cloth? (Beyond any mesh, what is ordinary comes
-// first.)
-bool IsWorthNudging(const FittedScene& fitted, const Ranking& ranking) {
-  return HasPoints(fitted.scene) && ranking.residual_rms < kUnusableResidual &&
-         MayBeLocalMinimum(fitted.scene, fitted.config, fitted.fit);
+// May the fit be somewhere else than the recorded cloth?
+bool IsWorthNudging(const FittedScene& fitted) {
+  return HasPoints(fitted.scene) && MayBeLocalMinimum(fitted.scene, fitted.config, fitted.fit);
 }
 
 }  // namespace
@@ -80,7 +81,7 @@ std::optional<LocatedForce> Diagnoser::Locate(const FittedScene& fitted,
   if (Stopped()) return {};
   Say("locating what is missing", 0.2);
   std::optional<FittedScene> nudged;
-  if (options_.nudge && IsWorthNudging(fitted, ranking))
+  if (options_.nudge && IsWorthNudging(fitted))
     nudged = FitNudged(WithMaterialOf(baseline_, GoOn(fitted)), kScoringDamping, runner_);
   return nudged ? LocateMissingForce(*nudged, options_)
                 : LocateMissingForce(fitted, options_, ranking.errors.get());
@@ -101,9 +102,22 @@ void Diagnoser::TellLocated(const std::optional<LocatedForce>& found) {
         ClassifyDiscrepancy(scene, found->missing, found->location).discrepancy_class;
   }
   missing_.emplace(found->missing);
-  pushes_ = StrongestPushes(scene.mesh, found->missing);
+  FindContacts(*found);
   diagnosis_.discrepancy_pictures = {DrawForceMap(scene, found->missing, found->location),
                                      DrawForceArrows(scene, found->missing, found->location)};
+}
+
+void Diagnoser::FindContacts(const LocatedForce& found) {
+  const Scene& scene = found.fitted.scene;
+  for (ContactShape& shape : FindContactShapes(scene.mesh, scene.world.gravity, found.missing)) {
+    const double share = shape.score / found.location.patch.score;
+    if (share < kOfThePatch) continue;
+    std::string words;
+    for (const auto& [name, value] : shape.probe) words += fmt::format(" {} {:.3g}", name, value);
+    Log(fmt::format("the missing force pushes as from{}: {:.2g} of what the patch takes", words,
+                    share));
+    contacts_.push_back(std::move(shape));
+  }
 }
 
 // On the coarse mesh. Physics is ranked along forecasts, where there are any; faults of the

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <chrono>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,8 +63,8 @@ class Diagnoser {
   std::optional<LocatedForce> Locate(const FittedScene& fitted, const Ranking& ranking) const;
   // Where, when and of what class a force is missing.
   void TellLocated(const std::optional<LocatedForce>& found);
-  // Where an obstacle would stand that pushes as the missing force does, by term.
-  std::map<std::string, std::vector<Probe>> ContactProbes() const;
+  // Where an obstacle would stand that pushes as the missing force does.
+  void FindContacts(const LocatedForce& found);
   // A round by forecasts; empty where there are none.
   std::optional<bool> AddByForecasts(const Ranking& ranking);
   double ShareOfForecasts(const FittedScene& before, const FittedScene& model) const;
@@ -151,7 +150,7 @@ class Diagnoser {
   // What forecasts leave beyond noise, as costs: without physics, and with what was kept last.
   double forecasts_lack_ = 0.0, forecasts_left_ = 0.0;
   std::optional<MissingForce> missing_;
-  std::vector<Push> pushes_;  // of it
+  std::vector<ContactShape> contacts_;  // that may make most of it
   std::chrono::steady_clock::time_point mark_ = std::chrono::steady_clock::now();
 };
 

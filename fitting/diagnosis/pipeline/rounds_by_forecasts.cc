@@ -39,24 +39,14 @@ const JudgedModel* Named(const JudgedModel& one, const std::vector<JudgedModel>&
 
 }  // namespace
 
-std::map<std::string, std::vector<Probe>> Diagnoser::ContactProbes() const {
-  std::map<std::string, std::vector<Probe>> probes;
-  for (const ContactStart& start : ContactStarts(pushes_, now_.fine.scene.world.gravity)) {
-    probes[start.term].push_back(start.probe);
-    std::string words;
-    for (const auto& [name, value] : start.probe) words += fmt::format(" {} {:.3g}", name, value);
-    Log("the missing force pushes as from" + words);
-  }
-  return probes;
-}
-
 std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
   const ForecastScreening screening(baseline_, options_);
   const std::vector<FittedModel> faults =
       ModelScreening(baseline_, options_).FitFaults(now_.coarse, ranking);
   Spend("fitting faults");
-  const auto probes = HasPhysics() ? std::map<std::string, std::vector<Probe>>() : ContactProbes();
-  std::optional<ForecastRound> round = screening.Run(now_.fine, faults, probes);
+  const std::vector<ContactShape> contacts =
+      HasPhysics() ? std::vector<ContactShape>() : contacts_;
+  std::optional<ForecastRound> round = screening.Run(now_.fine, faults, contacts);
   Spend("forecasts");
   if (!round) return {};
   if (kept_.empty()) TellCandidates(round->ranking, ranking);

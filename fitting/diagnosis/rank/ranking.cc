@@ -35,7 +35,6 @@ class Ranker {
         draws_(start.draws),
         most_probes_(start.probes),
         refinements_(start.refinements),
-        more_probes_(start.more_probes),
         observations_(fitted.scene, fitted.config),
         frames_(fitted.scene, observations_, kMostRows),
         faults_(ListFaults(fitted.scene, fitted.config)) {}
@@ -71,7 +70,6 @@ class Ranker {
   std::shared_ptr<const DiscretisationErrors> errors_;
   CandidateSet set_;
   int draws_, most_probes_, refinements_;
-  std::map<std::string, std::vector<Probe>> more_probes_;
   ObservationResiduals observations_;
   RowFrames frames_;
   std::vector<Fault> faults_;
@@ -147,12 +145,8 @@ void Ranker::AddFirstTrials() {
   candidates_ =
       ListCandidates(fitted_.values, fitted_.scene, extent_, options_.excluded, most_probes_, set_);
   std::size_t most = 0;
-  for (CandidateTerm& candidate : candidates_) {
-    const auto more = more_probes_.find(candidate.name);
-    if (more != more_probes_.end())
-      candidate.probes.insert(candidate.probes.end(), more->second.begin(), more->second.end());
+  for (const CandidateTerm& candidate : candidates_)
     most = std::max(most, candidate.probes.size());
-  }
   for (std::size_t round = 0; round < most; ++round) {
     std::vector<std::pair<int, Probe>> probes;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
@@ -211,8 +205,7 @@ ScoredGroup Ranker::GroupOf(const Trial& trial) const {
   return {trial.columns, candidates_[trial.candidate].is_one_sided, {}};
 }
 
-// Places and shapes beside the best ones of the candidates that look best, finer each time. What
-// more probes were given for is known as well as that.
+// Places and shapes beside the best ones of the candidates that look best, finer each time.
 void Ranker::Refine() {
   double step = 0.5;
   for (int round = 0; round < refinements_; ++round, step *= 0.5) {
@@ -231,14 +224,6 @@ void Ranker::Refine() {
     std::size_t most = 0;
     for (const auto& [decrease, t] : best) {
       const CandidateTerm& candidate = candidates_[trials_[t].candidate];
-      const auto given = more_probes_.find(candidate.name);
-      const bool is_known =
-          given != more_probes_.end() &&
-          std::count(given->second.begin(), given->second.end(), trials_[t].probe);
-      if (is_known) {
-        near.emplace_back();
-        continue;
-      }
       near.push_back(ProbesNear(candidate, trials_[t].probe, extent_, step));
       most = std::max(most, near.back().size());
     }

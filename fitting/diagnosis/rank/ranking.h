@@ -5,7 +5,6 @@
 // terms at their off values, against a null that is simulated again.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -80,7 +79,6 @@ struct RankingStart {
   int draws = 3;        // of the errors of mesh and step, where they are measured
   int probes = 8;       // places, times and shapes of a candidate that are looked at first
   int refinements = 2;  // of the best ones' places and shapes
-  std::map<std::string, std::vector<Probe>> more_probes = {};  // by candidate
 };
 
 // Forecasts are held to noise alone, what mesh and step do to them is not asked.

@@ -136,12 +136,15 @@ double SoftEnergy(double depth) {
          0.5 * kSoft * (depth - kSoft);
 }
 
+// Of a radius of 0.1, as the terms take it: smooth in the middle.
+double DepthInBall(double distance) { return (0.1 * 0.1 - distance * distance) / (2.0 * 0.1); }
+
 TEST(ObstaclePhysics, ForcesAreThoseOfTheEnergies) {
   const double k = 2e4;
   const Eigen::Vector3d middle(0.13, -0.02, 0.42), end(0.16, 0.01, 0.3);
   ExpectForceOfEnergy<ObstacleSphere>(
       Numbers({k, middle.x(), middle.y(), middle.z(), 0.1}), [&](const auto& e, const auto& n) {
-        return e.area * k * SoftEnergy(0.1 - (Node<0>(n) - middle).norm());
+        return e.area * k * SoftEnergy(DepthInBall((Node<0>(n) - middle).norm()));
       });
   ExpectForceOfEnergy<ObstacleCapsule>(
       Numbers({k, middle.x(), middle.y(), middle.z(), end.x(), end.y(), end.z(), 0.1}),
@@ -152,7 +155,7 @@ TEST(ObstaclePhysics, ForcesAreThoseOfTheEnergies) {
         const double share = (Node<0>(n) - middle).dot(axis) / axis.squaredNorm();
         for (const double s : {0.0, 1.0, std::min(1.0, std::max(0.0, share))})
           nearest = std::min(nearest, (Node<0>(n) - middle - s * axis).norm());
-        return e.area * k * SoftEnergy(0.1 - nearest);
+        return e.area * k * SoftEnergy(DepthInBall(nearest));
       });
   // A plane at 0.301 m whose normal is turned about x by 0.1.
   const Eigen::Vector3d normal(0.0, -std::sin(0.1), std::cos(0.1));
@@ -162,7 +165,34 @@ TEST(ObstaclePhysics, ForcesAreThoseOfTheEnergies) {
       });
 }
 
-// Where there is no direction there is no push, and no number that is none.
+TEST(ObstaclePhysics, TableHasAnEdge) {
+  const double k = 2e4;
+  const Eigen::Vector3d edge(0.15, 0.1, 0.3), over(std::cos(0.3), std::sin(0.3), 0.0);
+  ExpectForceOfEnergy<ObstacleTable>(
+      Numbers({k, edge.x(), edge.y(), edge.z(), 0.3}), [&](const auto& e, const auto& n) {
+        const Eigen::Vector3d below = edge - Node<0>(n);
+        const double a = below.z(), b = over.dot(below);
+        return a > 0.0 && b > 0.0 ? e.area * k * SoftEnergy(a + b - std::hypot(a, b)) : 0.0;
+      });
+}
+
+TEST(ObstaclePhysics, TableIsAPlaneFarBehindItsEdge) {
+  int count = 0;
+  for (const TermScene& scene : MakeTermScenes()) {
+    for (const auto& element : SceneElements<ObstacleTable>(scene)) {
+      const Eigen::VectorXd table = EvaluateTerm<ObstacleTable, double>(
+          element,
+          ElementNumbers<ObstacleTable>(element, scene, Numbers({2e4, 1e4, 0.0, 0.301, 0.0})));
+      const Eigen::VectorXd plane = EvaluateTerm<ObstaclePlane, double>(
+          element, ElementNumbers<ObstaclePlane>(element, scene, Numbers({2e4, 0.301, 0.0, 0.0})));
+      EXPECT_LE((table - plane).norm(), 1e-3 * plane.norm());
+      count += plane.norm() > 0.0;
+    }
+  }
+  EXPECT_GT(count, 100);
+}
+
+// In the middle, where there is no direction, there is no push.
 TEST(ObstaclePhysics, IsFiniteInTheMiddleAndWithoutLength) {
   Eigen::VectorXd numbers = Eigen::VectorXd::Zero(TermLayout<ObstacleCapsule>::kSize);
   numbers.segment<8>(6) << 1e4, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1;
