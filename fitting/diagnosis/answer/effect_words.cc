@@ -98,6 +98,39 @@ std::string AmountsOfTerm(const std::vector<EffectParameter>& amounts) {
   return words;
 }
 
+// A place in the world by its three numbers, from the first of them on.
+bool IsPlace(const std::vector<EffectParameter>& shapes, std::size_t first) {
+  constexpr Meaning kPlace[] = {Meaning::kPlaceX, Meaning::kPlaceY, Meaning::kPlaceZ};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (first + k >= shapes.size() ||
+        ParameterNamed(shapes[first + k].name).meaning != kPlace[k])
+      return false;
+  }
+  return true;
+}
+
+std::string ShapesOfTerm(const std::vector<EffectParameter>& shapes) {
+  std::string words;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const std::string doc = ParameterNamed(shapes[i].name).doc;
+    words += words.empty() ? "" : ", ";
+    if (!IsPlace(shapes, i)) {
+      words += fmt::format("{} {}", shapes[i].name.substr(shapes[i].name.find('.') + 1),
+                           Alone(shapes[i]));
+      continue;
+    }
+    const auto error = [&](std::size_t k) {
+      return 0.5 * (shapes[i + k].upper90 - shapes[i + k].lower90);
+    };
+    words += fmt::format("{} at ({:.3f}, {:.3f}, {:.3f}) m", doc, shapes[i].value,
+                         shapes[i + 1].value, shapes[i + 2].value);
+    if (std::isfinite(error(0) + error(1) + error(2)))
+      words += fmt::format(" within ({:.2g}, {:.2g}, {:.2g}) m", error(0), error(1), error(2));
+    i += 2;
+  }
+  return words;
+}
+
 }  // namespace
 
 std::string PlainName(const std::string& effect) {
@@ -124,9 +157,10 @@ std::string AmountsInWords(const std::vector<std::string>& effects,
     }
     if (amounts.empty()) continue;
     std::string of_effect = is_term ? AmountsOfTerm(amounts) : "";
-    for (const EffectParameter& p : is_term ? shapes : amounts) {
-      const std::string name = is_term ? p.name.substr(p.name.find('.') + 1) : p.name;
-      of_effect += (of_effect.empty() ? "" : ", ") + name + " " + Alone(p);
+    if (!shapes.empty()) of_effect += ", " + ShapesOfTerm(shapes);
+    if (!is_term) {
+      for (const EffectParameter& p : amounts)
+        of_effect += (of_effect.empty() ? "" : ", ") + p.name + " " + Alone(p);
     }
     words +=
         fmt::format("{}{}{}", words.empty() ? "" : " ", is_term ? effect + ": " : "", of_effect) +
