@@ -10,6 +10,7 @@
 
 #include "autodiff_sim/base/normal_numbers.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
 
 namespace clothfit {
 namespace {
@@ -19,7 +20,7 @@ constexpr int kMostKnots = 24;        // in time
 constexpr double kKnotSpacing = 0.1;  // s, at least
 constexpr int kLinearisations = 2;    // at most
 constexpr int kNulls = 99;            // so that a p-value of 0.01 can be seen
-constexpr int kErrorDraws = 2;        // of parameters, at which the numerical error is measured
+constexpr int kErrorDraws = 2;  // of parameters, at which the numerical error is measured
 
 FittedScene Coarse(const FittedScene& fitted) {
   const std::array<int, 2>& grid = fitted.scene.mesh.grid;
@@ -72,8 +73,12 @@ class MissingForceLocator {
     if (known_ != nullptr && known_->half_step.size() == frames_.num_rows()) {
       errors_ = *known_;
     } else {
-      errors_ = MeasureDiscretisationErrors(
-          fitted_, frames_, *baseline, options_.simulate_null ? kErrorDraws : 0, options_.seed);
+      // What leaves more than two sigmas stands far out of the error of mesh and step.
+      const bool is_close = !HasLargeResidual(fitted_.scene, fitted_.config, fitted_.fit);
+      errors_ =
+          MeasureDiscretisationErrors(fitted_, frames_, *baseline,
+                                      options_.simulate_null && is_close ? kErrorDraws : 0,
+                                      options_.seed);
     }
     typical_.resize(static_cast<Eigen::Index>(faults_.size()));
     for (std::size_t i = 0; i < faults_.size(); ++i)
