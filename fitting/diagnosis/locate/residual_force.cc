@@ -251,7 +251,10 @@ class Estimator {
   void Finish(const ForceUnknowns& at) {
     result_.theta = at.theta;
     result_.faults = at.faults;
+    // Where the simulation accepts no step, the linearised problem still tells where to look.
     result_.force = at.force;
+    if (at.force.isZero(0.0))
+      result_.force = result_.posterior.Mean(result_.system.data.leftCols(1));
     result_.explained = 1.0 - result_.sum_after / result_.sum_before;
     result_.last_frame = equations_.last_frame();
     const Eigen::MatrixXd blocks = result_.posterior.Blocks();

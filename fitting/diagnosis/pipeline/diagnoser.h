@@ -65,6 +65,7 @@ class Diagnoser {
   void TellLocated(const std::optional<LocatedForce>& found);
   // Where an obstacle would stand that pushes as the missing force does.
   void FindContacts(const LocatedForce& found);
+  void ForgetContacts(const RankedCandidate& kept);
   // A round by forecasts; empty where there are none.
   std::optional<bool> AddByForecasts(const Ranking& ranking);
   double ShareOfForecasts(const FittedScene& before, const FittedScene& model) const;

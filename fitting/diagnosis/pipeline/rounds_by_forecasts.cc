@@ -44,9 +44,7 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
   const std::vector<FittedModel> faults =
       ModelScreening(baseline_, options_).FitFaults(now_.coarse, ranking);
   Spend("fitting faults");
-  const std::vector<ContactShape> contacts =
-      HasPhysics() ? std::vector<ContactShape>() : contacts_;
-  std::optional<ForecastRound> round = screening.Run(now_.fine, faults, contacts);
+  std::optional<ForecastRound> round = screening.Run(now_.fine, faults, contacts_);
   Spend("forecasts");
   if (!round) return {};
   if (kept_.empty()) TellCandidates(round->ranking, ranking);
@@ -71,8 +69,17 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
   if (!IsBorneOut(judged.front(), whole)) return false;
   diagnosis_.models[diagnosis_.models.size() - judged.size()].is_kept = true;
   forecasts_left_ = LeftByForecasts(judged.front().model.fine);
+  ForgetContacts(judged.front().candidate);
   Keep(std::move(judged), ranking);
   return true;
+}
+
+// What the shapes of contacts were found for is one obstacle.
+void Diagnoser::ForgetContacts(const RankedCandidate& kept) {
+  const bool is_obstacle = std::any_of(
+      contacts_.begin(), contacts_.end(),
+      [&](const ContactShape& shape) { return shape.term == kept.term.name; });
+  if (is_obstacle) contacts_.clear();
 }
 
 // Of what forecasts leave beyond noise.
