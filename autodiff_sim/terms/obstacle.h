@@ -81,8 +81,8 @@ struct ObstaclePlane : TermDefaults {
   }
 };
 
-// Level, with one straight edge, and a side that goes down from it without end. Where a is the depth
-// below the top and b that behind the side, the depth is a + b - sqrt(a^2 + b^2) (Rvachev's
+// Level, with one straight edge, and a side that goes down from it without end. Where a is the
+// depth below the top and b that behind the side, the depth is a + b - sqrt(a^2 + b^2) (Rvachev's
 // R-function of an intersection): next to either face the depth below that one, and smooth between.
 struct ObstacleTable : TermDefaults {
   static constexpr const char* kName = "obstacle_table";

@@ -102,8 +102,7 @@ std::string AmountsOfTerm(const std::vector<EffectParameter>& amounts) {
 bool IsPlace(const std::vector<EffectParameter>& shapes, std::size_t first) {
   constexpr Meaning kPlace[] = {Meaning::kPlaceX, Meaning::kPlaceY, Meaning::kPlaceZ};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (first + k >= shapes.size() ||
-        ParameterNamed(shapes[first + k].name).meaning != kPlace[k])
+    if (first + k >= shapes.size() || ParameterNamed(shapes[first + k].name).meaning != kPlace[k])
       return false;
   }
   return true;

@@ -24,9 +24,9 @@ constexpr std::size_t kMostJudged = 3;  // that are fitted on the deciding mesh
 constexpr double kMayWin = 0.5;         // of what the best gains on the coarser one
 constexpr double kMayCome = 0.25;       // of what the best gains in forecasts of half that length
 constexpr int kFirstIterations = 5, kIterations = 8;  // on the coarser mesh, of each length
-constexpr int kFirstLengths = 1;  // of forecasts, by which most models are put aside
+constexpr int kFirstLengths = 1;        // of forecasts, by which most models are put aside
 constexpr std::size_t kMostStarts = 2;  // of a model
-constexpr int kCoarsest = 13;     // particles a side, below which lifted cloth locks (ADR 7)
+constexpr int kCoarsest = 13;           // particles a side, below which lifted cloth locks (ADR 7)
 
 // The next coarser mesh: forecasts are short, so that it is right about their order.
 std::array<int, 2> ScreeningGrid(const ClothMesh& mesh) {
@@ -148,6 +148,42 @@ std::optional<FittedScene> ForecastScreening::FitPhysics(const FittedScene& base
   return best;
 }
 
+// Few points of a cloth do not tell a bar from a ball by the force that they lack, but forecasts
+// do: a bar begins where the ball has ended, too, if that explains more.
+void ForecastScreening::AddBarThroughBall(const FittedScene& base, const Ranking& ranking,
+                                          int last_length, std::vector<RankedCandidate>* entrants,
+                                          std::vector<std::optional<FittedScene>>* fits) const {
+  const auto find = [&](const std::string& term) {
+    const auto found = std::find_if(entrants->begin(), entrants->end(),
+                                    [&](const auto& entrant) { return entrant.term.name == term; });
+    return static_cast<std::size_t>(found - entrants->begin());
+  };
+  const std::size_t ball = find("obstacle_sphere"), bar = find("obstacle_capsule");
+  if (ball == entrants->size() || bar == entrants->size() || Stopped()) return;
+  const std::optional<FittedScene>&of_ball = (*fits)[ball], &of_bar = (*fits)[bar];
+  if (!of_ball || (of_bar && of_bar->fit.cost_after <= of_ball->fit.cost_after)) return;
+  const auto fitted = [&](const std::string& name) {
+    return of_ball->values.parameters.at(name).value;
+  };
+  Probe shape = (*entrants)[ball].probe;
+  for (auto& [name, value] : shape) value = fitted(name);
+  RankedCandidate through = (*entrants)[bar];
+  const Eigen::VectorXd stiffness =
+      Eigen::VectorXd::Constant(1, fitted("obstacle_sphere.stiffness"));
+  through.other_starts.clear();
+  const Scene& scene = base.scene;
+  for (const Probe& probe :
+       BarsThroughBall(shape, scene.world.gravity, scene.recording.cloth.size.maxCoeff()))
+    through.other_starts.push_back({probe, stiffness});
+  through.probe = through.other_starts.back().probe;
+  through.amounts = stiffness;
+  through.other_starts.pop_back();
+  std::optional<FittedScene> fit = FitPhysics(base, ranking, through, last_length);
+  if (!fit || (of_bar && of_bar->fit.cost_after <= fit->fit.cost_after)) return;
+  (*entrants)[bar] = std::move(through);
+  (*fits)[bar] = std::move(fit);
+}
+
 std::vector<JudgedModel> ForecastScreening::Decide(const FittedScene& current,
                                                    const FittedScene& base,
                                                    std::vector<FittedModel> models) const {
@@ -206,7 +242,7 @@ std::optional<ForecastRound> ForecastScreening::Run(
   by.draws = 0;
   by.refinements = 1;
   round.ranking = RankCandidates(*looked_at, options_, by);
-  const std::vector<RankedCandidate> entrants = Entrants(*base, round.ranking, contacts);
+  std::vector<RankedCandidate> entrants = Entrants(*base, round.ranking, contacts);
   std::vector<std::string> names;
   for (const RankedCandidate& entrant : entrants) names.push_back(entrant.summary.name);
   Log(fmt::format("forecasts leave {:.3g} sigmas; looked at: {}", round.ranking.residual_rms,
@@ -229,6 +265,7 @@ std::optional<ForecastRound> ForecastScreening::Run(
           FitToForecasts(put_right, grid, {0, first_lengths, kFirstIterations}, runner_, &*base);
     }
   });
+  AddBarThroughBall(*base, round.ranking, first_lengths, &entrants, &fits);
   double least = first->fit.cost_after;
   for (const auto& fit : fits)
     if (fit) least = std::min(least, fit->fit.cost_after);

@@ -45,6 +45,10 @@ class ForecastScreening {
                                         const std::vector<ContactShape>& contacts) const;
   std::optional<FittedScene> FitPhysics(const FittedScene& base, const Ranking& ranking,
                                         const RankedCandidate& candidate, int last_length) const;
+  // fits: of the entrants, in their order.
+  void AddBarThroughBall(const FittedScene& base, const Ranking& ranking, int last_length,
+                         std::vector<RankedCandidate>* entrants,
+                         std::vector<std::optional<FittedScene>>* fits) const;
   // The models that may come first, on the deciding mesh.
   std::vector<JudgedModel> Decide(const FittedScene& current, const FittedScene& base,
                                   std::vector<FittedModel> models) const;

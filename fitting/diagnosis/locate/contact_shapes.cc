@@ -18,17 +18,17 @@ namespace {
 // m, either side of a surface: what touches it. The cloth is known no better where nothing of it is
 // seen. Deeper inside of an obstacle there is no cloth.
 constexpr double kTouching = 0.02;
-constexpr int kCells = 8;         // of the grid, along each direction
-constexpr int kMostOfAKind = 4;   // shapes
-constexpr int kMostTried = 8;     // of a kind, by the simplex
-constexpr int kDirections = 4;    // of bars where a ball is known
-constexpr double kSame = 0.03;    // m, of which two shapes are one
+constexpr int kCells = 8;           // of the grid, along each direction
+constexpr int kMostOfAKind = 4;     // shapes
+constexpr int kMostTried = 8;       // of a kind, by the simplex
+constexpr double kSame = 0.03;      // m, of which two shapes are one
 constexpr int kSimplexSteps = 150;  // evaluations of the simplex
 
 enum class Kind { kPlane, kTable, kBall, kBar };
 
-// Planes: normal (of any length), height along it. Tables: a point of the edge, direction. Balls: middle, log radius. Bars without ends: a
-// point of the axis, direction (of any length), log radius.
+// Planes: normal (of any length), height along it. Tables: a point of the edge, direction. Balls:
+// middle, log radius. Bars without ends: a point of the axis, direction (of any length), log
+// radius.
 struct Shape {
   Kind kind;
   Eigen::VectorXd at;
@@ -99,6 +99,13 @@ Eigen::Vector2d TiltOf(const DownFrame& frame, const Eigen::Vector3d& direction)
   return angle * Eigen::Vector2d(axis.dot(frame.axis_1), axis.dot(frame.axis_2));
 }
 
+Probe CapsuleProbe(const Eigen::Vector3d& end_1, const Eigen::Vector3d& end_2, double radius) {
+  return {{"obstacle_capsule.x1", end_1.x()}, {"obstacle_capsule.y1", end_1.y()},
+          {"obstacle_capsule.z1", end_1.z()}, {"obstacle_capsule.x2", end_2.x()},
+          {"obstacle_capsule.y2", end_2.y()}, {"obstacle_capsule.z2", end_2.z()},
+          {"obstacle_capsule.radius", radius}};
+}
+
 class ContactSearch {
  public:
   ContactSearch(const ClothMesh& mesh, const Eigen::Vector3d& gravity, const MissingForce& missing)
@@ -115,15 +122,9 @@ class ContactSearch {
   }
 
   std::vector<ContactShape> Run() const {
-    const std::vector<Shape> balls = BestOf(Balls());
-    std::vector<Shape> bars = BestOf(Bars());
-    if (!balls.empty()) {
-      const std::vector<Shape> through = BarsThrough(balls.front());
-      bars.insert(bars.end(), through.begin(), through.end());
-    }
     std::vector<ContactShape> found;
-    for (const std::vector<Shape>& shapes : {BestOf(Planes()), BestOf(Tables()), balls, bars}) {
-      for (const Shape& shape : shapes) {
+    for (const std::vector<Shape>& starts : {Planes(), Tables(), Balls(), Bars()}) {
+      for (const Shape& shape : BestOf(starts)) {
         const double score = Score(shape);
         if (score > 0.0) found.push_back(Describe(shape, score));
       }
@@ -240,25 +241,6 @@ class ContactSearch {
     return shapes;
   }
 
-  // Where a ball pushes, so may a bar, of which few points of the cloth tell where it points: across
-  // the mean push.
-  std::vector<Shape> BarsThrough(const Shape& ball) const {
-    Eigen::Vector3d push = Eigen::Vector3d::Zero();
-    for (const Piece& piece : pieces_) {
-      const Touch touch = TouchOf(ball, frame_, piece.at);
-      if (touch.depth > -kTouching) push += piece.area * touch.normal;
-    }
-    const Eigen::Vector3d u = push.unitOrthogonal(), v = push.normalized().cross(u);
-    std::vector<Shape> bars;
-    for (int i = 0; i < kDirections; ++i) {
-      const double angle = M_PI * i / kDirections;
-      Eigen::VectorXd at(7);
-      at << ball.at.head<3>(), std::cos(angle) * u + std::sin(angle) * v, ball.at[3];
-      bars.push_back({Kind::kBar, at});
-    }
-    return bars;
-  }
-
   // Made better by the simplex, the best first.
   std::vector<Shape> BestOf(const std::vector<Shape>& starts) const {
     std::vector<std::pair<double, std::size_t>> order;
@@ -280,9 +262,8 @@ class ContactSearch {
   }
 
   static bool IsNear(const std::vector<Shape>& others, const Shape& shape, double distance) {
-    return std::any_of(others.begin(), others.end(), [&](const Shape& other) {
-      return (shape.at - other.at).norm() < distance;
-    });
+    return std::any_of(others.begin(), others.end(),
+                       [&](const Shape& other) { return (shape.at - other.at).norm() < distance; });
   }
 
   Shape Improve(const Shape& start) const {
@@ -301,9 +282,7 @@ class ContactSearch {
         objective.upper[size - 1] = std::log(2.0 * side_);
       }
     }
-    objective.value = [&](const Eigen::VectorXd& at, int) {
-      return -Score({start.kind, at});
-    };
+    objective.value = [&](const Eigen::VectorXd& at, int) { return -Score({start.kind, at}); };
     OptimiserOptions options;
     options.budget.evaluations = kSimplexSteps;
     return {start.kind, Minimise("nelder-mead", objective, options).x};
@@ -338,15 +317,7 @@ class ContactSearch {
               score};
     }
     const auto [end_1, end_2] = EndsOf(shape);
-    return {"obstacle_capsule",
-            {{"obstacle_capsule.x1", end_1.x()},
-             {"obstacle_capsule.y1", end_1.y()},
-             {"obstacle_capsule.z1", end_1.z()},
-             {"obstacle_capsule.x2", end_2.x()},
-             {"obstacle_capsule.y2", end_2.y()},
-             {"obstacle_capsule.z2", end_2.z()},
-             {"obstacle_capsule.radius", radius}},
-            score};
+    return {"obstacle_capsule", CapsuleProbe(end_1, end_2, radius), score};
   }
 
   // Of the axis, beyond all that touches the bar by half of its extent: where the bar ends beyond
@@ -374,6 +345,22 @@ class ContactSearch {
 };
 
 }  // namespace
+
+std::vector<Probe> BarsThroughBall(const Probe& ball, const Eigen::Vector3d& gravity,
+                                   double length) {
+  constexpr int kDirections = 4;
+  const DownFrame frame = MakeDownFrame(gravity);
+  const Eigen::Vector3d middle(ball.at("obstacle_sphere.x"), ball.at("obstacle_sphere.y"),
+                               ball.at("obstacle_sphere.z"));
+  std::vector<Probe> bars;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = M_PI * i / kDirections;
+    const Eigen::Vector3d half =
+        0.5 * length * (std::cos(angle) * frame.axis_1 + std::sin(angle) * frame.axis_2);
+    bars.push_back(CapsuleProbe(middle - half, middle + half, ball.at("obstacle_sphere.radius")));
+  }
+  return bars;
+}
 
 std::vector<ContactShape> FindContactShapes(const ClothMesh& mesh, const Eigen::Vector3d& gravity,
                                             const MissingForce& missing) {

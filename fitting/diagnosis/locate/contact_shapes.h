@@ -3,8 +3,8 @@
 //
 // Where an obstacle that no one told of would stand. What a contact does to a cloth points along
 // the obstacle's outward normal, where the cloth is at a place that is fixed in the world, and
-// nowhere else: among all planes, edges of tables, balls and bars, those whose push explains most of the missing
-// force.
+// nowhere else: among all planes, edges of tables, balls and bars, those whose push explains most
+// of the missing force.
 #pragma once
 
 #include <string>
@@ -29,12 +29,17 @@ struct ContactShape {
 // An obstacle pushes what is within 2 cm of its surface, or beyond it, along its normal with one
 // pressure a times a share that grows over these 2 cm. With p that pattern for a = 1 in the
 // missing force's own coefficients (force_layout.h), N and b their equations, and nu the noise, the
-// best pressure lowers the sum of squares by (b'p)^2 / (p'Np nu^2), and counts where it is positive.
-// There is no cloth inside of an obstacle: the score is 1 - i/o of that, i the cloth (area times
-// time) that would be deeper than 2 cm, o the rest of what is pushed.
-// Shapes are looked for on a grid over all places where the cloth comes and then by Nelder and
-// Mead's simplex. mesh: the one that the force was estimated on; gravity in m/s^2.
+// best pressure lowers the sum of squares by (b'p)^2 / (p'Np nu^2), and counts where it is
+// positive. There is no cloth inside of an obstacle: the score is 1 - i/o of that, i the cloth
+// (area times time) that would be deeper than 2 cm, o the rest of what is pushed. Shapes are looked
+// for on a grid over all places where the cloth comes and then by Nelder and Mead's simplex. mesh:
+// the one that the force was estimated on; gravity in m/s^2.
 std::vector<ContactShape> FindContactShapes(const ClothMesh& mesh, const Eigen::Vector3d& gravity,
                                             const MissingForce& missing);
+
+// obstacle_capsule with its middle where a ball's is and as thick, level, of this length (m), in
+// four directions: where a ball explains a contact, so may a bar.
+std::vector<Probe> BarsThroughBall(const Probe& ball, const Eigen::Vector3d& gravity,
+                                   double length);
 
 }  // namespace clothfit

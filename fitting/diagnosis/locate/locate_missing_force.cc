@@ -20,7 +20,7 @@ constexpr int kMostKnots = 24;        // in time
 constexpr double kKnotSpacing = 0.1;  // s, at least
 constexpr int kLinearisations = 2;    // at most
 constexpr int kNulls = 99;            // so that a p-value of 0.01 can be seen
-constexpr int kErrorDraws = 2;  // of parameters, at which the numerical error is measured
+constexpr int kErrorDraws = 2;        // of parameters, at which the numerical error is measured
 
 FittedScene Coarse(const FittedScene& fitted) {
   const std::array<int, 2>& grid = fitted.scene.mesh.grid;
@@ -75,10 +75,9 @@ class MissingForceLocator {
     } else {
       // What leaves more than two sigmas stands far out of the error of mesh and step.
       const bool is_close = !HasLargeResidual(fitted_.scene, fitted_.config, fitted_.fit);
-      errors_ =
-          MeasureDiscretisationErrors(fitted_, frames_, *baseline,
-                                      options_.simulate_null && is_close ? kErrorDraws : 0,
-                                      options_.seed);
+      errors_ = MeasureDiscretisationErrors(fitted_, frames_, *baseline,
+                                            options_.simulate_null && is_close ? kErrorDraws : 0,
+                                            options_.seed);
     }
     typical_.resize(static_cast<Eigen::Index>(faults_.size()));
     for (std::size_t i = 0; i < faults_.size(); ++i)

@@ -76,9 +76,9 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
 
 // What the shapes of contacts were found for is one obstacle.
 void Diagnoser::ForgetContacts(const RankedCandidate& kept) {
-  const bool is_obstacle = std::any_of(
-      contacts_.begin(), contacts_.end(),
-      [&](const ContactShape& shape) { return shape.term == kept.term.name; });
+  const bool is_obstacle =
+      std::any_of(contacts_.begin(), contacts_.end(),
+                  [&](const ContactShape& shape) { return shape.term == kept.term.name; });
   if (is_obstacle) contacts_.clear();
 }
 

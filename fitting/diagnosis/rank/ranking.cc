@@ -145,8 +145,7 @@ void Ranker::AddFirstTrials() {
   candidates_ =
       ListCandidates(fitted_.values, fitted_.scene, extent_, options_.excluded, most_probes_, set_);
   std::size_t most = 0;
-  for (const CandidateTerm& candidate : candidates_)
-    most = std::max(most, candidate.probes.size());
+  for (const CandidateTerm& candidate : candidates_) most = std::max(most, candidate.probes.size());
   for (std::size_t round = 0; round < most; ++round) {
     std::vector<std::pair<int, Probe>> probes;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {

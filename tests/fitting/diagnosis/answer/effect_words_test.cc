@@ -46,14 +46,14 @@ TEST(EffectWords, LeaveOutWhatIsNothingBesideTheLargest) {
 }
 
 TEST(EffectWords, TellAPlaceInTheWorldByItsThreeNumbers) {
-  EXPECT_EQ(AmountsInWords({"obstacle_sphere"},
-                           {{"obstacle_sphere.stiffness", "Pa/m", 5e4, 4e4, 6e4},
-                            {"obstacle_sphere.x", "m", -0.519, -0.529, -0.509},
-                            {"obstacle_sphere.y", "m", 0.1, 0.05, 0.15},
-                            {"obstacle_sphere.z", "m", 0.7034, 0.6834, 0.7234},
-                            {"obstacle_sphere.radius", "m", 0.022, 0.02, 0.024}}),
-            "obstacle_sphere: 5e+04 Pa/m (4e+04 to 6e+04) pressure per depth, its middle at (-0.519, "
-            "0.100, 0.703) m within (0.01, 0.05, 0.02) m, radius 0.022 m (0.02 to 0.024).");
+  EXPECT_EQ(
+      AmountsInWords({"obstacle_sphere"}, {{"obstacle_sphere.stiffness", "Pa/m", 5e4, 4e4, 6e4},
+                                           {"obstacle_sphere.x", "m", -0.519, -0.529, -0.509},
+                                           {"obstacle_sphere.y", "m", 0.1, 0.05, 0.15},
+                                           {"obstacle_sphere.z", "m", 0.7034, 0.6834, 0.7234},
+                                           {"obstacle_sphere.radius", "m", 0.022, 0.02, 0.024}}),
+      "obstacle_sphere: 5e+04 Pa/m (4e+04 to 6e+04) pressure per depth, its middle at (-0.519, "
+      "0.100, 0.703) m within (0.01, 0.05, 0.02) m, radius 0.022 m (0.02 to 0.024).");
 }
 
 TEST(EffectWords, TellPlacesAfterAmountsAndFaultsAsTheyAre) {

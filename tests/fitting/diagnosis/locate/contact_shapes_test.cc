@@ -99,8 +99,8 @@ TEST_F(ContactShapes, FindABar) {
         const double on_bar = std::max(-kWrapped, std::min(kWrapped, angle));
         const Eigen::Vector3d normal = normal_at(on_bar), along = axis.cross(normal);
         const double beyond = (angle - on_bar) * kRadius;
-        return Eigen::Vector3d(origin + uv.x() * axis + kRadius * normal - beyond * along *
-                               (along.dot(side) > 0.0 ? -1.0 : 1.0));
+        return Eigen::Vector3d(origin + uv.x() * axis + kRadius * normal -
+                               beyond * along * (along.dot(side) > 0.0 ? -1.0 : 1.0));
       },
       [&](const Eigen::Vector2d& uv, double shift) {
         const double angle = (uv.y() - 0.2 + shift) / kRadius;
@@ -117,7 +117,7 @@ TEST_F(ContactShapes, FindABar) {
   EXPECT_GT(std::abs(found.dot(axis)), std::cos(0.2));
   const Eigen::Vector3d middle = origin + 0.2 * axis;
   EXPECT_LT((end("1") - middle).cross(found).norm(), 0.04);  // what counts as touching it
-  EXPECT_GT((end("2") - end("1")).norm(), 0.4);  // beyond the cloth
+  EXPECT_GT((end("2") - end("1")).norm(), 0.4);              // beyond the cloth
 }
 
 TEST_F(ContactShapes, FindABall) {
@@ -127,20 +127,18 @@ TEST_F(ContactShapes, FindABall) {
     const Eigen::Vector2d from(uv.x() - 0.2 + shift, uv.y() - 0.2);
     const double angle = std::min(1.2, from.norm() / kRadius);
     const Eigen::Vector2d flat = from.norm() > 0.0 ? Eigen::Vector2d(from.normalized()) : from;
-    return Eigen::Vector3d(std::sin(angle) * flat.x(), std::sin(angle) * flat.y(),
-                           std::cos(angle));
+    return Eigen::Vector3d(std::sin(angle) * flat.x(), std::sin(angle) * flat.y(), std::cos(angle));
   };
   Move(
       [&](const Eigen::Vector2d& uv, double shift) {
-        const double beyond =
-            std::max(0.0, Eigen::Vector2d(uv.x() - 0.2 + shift, uv.y() - 0.2).norm() -
-                              1.2 * kRadius);
+        const double beyond = std::max(
+            0.0, Eigen::Vector2d(uv.x() - 0.2 + shift, uv.y() - 0.2).norm() - 1.2 * kRadius);
         return Eigen::Vector3d(middle + kRadius * normal_at(uv, shift) -
                                beyond * Eigen::Vector3d::UnitZ());
       },
       [&](const Eigen::Vector2d& uv, double shift) {
-        const bool is_on = Eigen::Vector2d(uv.x() - 0.2 + shift, uv.y() - 0.2).norm() <
-                           1.2 * kRadius;
+        const bool is_on =
+            Eigen::Vector2d(uv.x() - 0.2 + shift, uv.y() - 0.2).norm() < 1.2 * kRadius;
         return is_on ? normal_at(uv, shift) : Eigen::Vector3d(Eigen::Vector3d::Zero());
       });
   const Probe probe = Best("obstacle_sphere").probe;
@@ -172,9 +170,8 @@ TEST_F(ContactShapes, HoldNoCloth) {
 }
 
 TEST_F(ContactShapes, AreNoneWhereNothingPushes) {
-  Move(
-      [&](const Eigen::Vector2d& uv, double) { return Eigen::Vector3d(uv.x(), uv.y(), 1.0); },
-      [&](const Eigen::Vector2d&, double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); });
+  Move([&](const Eigen::Vector2d& uv, double) { return Eigen::Vector3d(uv.x(), uv.y(), 1.0); },
+       [&](const Eigen::Vector2d&, double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); });
   EXPECT_TRUE(FindContactShapes(mesh_, kGravity, missing_).empty());
 }
 
