@@ -81,9 +81,11 @@ struct ObstaclePlane : TermDefaults {
   }
 };
 
-// Level, with one straight edge, and a side that goes down from it without end. Where a is the
-// depth below the top and b that behind the side, the depth is a + b - sqrt(a^2 + b^2) (Rvachev's
-// R-function of an intersection): next to either face the depth below that one, and smooth between.
+// With one straight edge, level across it, and a side that goes down from it without end. The table
+// is to the left of the way from the edge's first point to its second, seen from above. Where a is
+// the depth below the top and b that behind the side, the depth is a + b - sqrt(a^2 + b^2)
+// (Rvachev's R-function of an intersection): next to either face the depth below that one, and
+// smooth between.
 struct ObstacleTable : TermDefaults {
   static constexpr const char* kName = "obstacle_table";
   static constexpr const char* kDoc = "an unseen table with an edge";
@@ -91,14 +93,14 @@ struct ObstacleTable : TermDefaults {
   static constexpr std::array kTies = {Tie::kContact, Tie::kWorld};
   static constexpr int kNodes = 1;
   static constexpr bool kInternal = false;
-  static constexpr std::array<Parameter, 5> kParameters = {{
+  static constexpr std::array<Parameter, 7> kParameters = {{
       kObstacleStiffness,
-      PlaceInWorld("x", Meaning::kPlaceX, "a point of its edge"),
-      PlaceInWorld("y", Meaning::kPlaceY, "a point of its edge"),
-      PlaceInWorld("z", Meaning::kPlaceZ, "a point of its edge"),
-      Shape({"direction", "rad", "out over the edge, about up from the world's x", 0.0, 0.0, -6.4,
-             6.4, Scale::kLinear, 0.3},
-            Meaning::kNumber, 0.0, M_PI / 2, M_PI, -M_PI / 2),
+      PlaceInWorld("x1", Meaning::kPlaceX, "one point of its edge"),
+      PlaceInWorld("y1", Meaning::kPlaceY, "one point of its edge"),
+      PlaceInWorld("z1", Meaning::kPlaceZ, "one point of its edge"),
+      PlaceInWorld("x2", Meaning::kPlaceX, "another point of its edge"),
+      PlaceInWorld("y2", Meaning::kPlaceY, "another point of its edge"),
+      PlaceInWorld("z2", Meaning::kPlaceZ, "another point of its edge"),
   }};
   using Element = ObstaclePlane::Element;
   static std::vector<Element> Elements(const TermContext& context) {
@@ -108,24 +110,24 @@ struct ObstacleTable : TermDefaults {
   template <class T>
   static void AddForce(const Element& element, const ElementInput<ObstacleTable, T>& in,
                        ElementOutput<ObstacleTable, T>* out) {
-    using std::cos;
-    using std::sin;
     using std::sqrt;
-    const std::array<T, 5>& p = in.parameter;
-    const Vector3<T> below = Vector3<T>(p[1], p[2], p[3]) - in.x[0];
-    const DownFrame& frame = element.frame;
-    const T cosine = cos(p[4]), sine = sin(p[4]);
-    Vector3<T> over, up;
-    for (int k = 0; k < 3; ++k) {
-      over[k] = cosine * frame.axis_1[k] + sine * frame.axis_2[k];
-      up[k] = T(-frame.down[k]);
-    }
-    const T a = below.dot(up), b = below.dot(over);
+    const std::array<T, 7>& p = in.parameter;
+    const Vector3<T> first(p[1], p[2], p[3]);
+    const Vector3<T> edge = Vector3<T>(p[4], p[5], p[6]) - first;
+    const Eigen::Vector3d& down = element.frame.down;
+    const Vector3<T> up(T(-down.x()), T(-down.y()), T(-down.z()));
+    Vector3<T> over = edge.cross(up);
+    const T across = over.dot(over);
+    if (!(Value(across) > 0.0)) return;
+    over = over * (1.0 / sqrt(across));
+    Vector3<T> top = over.cross(edge);
+    top = top * (1.0 / sqrt(top.dot(top)));
+    const Vector3<T> below = first - in.x[0];
+    const T a = below.dot(top), b = below.dot(over);
     if (!(Value(a) > 0.0 && Value(b) > 0.0)) return;
     const T r = sqrt(a * a + b * b);
     const T push = p[0] * element.area * SoftDepth<T>(a + b - r);
-    for (int k = 0; k < 3; ++k)
-      out->force[0][k] += push * (up[k] * (1.0 - a / r) + over[k] * (1.0 - b / r));
+    out->force[0] += (top * (1.0 - a / r) + over * (1.0 - b / r)) * push;
   }
 };
 

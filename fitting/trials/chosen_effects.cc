@@ -117,8 +117,11 @@ Effects GripEffects() {
 Effects WorldEffects() {
   const Fixed wall = {{"stiffness", 2e3}, {"angle_1", -kRight}};
   const Fixed table = {{"stiffness", 2e3}};
-  const Fixed edge_behind = {{"stiffness", 2e3}, {"z", -0.3}, {"direction", kRight}};
-  const Fixed edge = {{"stiffness", 2e3}, {"x", 0.05}};
+  // Behind the edges, towards -y and -x, the tables are.
+  const Fixed edge_behind = {{"stiffness", 2e3}, {"x1", 0.5},  {"x2", -0.5},
+                             {"y2", -0.16},      {"z1", -0.3}, {"z2", -0.3}};
+  const Fixed edge = {{"stiffness", 2e3}, {"x1", 0.05}, {"x2", 0.05},
+                      {"y1", -0.5},       {"y2", 0.5},  {"z2", -0.10}};
   const Fixed ball = {{"stiffness", 2e3}, {"x", 0.05}, {"z", -0.4}, {"radius", 0.08}};
   const Fixed under = {{"stiffness", 2e3}, {"x", 0.05}, {"y", 0.0}, {"radius", 0.08}};
   const Fixed bar = {{"stiffness", 2e3}, {"x1", -0.4},  {"x2", 0.4},     {"z1", -0.4},
@@ -129,8 +132,8 @@ Effects WorldEffects() {
   return {
       {"obstacle_plane", kSwing, kWoven, {{"height", {-0.16, -0.13, -0.09}}}, wall, false},
       {"obstacle_plane", kSag, kWoven, {{"height", {-0.12, -0.10, -0.06}}}, table, false},
-      {"obstacle_table", kSwing, kWoven, {{"y", {-0.16, -0.13, -0.09}}}, edge_behind, false},
-      {"obstacle_table", kSag, kWoven, {{"z", {-0.12, -0.10, -0.06}}}, edge, false},
+      {"obstacle_table", kSwing, kWoven, {{"y1", {-0.16, -0.13, -0.09}}}, edge_behind, false},
+      {"obstacle_table", kSag, kWoven, {{"z1", {-0.12, -0.10, -0.06}}}, edge, false},
       {"obstacle_sphere", kSwing, kWoven, {{"y", {-0.24, -0.19, -0.12}}}, ball, false},
       {"obstacle_sphere", kSag, kWoven, {{"z", {-0.18, -0.15, -0.10}}}, under, false},
       {"obstacle_capsule", kSwing, kWoven, {{"y1", {-0.20, -0.16, -0.10}}}, bar, false},

@@ -39,7 +39,7 @@ struct Touch {
   double depth;  // m, negative outside
 };
 
-// As ObstacleTable has it.
+// As ObstacleTable has it, of a level edge.
 Touch TouchOfTable(const Shape& shape, const DownFrame& frame, const Eigen::Vector3d& place) {
   const Eigen::Vector3d below = shape.at.head<3>() - place;
   const Eigen::Vector3d over =
@@ -300,11 +300,17 @@ class ContactSearch {
     }
     const Eigen::Vector3d middle = shape.at.head<3>();
     if (shape.kind == Kind::kTable) {
+      const Eigen::Vector3d over =
+          std::cos(shape.at[3]) * frame_.axis_1 + std::sin(shape.at[3]) * frame_.axis_2;
+      const Eigen::Vector3d half = 0.5 * side_ * over.cross(frame_.down);
+      const Eigen::Vector3d first = middle - half, second = middle + half;
       return {"obstacle_table",
-              {{"obstacle_table.x", middle.x()},
-               {"obstacle_table.y", middle.y()},
-               {"obstacle_table.z", middle.z()},
-               {"obstacle_table.direction", std::remainder(shape.at[3], 2.0 * M_PI)}},
+              {{"obstacle_table.x1", first.x()},
+               {"obstacle_table.y1", first.y()},
+               {"obstacle_table.z1", first.z()},
+               {"obstacle_table.x2", second.x()},
+               {"obstacle_table.y2", second.y()},
+               {"obstacle_table.z2", second.z()}},
               score};
     }
     const double radius = std::exp(shape.at[shape.at.size() - 1]);

@@ -167,11 +167,16 @@ TEST(ObstaclePhysics, ForcesAreThoseOfTheEnergies) {
 
 TEST(ObstaclePhysics, TableHasAnEdge) {
   const double k = 2e4;
-  const Eigen::Vector3d edge(0.15, 0.1, 0.3), over(std::cos(0.3), std::sin(0.3), 0.0);
+  const Eigen::Vector3d first(0.15, 0.1, 0.3), second(0.1, 0.3, 0.32);
+  const Eigen::Vector3d edge = (second - first).normalized();
+  const Eigen::Vector3d over = edge.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const Eigen::Vector3d top = over.cross(edge);
+  EXPECT_GT(over.x(), 0.0);  // to the right of the way, and the table to the left
   ExpectForceOfEnergy<ObstacleTable>(
-      Numbers({k, edge.x(), edge.y(), edge.z(), 0.3}), [&](const auto& e, const auto& n) {
-        const Eigen::Vector3d below = edge - Node<0>(n);
-        const double a = below.z(), b = over.dot(below);
+      Numbers({k, first.x(), first.y(), first.z(), second.x(), second.y(), second.z()}),
+      [&](const auto& e, const auto& n) {
+        const Eigen::Vector3d below = first - Node<0>(n);
+        const double a = below.dot(top), b = below.dot(over);
         return a > 0.0 && b > 0.0 ? e.area * k * SoftEnergy(a + b - std::hypot(a, b)) : 0.0;
       });
 }
@@ -181,8 +186,8 @@ TEST(ObstaclePhysics, TableIsAPlaneFarBehindItsEdge) {
   for (const TermScene& scene : MakeTermScenes()) {
     for (const auto& element : SceneElements<ObstacleTable>(scene)) {
       const Eigen::VectorXd table = EvaluateTerm<ObstacleTable, double>(
-          element,
-          ElementNumbers<ObstacleTable>(element, scene, Numbers({2e4, 1e4, 0.0, 0.301, 0.0})));
+          element, ElementNumbers<ObstacleTable>(element, scene,
+                                                 Numbers({2e4, 1e4, 0.0, 0.301, 1e4, 1.0, 0.301})));
       const Eigen::VectorXd plane = EvaluateTerm<ObstaclePlane, double>(
           element, ElementNumbers<ObstaclePlane>(element, scene, Numbers({2e4, 0.301, 0.0, 0.0})));
       EXPECT_LE((table - plane).norm(), 1e-3 * plane.norm());
