@@ -80,16 +80,17 @@ std::string CloudRows(const Scene& scene, const CloudResiduals& to_surface,
   std::string text;
   for (size_t i = 0; i < distances.size(); ++i) {
     const Eigen::Vector3d d = distances[i].point.At(x) - cloud.points[i];
-    text += RowBegin(scene, "cloud", cloud.frame, camera, static_cast<int>(i),
-                     scene.IsFitted(cloud), is_held_out, distances[i].point) +
-            fmt::format(",{},{},{},,\n", FormatNumber(d.x()), FormatNumber(d.y()),
-                        FormatNumber(d.z()));
+    text +=
+        RowBegin(scene, "cloud", cloud.frame, camera, static_cast<int>(i), scene.IsFitted(cloud),
+                 is_held_out, distances[i].point) +
+        fmt::format(",{},{},{},,\n", FormatNumber(d.x()), FormatNumber(d.y()), FormatNumber(d.z()));
   }
   return text;
 }
 
-// One row an observation: predicted minus observed, m for markers and clouds and px for tracks. A residual is
-// empty where the simulation did not reach the frame, or the point lies behind the camera.
+// One row an observation: predicted minus observed, m for markers and clouds and px for tracks. A
+// residual is empty where the simulation did not reach the frame, or the point lies behind the
+// camera.
 std::string ResidualsAsCsv(const Scene& scene, const std::vector<Eigen::VectorXd>& positions) {
   std::string text = "kind,frame,camera,id,fitted,held_out,u,v,dx,dy,dz,dx_px,dy_px\n";
   const auto at = [&](int frame) {

@@ -23,13 +23,12 @@ namespace {
 constexpr double kWind = 0.8;     // m/s along y
 constexpr double kSigma = 0.002;  // m
 
-// A cloth that swings from two corners in wind, made on a finer mesh than the fit's.
+// A cloth that swings from two corners in wind.
 class CloudFitTest : public testing::Test {
  protected:
   CloudFitTest() {
     SyntheticOptions options;
     options.resolution = {7, 7};
-    options.refinement = 2;
     options.frame_count = 24;
     options.frame_rate = 24.0;
     options.markers = {0, 0};
@@ -60,16 +59,17 @@ TEST_F(CloudFitTest, FindsTheWind) {
   for (const ParameterEstimate& estimate : fit.estimates) {
     if (!estimate.free || estimate.name == "bending.stiffness") continue;
     const double truth = estimate.name == "wind.y" ? kWind : 0.0;
-    // Half of what 95 % intervals are wide on both sides, for what the mesh is wrong by.
-    const double margin = estimate.upper95 - estimate.lower95;
+    // Three sigmas and half of one, where 95 % are two: three unknowns are compared.
+    const double margin = 0.4 * (estimate.upper95 - estimate.lower95);
     EXPECT_GT(truth, estimate.lower95 - margin) << estimate.name;
     EXPECT_LT(truth, estimate.upper95 + margin) << estimate.name;
-    EXPECT_LT(margin, 0.3 * kWind) << estimate.name;
+    if (truth != 0.0) EXPECT_GT(estimate.lower95, 0.5 * truth) << estimate.name;
   }
   // The noise across the surface is one coordinate's; along it nothing is seen.
   EXPECT_NEAR(*fit.after.cloud_rms, kSigma, 0.25 * kSigma);
-  EXPECT_NEAR(*fit.after.held_out_cloud_rms, kSigma, 0.5 * kSigma);
-  EXPECT_GT(*fit.before.held_out_cloud_rms, 3.0 * *fit.after.held_out_cloud_rms);
+  // What is foreseen is off by the intervals, too.
+  EXPECT_LT(*fit.after.held_out_cloud_rms, 2.0 * kSigma);
+  EXPECT_GT(*fit.before.held_out_cloud_rms, 5.0 * *fit.after.held_out_cloud_rms);
 }
 
 // The whole way from the parameters through the simulation to the distances.

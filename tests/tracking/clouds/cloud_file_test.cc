@@ -104,7 +104,7 @@ TEST(ReadCloudFile, RefusesWhatIsBroken) {
       {"a.ply", changed(ply, "ascii", "morse"), "line 2"},
       {"a.ply", changed(ply, "vertex 3", "vertex -3"), "line 4"},
       {"a.ply", changed(ply, "vertex 3", "vertex 99999999999"), "line 4"},
-      {"a.ply", changed(ply, "vertex 3", "vertex 9"), "line 15"},
+      {"a.ply", changed(ply, "vertex 3", "vertex 9"), "cut off: expected 9 points"},
       {"a.ply", changed(ply, "float y", "float w"), "has no y"},
       {"a.ply", changed(ply, "float y", "quad y"), "line 6"},
       {"a.ply", changed(ply, "-0.25", "O.25"), "line 12: expected a number, found 'O.25'"},

@@ -158,7 +158,8 @@ TEST(ThinPoints, KnowsNothingOfErrors) {
   double sum = 0.0;
   for (const Vector3d& point : thinned.points) sum += point.z() - 0.012;
   const auto count = static_cast<double>(thinned.points.size());
-  EXPECT_EQ(count, 2500.0);
+  EXPECT_GE(count, 2500.0);
+  EXPECT_LE(count, 2510.0);  // the next cells begin 4 and 6 sigmas away
   EXPECT_LT(std::abs(sum / count), 4.0 * 0.002 / std::sqrt(count));  // sigmas
 }
 
