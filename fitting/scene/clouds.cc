@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/scene/clouds.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
@@ -40,8 +43,10 @@ Clouds LoadClouds(const Recording& recording, int most_points) {
       if (num_empty++ == 0) first_empty = places[i].frame;
       continue;
     }
-    clouds.observations.push_back(
-        {places[i].frame, places[i].camera, std::move(thinned[i].points), thinned[i].spacing});
+    const double spread =
+        std::sqrt(recording.cloth.size.prod() / static_cast<double>(thinned[i].points.size()));
+    clouds.observations.push_back({places[i].frame, places[i].camera, std::move(thinned[i].points),
+                                   std::max(thinned[i].spacing, spread)});
   }
   if (num_empty > 0) {
     clouds.warnings.push_back(

@@ -19,8 +19,8 @@ struct CloudObservation {
   int frame = 0;
   std::optional<int> camera;            // that saw them; empty: they show the whole cloth
   std::vector<Eigen::Vector3d> points;  // m, world
-  // m: edge of the cells of which each has one of the points, at least noise.cloud_spacing, so that
-  // errors of points are independent.
+  // m: about how far apart the points are. The edge of the cells of which each has one of them, or
+  // as much as it takes for the points to be spread over the whole cloth, whichever is more.
   double spacing = 0.0;
 };
 

@@ -31,6 +31,7 @@ class CloudFitTest : public testing::Test {
     options.resolution = {7, 7};
     options.frame_count = 24;
     options.frame_rate = 24.0;
+    options.steps_per_frame = 5;  // as the fit's, of at most 1/120 s
     options.markers = {0, 0};
     options.cloud_points = 300;
     options.cloud_sigma = kSigma;
