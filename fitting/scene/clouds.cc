@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "tracking/clouds/clouds.h"
+#include "tracking/recording/clouds.h"
 
 namespace clothfit {
 

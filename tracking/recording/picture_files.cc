@@ -10,7 +10,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/input_file.h"
 #include "autodiff_sim/base/printable.h"
-#include "tracking/clouds/cloud_file.h"
+#include "tracking/recording/cloud_file.h"
 #include "tracking/recording/inside.h"
 #include "tracking/text/text.h"
 

@@ -156,7 +156,7 @@ struct CameraFiles {
 };
 
 // Where there are points of the surface of which nobody knows where on the cloth they are. Nothing
-// is opened before tracking/clouds/clouds.h is asked.
+// is opened before tracking/recording/clouds.h is asked.
 struct CloudFiles {
   std::map<int, std::filesystem::path> files;  // by frame; points in m, world
   std::string camera;  // that saw them, by its name; empty: they show the whole cloth

@@ -76,7 +76,7 @@ void SyntheticOptions::Check(const std::string& place) const {
   if (images) pictures.Check(place);
   const bool any_point = markers.minCoeff() > 0 || cloud_points > 0;
   Expect(any_point || num_cameras > 0, place + ": markers",
-         "some, where there are neither cameras nor clouds");
+         "some, where there is no camera and no cloud");
   Expect(any_point || tracks || images, place + ": markers",
          "some, where there are neither tracks nor images nor clouds");
   Expect(cloud_points >= 0 && cloud_points <= kMostCloudPoints &&

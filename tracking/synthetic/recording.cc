@@ -13,8 +13,8 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/scenes/cloth_scene.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "tracking/clouds/cloud_file.h"
 #include "tracking/files/output_folder.h"
+#include "tracking/recording/cloud_file.h"
 #include "tracking/synthetic/keys.h"
 #include "tracking/synthetic/observations.h"
 

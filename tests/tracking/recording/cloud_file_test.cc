@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/clouds/cloud_file.h"
+#include "tracking/recording/cloud_file.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/clouds/cloud_file.h"
+#include "tracking/recording/cloud_file.h"
 
 #include <algorithm>
 #include <map>
@@ -9,8 +9,8 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/printable.h"
-#include "tracking/clouds/point_table.h"
 #include "tracking/recording/limits.h"
+#include "tracking/recording/point_table.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"
 

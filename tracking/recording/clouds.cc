@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/clouds/clouds.h"
+#include "tracking/recording/clouds.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <opencv2/core.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "tracking/clouds/cloud_file.h"
+#include "tracking/recording/cloud_file.h"
 #include "tracking/recording/images.h"
 #include "tracking/recording/limits.h"
 

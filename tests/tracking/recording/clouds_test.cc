@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/clouds/clouds.h"
+#include "tracking/recording/clouds.h"
 
 #include <random>
 #include <set>

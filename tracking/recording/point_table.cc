@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/clouds/point_table.h"
+#include "tracking/recording/point_table.h"
 
 #include <algorithm>
 #include <array>
