@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 
