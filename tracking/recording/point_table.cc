@@ -17,15 +17,16 @@ namespace clothfit {
 namespace {
 
 // What stands before x, y and z in a row: numbers in text, bytes in a binary table.
-struct Place {
+struct NumberPlace {
   int numbers = -1;
   std::int64_t bytes = 0;
   char kind = 'F';
   int size = 4;
 };
 
-std::array<Place, 3> PlacesOfPoint(const PointTable& table, const std::filesystem::path& file) {
-  std::array<Place, 3> places;
+std::array<NumberPlace, 3> PlacesOfPoint(const PointTable& table,
+                                         const std::filesystem::path& file) {
+  std::array<NumberPlace, 3> places;
   int numbers = 0;
   std::int64_t bytes = 0;
   for (const PointTable::Column& column : table.columns) {
@@ -67,7 +68,7 @@ double Decode(char kind, int size, const char* bytes) {
 }
 
 std::vector<Eigen::Vector3d> PointsOfBytes(const PointTable& table,
-                                           const std::array<Place, 3>& places,
+                                           const std::array<NumberPlace, 3>& places,
                                            const std::filesystem::path& file) {
   const std::int64_t row_bytes = BytesOfRow(table);
   if (static_cast<std::int64_t>(table.data.size()) / row_bytes < table.num_rows) {
@@ -79,7 +80,7 @@ std::vector<Eigen::Vector3d> PointsOfBytes(const PointTable& table,
   for (std::int64_t row = 0; row < table.num_rows; ++row) {
     Eigen::Vector3d point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Place& place = places[axis];
+      const NumberPlace& place = places[axis];
       const char* const number = table.data.data() + row * row_bytes + place.bytes;
       const bool is_reversed = table.encoding == PointTable::Encoding::kBigEndian;
       std::array<char, 8> bytes{};
@@ -108,7 +109,7 @@ double TakeNumber(std::string_view* line, const std::string& place) {
 }
 
 std::vector<Eigen::Vector3d> PointsOfText(const PointTable& table,
-                                          const std::array<Place, 3>& places,
+                                          const std::array<NumberPlace, 3>& places,
                                           const std::filesystem::path& file) {
   int numbers = 0;
   for (const PointTable::Column& column : table.columns) numbers += column.count;
@@ -144,7 +145,7 @@ std::int64_t BytesOfRow(const PointTable& table) {
 }
 
 std::vector<Eigen::Vector3d> PointsOf(const PointTable& table, const std::filesystem::path& file) {
-  const std::array<Place, 3> places = PlacesOfPoint(table, file);
+  const std::array<NumberPlace, 3> places = PlacesOfPoint(table, file);
   return table.encoding == PointTable::Encoding::kText ? PointsOfText(table, places, file)
                                                        : PointsOfBytes(table, places, file);
 }
