@@ -155,10 +155,12 @@ void PrintWarnings(const Recording& recording) {
 }
 
 void PrintWarnings(const Scene& scene) {
-  if (!scene.silhouettes) return;
-  for (const std::string& warning : scene.silhouettes->warnings) {
+  std::vector<std::string> warnings;
+  if (scene.silhouettes) warnings = scene.silhouettes->warnings;
+  if (scene.clouds)
+    warnings.insert(warnings.end(), scene.clouds->warnings.begin(), scene.clouds->warnings.end());
+  for (const std::string& warning : warnings)
     std::fprintf(Terminal(), "clothfit: warning: %s\n", Printable(warning).c_str());
-  }
 }
 
 }  // namespace clothfit

@@ -31,9 +31,23 @@ struct DiagnoseOptions {
   bool force = false, resume = false, quiet = false;
 };
 
+// Scores and nulls know observations with names, and outlines.
+void LeaveOutClouds(const Recording& recording, bool quiet, FitConfig* config) {
+  if (!config->use_clouds) return;
+  config->use_clouds = false;
+  if (recording.markers.empty() && recording.tracks.empty() && !HasMasks(recording)) {
+    throw InputError(recording.path.string(),
+                     "has clouds alone, by which a diagnosis cannot go; expected markers, tracks "
+                     "or masks, too");
+  }
+  if (!quiet)
+    fmt::print(Terminal(), "clothfit: warning: a diagnosis does not go by clouds: left out\n");
+}
+
 int RunDiagnoseCommand(DiagnoseOptions options) {
   Recording recording = ReadRecordingOf(options.config);
-  const FitConfig config = ReadConfigOf(options.config, recording);
+  FitConfig config = ReadConfigOf(options.config, recording);
+  LeaveOutClouds(recording, options.quiet, &config);
   CheckConfig(config);
   LeaveOutOutliers(config, &recording);
   CheckFittable(MakeScene(recording, config), config);

@@ -125,7 +125,8 @@ RunFolder MakeRunFolder(const FitOptions& options, const Recording& recording) {
 }
 
 bool HasPicturesOnly(const Recording& recording) {
-  return recording.markers.empty() && recording.tracks.empty() && HasPictures(recording);
+  return recording.markers.empty() && recording.tracks.empty() && !HasClouds(recording) &&
+         HasPictures(recording);
 }
 
 // What is seen in the pictures becomes a recording of its own, inside the run.

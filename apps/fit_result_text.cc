@@ -26,6 +26,8 @@ std::string ErrorTable(const Evaluation& before, const Evaluation& after) {
       ErrorRow("markers, held out", "m", before.held_out_marker_rms, after.held_out_marker_rms) +
       ErrorRow("tracks, fitted", "px", before.track_rms, after.track_rms) +
       ErrorRow("tracks, held out", "px", before.held_out_track_rms, after.held_out_track_rms) +
+      ErrorRow("clouds, fitted", "m", before.cloud_rms, after.cloud_rms) +
+      ErrorRow("clouds, held out", "m", before.held_out_cloud_rms, after.held_out_cloud_rms) +
       ErrorRow("silhouettes, fitted", "pixels that differ in a picture, mean",
                before.silhouette_error, after.silhouette_error) +
       ErrorRow("silhouettes, held out", "pixels that differ in a picture, mean",

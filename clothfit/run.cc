@@ -105,7 +105,7 @@ std::optional<double> NumberOf(const Json& object, const char* key) {
 
 Errors ErrorsOf(const Json& object) {
   return {NumberOf(object, "marker_rms_m"), NumberOf(object, "track_rms_px"),
-          NumberOf(object, "silhouette_error_px")};
+          NumberOf(object, "cloud_rms_m"), NumberOf(object, "silhouette_error_px")};
 }
 
 double NumberOrNan(const Json& json) { return json.is_number() ? json.get<double>() : NAN; }

@@ -28,6 +28,7 @@ struct Estimate {
 struct Errors {
   std::optional<double> markers;      // m
   std::optional<double> tracks;       // px
+  std::optional<double> clouds;       // m, of their points from the surface
   std::optional<double> silhouettes;  // px that differ, in a picture
 };
 

@@ -72,6 +72,7 @@ void AddErrors(py::module_* module) {
                      "Root mean square distances from what was observed; None where there is none.")
       .def_readonly("markers", &Errors::markers, "m")
       .def_readonly("tracks", &Errors::tracks, "px")
+      .def_readonly("clouds", &Errors::clouds, "m, of their points from the surface")
       .def_readonly("silhouettes", &Errors::silhouettes, "px that differ, in a picture");
   py::class_<Estimate>(*module, "Estimate", "What a fit found of one unknown.")
       .def_readonly("name", &Estimate::name)

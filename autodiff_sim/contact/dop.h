@@ -67,6 +67,16 @@ class Dop {
     return true;
   }
 
+  // m^2, of a point from the axis-aligned box around it: no more than from anything in it.
+  double SquaredDistanceToBox(const Eigen::Vector3d& p) const {
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      const double gap = std::max({low_[i] - p[i], p[i] - high_[i], 0.0});
+      sum += gap * gap;
+    }
+    return sum;
+  }
+
   // m times the length of the direction.
   const Values& low() const { return low_; }
   const Values& high() const { return high_; }

@@ -5,7 +5,9 @@
 // once; each step only its volumes are refitted, bottom-up.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,10 @@ class DopTree {
   // among them, in no particular order.
   template <class Visit>
   void VisitSelf(const Visit& visit) const;
+  // The triangle with the least squared_distance(triangle), m^2 from the point; the first that is
+  // found where several have it.
+  template <class SquaredDistance>
+  int Nearest(const Eigen::Vector3d& point, const SquaredDistance& squared_distance) const;
   // Calls visit(a, b) for triangles a of this tree and b of the other whose volumes overlap.
   template <class Visit>
   void VisitPairs(const DopTree& other, const Visit& visit) const;
@@ -82,6 +88,37 @@ template <int Planes>
 template <class Visit>
 void DopTree<Planes>::VisitPairs(const DopTree& other, const Visit& visit) const {
   VisitBetween(0, other, 0, visit);
+}
+
+template <int Planes>
+template <class SquaredDistance>
+int DopTree<Planes>::Nearest(const Eigen::Vector3d& point,
+                             const SquaredDistance& squared_distance) const {
+  struct Visit {
+    double at_least;  // m^2
+    int node;
+  };
+  std::vector<Visit> open = {{0.0, 0}};
+  double least = std::numeric_limits<double>::infinity();
+  int nearest = -1;
+  while (!open.empty()) {
+    const auto [at_least, index] = open.back();
+    open.pop_back();
+    if (at_least >= least) continue;
+    const Node& node = nodes_[index];
+    if (node.is_leaf()) {
+      const double squared = squared_distance(node.triangle);
+      if (squared < least) nearest = node.triangle;
+      least = std::min(least, squared);
+      continue;
+    }
+    Visit far{nodes_[index + 1].volume.SquaredDistanceToBox(point), index + 1};
+    Visit near{nodes_[node.second_child].volume.SquaredDistanceToBox(point), node.second_child};
+    if (far.at_least < near.at_least) std::swap(far, near);
+    open.push_back(far);
+    open.push_back(near);
+  }
+  return nearest;
 }
 
 template <int Planes>

@@ -41,6 +41,8 @@ constexpr ResultColumn kColumns[] = {
     {"held_out_marker_mm", "held out", ErrorOf<&Evaluation::held_out_marker_rms, 1000>},
     {"track_px", "tracks, px", ErrorOf<&Evaluation::track_rms>},
     {"held_out_track_px", "held out", ErrorOf<&Evaluation::held_out_track_rms>},
+    {"cloud_mm", "clouds, mm", ErrorOf<&Evaluation::cloud_rms, 1000>},
+    {"held_out_cloud_mm", "held out", ErrorOf<&Evaluation::held_out_cloud_rms, 1000>},
     {"silhouette_px", "silhouettes, px", ErrorOf<&Evaluation::silhouette_error>},
     {"held_out_silhouette_px", "held out", ErrorOf<&Evaluation::held_out_silhouette_error>},
     {"chi_square", "chi-square", MisfitOf<&Misfit::chi_square>},
@@ -85,8 +87,8 @@ FitResult FitInto(const fs::path& folder, const fs::path& place, const BatchFit&
                   const JobContext& context) {
   const RunFolder run(folder, RunFolder::Existing::kRefuse);
   Recording recording = ReadRecording(fit.recording);
-  const bool track =
-      recording.markers.empty() && recording.tracks.empty() && HasPictures(recording);
+  const bool track = recording.markers.empty() && recording.tracks.empty() &&
+                     !HasClouds(recording) && HasPictures(recording);
   if (track) recording = TrackInto(run, recording, context);
   FitConfig config = BatchConfig(fit, recording);
   if (config.leave_out_outliers) LeaveOutOutliers(&recording);

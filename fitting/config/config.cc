@@ -92,11 +92,14 @@ void CheckParameters(const std::string& place,
 FitConfig DefaultConfig(const Recording& recording) {
   FitConfig config;
   config.recording = recording.path.string();
-  // What is tracked in pictures has outliers.
-  if (!recording.tracks.empty() || HasMasks(recording)) config.loss = LossKind::kHuber;
+  // What is tracked in pictures or measured by depth has outliers.
+  if (!recording.tracks.empty() || HasMasks(recording) || HasClouds(recording))
+    config.loss = LossKind::kHuber;
   config.use_silhouettes = HasMasks(recording);
+  config.use_clouds = HasClouds(recording);
   // Outlines alone lead over a rugged way: after 30 iterations it is chance how far a fit has come.
-  if (HasMasks(recording) && recording.tracks.empty() && recording.markers.empty())
+  if (HasMasks(recording) && recording.tracks.empty() && recording.markers.empty() &&
+      !HasClouds(recording))
     config.max_iterations = 100;
   for (const NamedParameter& named : MakeParameterTable()) {
     config.parameters[named.name] = DefaultSetting(named.parameter);
@@ -130,9 +133,9 @@ void FitConfig::Check(const std::string& place) const {
     throw InputError(place + ": " + key.full_name(), key.write(*this) + ": " + problem);
   }
   CheckParameters(place, parameters);
-  if (FitsMarkers() || FitsTracks() || FitsSilhouettes()) return;
+  if (FitsMarkers() || FitsTracks() || FitsClouds() || FitsSilhouettes()) return;
   throw InputError(place + ": observations",
-                   "neither markers nor tracks nor silhouettes: nothing to fit");
+                   "neither markers nor tracks nor clouds nor silhouettes: nothing to fit");
 }
 
 }  // namespace clothfit

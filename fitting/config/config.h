@@ -74,11 +74,14 @@ struct FitConfig {
   bool use_markers = true;
   bool use_tracks = true;
   bool use_silhouettes = false;    // by the soft error, see fitting/residuals/soft_silhouette.h
+  bool use_clouds = false;         // and depth pictures, see fitting/residuals/cloud_residuals.h
   bool leave_out_outliers = true;  // markers and tracks off by far more than their noise
   // E = alpha E_s + beta E_a (Hasler 2007, sec. 6.2): weights of the silhouettes' squared residuals
-  // and of those of markers and tracks. 0 leaves them out.
+  // and of those of markers, tracks and clouds. 0 leaves them out.
   double alpha = 1.0;
   double beta = 1.0;
+  int cloud_points = 1000;      // of one cloud, at most; it is thinned evenly
+  double cloud_coverage = 1.0;  // weight of the cloth's distances from clouds that should show it
   LossKind loss = LossKind::kNone;
   double loss_scale = 3.0;  // in sigmas
   std::optional<std::array<int, 2>>
@@ -106,6 +109,7 @@ struct FitConfig {
 
   bool FitsMarkers() const { return use_markers && beta > 0.0; }
   bool FitsTracks() const { return use_tracks && beta > 0.0; }
+  bool FitsClouds() const { return use_clouds && beta > 0.0; }
   bool FitsSilhouettes() const { return use_silhouettes && alpha > 0.0; }
 
   // Throws InputError, naming `place` and the key, where a value is out of range.

@@ -9,6 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/optimise/optimiser.h"
+#include "tracking/recording/limits.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -194,13 +195,21 @@ std::vector<ConfigKey> MakeConfigKeys() {
       ChoiceKey("observations", "tracks", "fit the tracks", &FitConfig::use_tracks, kYesOrNo),
       ChoiceKey("observations", "silhouettes", "fit the outlines of the masks",
                 &FitConfig::use_silhouettes, kYesOrNo),
+      ChoiceKey("observations", "clouds", "fit clouds and depth pictures", &FitConfig::use_clouds,
+                kYesOrNo),
       ChoiceKey("observations", "leave_out_outliers",
                 "leave out markers and tracks that are off by far more than their noise",
                 &FitConfig::leave_out_outliers, kYesOrNo),
       NumberKey("observations", "alpha", "weight of the silhouettes; 0: none", &FitConfig::alpha,
                 Range::kAtLeastZero),
-      NumberKey("observations", "beta", "weight of markers and tracks; 0: none", &FitConfig::beta,
-                Range::kAtLeastZero),
+      NumberKey("observations", "beta", "weight of markers, tracks and clouds; 0: none",
+                &FitConfig::beta, Range::kAtLeastZero),
+      IntegerKey("observations", "cloud_points",
+                 "points of a cloud that are fitted, at most: one of each cell of a grid",
+                 &FitConfig::cloud_points, 1, kMostCloudPoints),
+      NumberKey("observations", "cloud_coverage",
+                "weight of the cloth's distances from clouds that should show it; 0: none",
+                &FitConfig::cloud_coverage, Range::kAtLeastZero),
       ChoiceKey("observations", "loss", "how outliers count", &FitConfig::loss, kLosses),
       NumberKey("observations", "loss_scale", "sigmas from which an observation is an outlier",
                 &FitConfig::loss_scale, Range::kAboveZero),

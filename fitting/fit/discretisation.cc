@@ -18,12 +18,14 @@ namespace {
 Scene PointsOf(const Scene& scene) {
   Scene points = scene;
   points.silhouettes.reset();
+  points.clouds.reset();
   return points;
 }
 
 FitConfig ConfigOfPoints(const FitConfig& config) {
   FitConfig of_points = config;
   of_points.use_silhouettes = false;
+  of_points.use_clouds = false;
   of_points.beta = 1.0;  // sigmas, not shares of a cost
   of_points.attract = false;
   return of_points;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "fitting/residuals/cloud_residuals.h"
 #include "fitting/residuals/hard_silhouette.h"
 
 namespace clothfit {
@@ -33,10 +34,11 @@ struct Mean {
 
 Evaluation EvaluateScene(const Scene& scene, const FitConfig& config, const FreeParameters& free,
                          const Eigen::VectorXd& theta) {
-  Mean markers, held_out_markers, tracks, held_out_tracks;
+  Mean markers, held_out_markers, tracks, held_out_tracks, clouds, held_out_clouds;
   const HardSilhouette hard(scene);
   Mean silhouettes, held_out_silhouettes;
-  std::size_t marker = 0, track = 0;
+  const CloudResiduals to_surface(scene, 0.0);
+  std::size_t marker = 0, track = 0, cloud = 0;
   Evaluation evaluation;
   evaluation.frames = SimulateFrames(
       scene, config, free, theta, scene.recording.frame_count - 1,
@@ -58,6 +60,15 @@ Evaluation EvaluateScene(const Scene& scene, const FitConfig& config, const Free
           else if (scene.IsHeldOut(frame) || scene.is_fitted[frame])
             held_out_tracks.Add(squared);
         }
+        for (; scene.clouds && cloud < scene.clouds->observations.size() &&
+               scene.clouds->observations[cloud].frame == frame;
+             ++cloud) {
+          const CloudObservation& seen = scene.clouds->observations[cloud];
+          const bool is_compared = scene.IsHeldOut(frame) || scene.is_fitted[frame];
+          if (!is_compared) continue;
+          for (const PointResidual& r : to_surface.OfPoints(seen, state.x))
+            (scene.IsFitted(seen) ? clouds : held_out_clouds).Add(r.value * r.value);
+        }
         for (const HardSilhouette::Difference& d : hard.Differences(frame, state.x)) {
           if (scene.IsFitted(frame, d.camera))
             silhouettes.Add(static_cast<double>(d.pixels));
@@ -68,11 +79,13 @@ Evaluation EvaluateScene(const Scene& scene, const FitConfig& config, const Free
   evaluation.complete = evaluation.frames == scene.recording.frame_count;
   evaluation.marker_rms = markers.Root();
   evaluation.track_rms = tracks.Root();
+  evaluation.cloud_rms = clouds.Root();
   evaluation.silhouette_error = silhouettes.Value();
   // Open loop to the last frame or not at all: a part of the held-out frames would flatter.
   if (evaluation.complete) {
     evaluation.held_out_marker_rms = held_out_markers.Root();
     evaluation.held_out_track_rms = held_out_tracks.Root();
+    evaluation.held_out_cloud_rms = held_out_clouds.Root();
     evaluation.held_out_silhouette_error = held_out_silhouettes.Value();
   }
   return evaluation;

@@ -69,6 +69,8 @@ struct Evaluation {
   // Root mean square distance of markers (m) and tracks (px), over the fitted and the held-out
   // frames; empty where there are none.
   std::optional<double> marker_rms, held_out_marker_rms, track_rms, held_out_track_rms;
+  // Root mean square distance (m) of clouds' points from the surface.
+  std::optional<double> cloud_rms, held_out_cloud_rms;
   // Pixels in which simulated and measured silhouettes differ, mean over the pictures.
   std::optional<double> silhouette_error, held_out_silhouette_error;
 };

@@ -114,8 +114,8 @@ class InputBytes {
     PutAll(name, shape, path);
   }
   void Put(const NoiseSigmas& noise) {
-    const auto& [marker, track, silhouette] = noise;
-    PutAll(marker, track, silhouette);
+    const auto& [marker, track, silhouette, cloud, cloud_spacing] = noise;
+    PutAll(marker, track, silhouette, cloud, cloud_spacing);
   }
   void Put(const Splits::FrameRange& range) {
     const auto& [first, last] = range;
@@ -138,8 +138,8 @@ class InputBytes {
     PutAll(later, fat);
   }
   void Put(const CameraFiles& files) {
-    // Masks are the scene's silhouettes; no fit looks at the other pictures.
-    [[maybe_unused]] const auto& [images, masks, mask_faults, video, background] = files;
+    // Masks and depth are the scene's silhouettes and clouds; no fit looks at the other pictures.
+    [[maybe_unused]] const auto& [images, masks, depth, mask_faults, video, background] = files;
     Put(mask_faults);
   }
   void Put(const Camera& camera) {
@@ -148,8 +148,8 @@ class InputBytes {
   }
   void Put(const Recording& recording) {
     [[maybe_unused]] const auto& [path, name, frame_rate, frame_count, gravity, ground_height,
-                                  cloth, handles, obstacles, noise, splits, cameras, files, markers,
-                                  tracks, left_out] = recording;
+                                  cloth, handles, obstacles, noise, splits, cameras, files, clouds,
+                                  markers, tracks, left_out] = recording;
     PutAll(frame_rate, frame_count, gravity, ground_height, cloth, handles, obstacles, noise,
            splits, cameras, files, markers, tracks);
   }
@@ -212,12 +212,21 @@ class InputBytes {
     [[maybe_unused]] const auto& [observations, warnings] = silhouettes;
     Put(observations);
   }
+  void Put(const CloudObservation& cloud) {
+    const auto& [frame, camera, points, spacing] = cloud;
+    PutAll(frame, camera, points, spacing);
+  }
+  void Put(const Clouds& clouds) {
+    [[maybe_unused]] const auto& [observations, warnings, most_points] = clouds;
+    Put(observations);
+  }
   void Put(const Scene& scene) {
-    const auto& [recording, mesh, world, initial, handles, markers, tracks, silhouettes,
-                 steps_per_frame, step, marker_sigma, track_sigma, silhouette_sigma, is_fitted,
-                 last_fitted_frame] = scene;
-    PutAll(recording, mesh, world, initial, handles, markers, tracks, silhouettes, steps_per_frame,
-           step, marker_sigma, track_sigma, silhouette_sigma, is_fitted, last_fitted_frame);
+    const auto& [recording, mesh, world, initial, handles, markers, tracks, silhouettes, clouds,
+                 steps_per_frame, step, marker_sigma, track_sigma, silhouette_sigma, cloud_sigma,
+                 is_fitted, last_fitted_frame] = scene;
+    PutAll(recording, mesh, world, initial, handles, markers, tracks, silhouettes, clouds,
+           steps_per_frame, step, marker_sigma, track_sigma, silhouette_sigma, cloud_sigma,
+           is_fitted, last_fitted_frame);
   }
 
   // The fit.
@@ -230,16 +239,17 @@ class InputBytes {
                                   check_intersections, self_contact, parameters, initial_order,
                                   initial_position_sigma, initial_velocity_sigma, spline_spacing,
                                   spline_acceleration, spline_speed, use_markers, use_tracks,
-                                  use_silhouettes, leave_out_outliers, alpha, beta, loss,
-                                  loss_scale, frames, attract, loops, optimiser, max_simulations,
-                                  polish_hard, window, coarse_resolution, polish, max_iterations,
-                                  function_tolerance] = config;
+                                  use_silhouettes, use_clouds, leave_out_outliers, alpha, beta,
+                                  cloud_points, cloud_coverage, loss, loss_scale, frames, attract,
+                                  loops, optimiser, max_simulations, polish_hard, window,
+                                  coarse_resolution, polish, max_iterations, function_tolerance] =
+        config;
     PutAll(resolution, buckling, max_step, integrator, tolerance, check_intersections, self_contact,
            parameters, initial_order, initial_position_sigma, initial_velocity_sigma,
            spline_spacing, spline_acceleration, spline_speed, use_markers, use_tracks,
-           use_silhouettes, leave_out_outliers, alpha, beta, loss, loss_scale, frames, attract,
-           loops, optimiser, max_simulations, polish_hard, window, coarse_resolution, polish,
-           max_iterations, function_tolerance);
+           use_silhouettes, use_clouds, leave_out_outliers, alpha, beta, cloud_points,
+           cloud_coverage, loss, loss_scale, frames, attract, loops, optimiser, max_simulations,
+           polish_hard, window, coarse_resolution, polish, max_iterations, function_tolerance);
   }
   void Put(const FitCheckpoint& from) {
     const auto& [coarse, next_window, theta] = from;

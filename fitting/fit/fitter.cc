@@ -80,7 +80,7 @@ double Fitter::PolishTolerance(double correlation) const {
 }
 
 double Fitter::ResidualCorrelation() {
-  if (!HasPoints(scene_) || scene_.silhouettes || config_.attract) return 1.0;
+  if (!HasPoints(scene_) || scene_.silhouettes || scene_.clouds || config_.attract) return 1.0;
   Eigen::VectorXd residuals;
   const Eigen::VectorXd& theta = progress_.theta;
   if (EvaluateWindow(&simulator_, observations_, simulator_.FirstStart(theta), theta, 0,

@@ -16,6 +16,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/residuals/cloud_residuals.h"
 #include "tracking/files/output_file.h"
 #include "tracking/recording/validation.h"
 
@@ -93,6 +94,27 @@ void DrawMarkers(const Scene& scene, int frame, const Eigen::VectorXd& x, const 
   *rms = count > 0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN();
 }
 
+// Points without names, each with its way to the surface; their root mean square distance, m.
+void DrawClouds(const Scene& scene, int frame, const Eigen::VectorXd& x, const View& view,
+                cv::Mat* image, double* rms) {
+  const CloudResiduals to_surface(scene, 0.0);
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; scene.clouds && i < scene.clouds->observations.size(); ++i) {
+    const CloudObservation& cloud = scene.clouds->observations[i];
+    if (cloud.frame != frame) continue;
+    const std::vector<PointResidual> distances = to_surface.OfPoints(cloud, x);
+    for (std::size_t k = 0; k < distances.size(); ++k) {
+      const cv::Point at = Fixed(view.At(cloud.points[k]));
+      cv::line(*image, Fixed(view.At(distances[k].point.At(x))), at, kMiss, 1, cv::LINE_AA, kShift);
+      cv::circle(*image, at, 1 << kShift, kMeasured, cv::FILLED, cv::LINE_AA, kShift);
+      squares += distances[k].value * distances[k].value;
+    }
+    count += distances.size();
+  }
+  if (count > 0) *rms = std::sqrt(squares / static_cast<double>(count));
+}
+
 void Write(const std::string& text, int line, const cv::Scalar& colour, cv::Mat* image) {
   cv::putText(*image, text, {14, 26 + 24 * line}, cv::FONT_HERSHEY_SIMPLEX, 0.55, colour, 1,
               cv::LINE_AA);
@@ -128,8 +150,10 @@ cv::Mat DrawPanel(const FittedRun& fitted, int frame, const Eigen::VectorXd& x, 
   cv::Mat image(options.panel, options.panel, CV_8UC3, kWhite);
   view.origin = {0.5 * options.panel, 0.56 * options.panel};
   DrawCloth(fitted.scene.mesh, x, view, &image);
-  double rms = 0.0;
+  double rms = 0.0, of_clouds = std::numeric_limits<double>::quiet_NaN();
+  DrawClouds(fitted.scene, frame, x, view, &image, &of_clouds);
   DrawMarkers(fitted.scene, frame, x, view, &image, &rms);
+  if (!std::isfinite(rms)) rms = of_clouds;
   const char* kind = fitted.scene.IsHeldOut(frame)   ? ", held out"
                      : fitted.scene.is_fitted[frame] ? ", fitted"
                                                      : "";

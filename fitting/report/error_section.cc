@@ -105,6 +105,7 @@ ReportJson ErrorSection(const ReportScene& report,
   };
   add(&FrameMisfit::markers, "Markers", "mm", 1e3);
   add(&FrameMisfit::tracks, "Tracks", "px", 1.0);
+  add(&FrameMisfit::clouds, "Clouds, distance from the surface", "mm", 1e3);
   add(&FrameMisfit::silhouettes, "Silhouettes, pixels that differ", "px", 1.0);
   add(&FrameMisfit::truth, "Distance from the truth", "mm", 1e3);
   ReportJson section = SectionOf("errors", "Error over time", blocks, "Errors");

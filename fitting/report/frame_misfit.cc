@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "autodiff_sim/base/parallel.h"
+#include "fitting/residuals/cloud_residuals.h"
 #include "fitting/residuals/hard_silhouette.h"
 #include "tracking/camera/camera.h"
 
@@ -51,6 +52,19 @@ std::vector<std::optional<double>> TrackErrors(const Scene& scene, const Motion&
   return Roots(sums);
 }
 
+std::vector<std::optional<double>> CloudErrors(const Scene& scene, const Motion& motion) {
+  std::vector<Sum> sums(scene.is_fitted.size());
+  const CloudResiduals to_surface(scene, 0.0);
+  for (std::size_t i = 0; scene.clouds && i < scene.clouds->observations.size(); ++i) {
+    const CloudObservation& cloud = scene.clouds->observations[i];
+    const auto frame = static_cast<std::size_t>(cloud.frame);
+    if (frame >= motion.positions.size()) continue;
+    for (const PointResidual& r : to_surface.OfPoints(cloud, motion.positions[frame]))
+      sums[frame].Add(r.value * r.value);
+  }
+  return Roots(sums);
+}
+
 std::vector<std::optional<double>> SilhouetteErrors(const ReportScene& report,
                                                     const Motion& motion) {
   std::vector<std::optional<double>> errors(report.scene().is_fitted.size());
@@ -87,11 +101,12 @@ std::vector<std::optional<double>> TruthErrors(const ReportScene& report, const 
 std::vector<FrameMisfit> MeasureFrames(const ReportScene& report, const Motion& motion) {
   const auto markers = MarkerErrors(report.scene(), motion);
   const auto tracks = TrackErrors(report.scene(), motion);
+  const auto clouds = CloudErrors(report.scene(), motion);
   const auto silhouettes = SilhouetteErrors(report, motion);
   const auto truth = TruthErrors(report, motion);
   std::vector<FrameMisfit> frames(markers.size());
   for (std::size_t f = 0; f < frames.size(); ++f) {
-    frames[f] = {markers[f], tracks[f], silhouettes[f], truth[f]};
+    frames[f] = {markers[f], tracks[f], clouds[f], silhouettes[f], truth[f]};
   }
   return frames;
 }

@@ -15,6 +15,7 @@ namespace clothfit {
 struct FrameMisfit {
   std::optional<double> markers;      // m, root mean square
   std::optional<double> tracks;       // px, root mean square
+  std::optional<double> clouds;       // m, of clouds' points from the surface, root mean square
   std::optional<double> silhouettes;  // px that differ, mean over the cameras
   std::optional<double> truth;        // m, root mean square
 };

@@ -51,7 +51,7 @@ std::string ErrorCell(const Json& error) {
 // A row a kind of observation, fitted and held out.
 std::string ErrorTable(const Json& errors) {
   std::string rows;
-  for (const char* kind : {"markers", "tracks", "silhouettes"}) {
+  for (const char* kind : {"markers", "tracks", "clouds", "silhouettes"}) {
     std::string cells[2] = {"–", "–"};
     bool is_known = false;
     for (const Json& error : errors) {

@@ -26,7 +26,7 @@ const ErrorChange* Find(const VerdictFacts& facts, const std::string& kind, bool
 
 // The kind that says most: places in space before places in pictures before outlines.
 std::string MainKind(const VerdictFacts& facts) {
-  for (const char* kind : {"markers", "tracks", "silhouettes"}) {
+  for (const char* kind : {"markers", "tracks", "clouds", "silhouettes"}) {
     if (Find(facts, kind, false) != nullptr) return kind;
   }
   return "";

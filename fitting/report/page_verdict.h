@@ -14,7 +14,7 @@ namespace clothfit {
 
 // One kind of observation, over the fitted or over the held-out frames.
 struct ErrorChange {
-  std::string kind;  // "markers", "tracks", "silhouettes"
+  std::string kind;  // "markers", "tracks", "clouds", "silhouettes"
   bool held_out = false;
   std::string unit;  // "m"; "px"; of silhouettes px that differ in a picture
   std::optional<double> before, after;

@@ -56,9 +56,13 @@ ReportJson ContentSection(const Recording& recording) {
 // How many points each frame has: what is seen now and then only says little.
 ReportJson SeenSection(const Scene& scene) {
   const auto frames = static_cast<std::size_t>(scene.recording.frame_count);
-  std::vector<int> markers(frames), tracks(frames);
+  std::vector<int> markers(frames), tracks(frames), clouds(frames);
   for (const MarkerObservation& one : scene.markers) ++markers[static_cast<std::size_t>(one.frame)];
   for (const TrackObservation& one : scene.tracks) ++tracks[static_cast<std::size_t>(one.frame)];
+  for (std::size_t i = 0; scene.clouds && i < scene.clouds->observations.size(); ++i) {
+    const CloudObservation& one = scene.clouds->observations[i];
+    clouds[static_cast<std::size_t>(one.frame)] += static_cast<int>(one.points.size());
+  }
   ReportJson blocks = ReportJson::array();
   const auto add = [&](bool is_there, const char* title, const std::vector<int>& counts) {
     if (!is_there) return;
@@ -70,6 +74,7 @@ ReportJson SeenSection(const Scene& scene) {
   };
   add(!scene.markers.empty(), "Markers seen", markers);
   add(!scene.tracks.empty(), "Tracked points seen, all cameras", tracks);
+  add(scene.clouds != nullptr, "Points of clouds that a fit takes", clouds);
   return SectionOf("seen", "Seen over time", blocks, "Seen");
 }
 

@@ -53,6 +53,7 @@ void AddErrors(const Json& summary, bool held_out, std::vector<ErrorChange>* err
   const Json before = summary.at("before").value(split, Json::object());
   const char* const keys[][3] = {{"markers", "m", "marker_rms_m"},
                                  {"tracks", "px", "track_rms_px"},
+                                 {"clouds", "m", "cloud_rms_m"},
                                  {"silhouettes", "px", "silhouette_error_px"}};
   for (const auto& [kind, unit, key] : keys) {
     const ErrorChange change{kind, held_out, unit, NumberAt(before, key), NumberAt(after, key)};

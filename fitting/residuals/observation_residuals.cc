@@ -55,6 +55,10 @@ ObservationResiduals::ObservationResiduals(const Scene& scene, const FitConfig& 
       soft_(scene.recording.cameras.size()),
       first_marker_(FirstOfFrames(scene.markers, scene.recording.frame_count)),
       first_track_(FirstOfFrames(scene.tracks, scene.recording.frame_count)) {
+  if (scene.clouds) {
+    clouds_ = std::make_unique<CloudResiduals>(scene, config.cloud_coverage);
+    first_cloud_ = FirstOfFrames(scene.clouds->observations, scene.recording.frame_count);
+  }
   if (!scene.silhouettes) return;
   const std::vector<SilhouetteObservation>& all = scene.silhouettes->observations;
   first_silhouette_ = FirstOfFrames(all, scene.recording.frame_count);
@@ -72,6 +76,11 @@ int ObservationResiduals::Count(int frame) const {
   for (std::size_t i = first_track_[frame]; i < first_track_[frame + 1]; ++i) {
     if (scene_.IsFitted(scene_.tracks[i])) count += 2;
   }
+  for (std::size_t i = clouds_ ? first_cloud_[frame] : 0; clouds_ && i < first_cloud_[frame + 1];
+       ++i) {
+    const CloudObservation& cloud = scene_.clouds->observations[i];
+    if (scene_.IsFitted(cloud)) count += clouds_->Count(cloud);
+  }
   if (!scene_.silhouettes) return count;
   for (std::size_t i = first_silhouette_[frame]; i < first_silhouette_[frame + 1]; ++i) {
     const SilhouetteObservation& s = scene_.silhouettes->observations[i];
@@ -88,6 +97,13 @@ int ObservationResiduals::Count(int first, int last) const {
 
 int ObservationResiduals::NumObserved(int first, int last) const {
   int count = Count(first, last);
+  for (int f = first; clouds_ && f <= last; ++f) {
+    for (std::size_t i = first_cloud_[f]; i < first_cloud_[f + 1]; ++i) {
+      const CloudObservation& cloud = scene_.clouds->observations[i];
+      if (scene_.IsFitted(cloud))
+        count -= clouds_->Count(cloud) - static_cast<int>(cloud.points.size());
+    }
+  }
   if (!scene_.silhouettes) return count;
   for (const SilhouetteObservation& s : scene_.silhouettes->observations) {
     if (s.field && s.frame >= first && s.frame <= last) count -= scene_.mesh.num_particles();
@@ -150,7 +166,26 @@ bool ObservationResiduals::EvaluateAtPoints(int frame, const State& state,
     Store<2>(residual.value, residual.by_place, t.on_cloth, other_weight_, next);
     next += 2;
   }
-  return EvaluateSilhouettes(frame, state, next);
+  return EvaluateSilhouettes(frame, state, EvaluateClouds(frame, state, next));
+}
+
+PointResidual* ObservationResiduals::EvaluateClouds(int frame, const State& state,
+                                                    PointResidual* residuals) const {
+  if (!clouds_) return residuals;
+  std::vector<PointResidual> distances;
+  for (std::size_t i = first_cloud_[frame]; i < first_cloud_[frame + 1]; ++i) {
+    const CloudObservation& cloud = scene_.clouds->observations[i];
+    if (scene_.IsFitted(cloud)) clouds_->Evaluate(cloud, state.x, &distances);
+  }
+  for (const PointResidual& r : distances) {
+    using Scalar = Eigen::Matrix<double, 1, 1>;
+    if (!r.IsZero()) {
+      Store<1>(Scalar(r.value / scene_.cloud_sigma), r.slope / scene_.cloud_sigma, r.point,
+               other_weight_, residuals);
+    }
+    ++residuals;
+  }
+  return residuals;
 }
 
 bool ObservationResiduals::EvaluateSilhouettes(int frame, const State& state,

@@ -3,6 +3,7 @@
 #include "fitting/residuals/synthesis_error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace clothfit {
@@ -10,8 +11,9 @@ namespace clothfit {
 SynthesisError::SynthesisError(const Scene& scene, const FitConfig& config)
     : scene_(scene),
       alpha_(config.FitsSilhouettes() ? config.alpha : 0.0),
-      beta_(config.FitsMarkers() || config.FitsTracks() ? config.beta : 0.0),
-      hard_(scene) {
+      beta_(config.FitsMarkers() || config.FitsTracks() || config.FitsClouds() ? config.beta : 0.0),
+      hard_(scene),
+      clouds_(scene, 0.0) {
   for (const TrackObservation& track : scene.tracks) {
     PluckerRay<double> none;
     none.direction.setZero();
@@ -36,6 +38,12 @@ double SynthesisError::MeanAttractor(int frame, const Eigen::VectorXd& x) const 
     // The length of moment - x x direction is the distance of x from the ray.
     sum += (ray.moment - track->on_cloth.At(x).cross(ray.direction)).norm();
     ++count;
+  }
+  for (std::size_t i = 0; scene_.clouds && i < scene_.clouds->observations.size(); ++i) {
+    const CloudObservation& cloud = scene_.clouds->observations[i];
+    if (cloud.frame != frame || !scene_.IsFitted(cloud)) continue;
+    for (const PointResidual& r : clouds_.OfPoints(cloud, x)) sum += std::abs(r.value);
+    count += static_cast<int>(cloud.points.size());
   }
   constexpr double kMillimetres = 1000.0;
   return count > 0 ? kMillimetres * sum / count : 0.0;

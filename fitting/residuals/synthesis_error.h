@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "fitting/residuals/cloud_residuals.h"
 #include "fitting/residuals/hard_silhouette.h"
 #include "fitting/scene/scene.h"
 #include "tracking/camera/plucker_ray.h"
@@ -16,7 +17,8 @@ namespace clothfit {
 
 // E = alpha E_s + beta E_a (sec. 6.2), summed over frames: E_s the pixels in which silhouettes
 // differ, of all fitted cameras; E_a the mean length of a frame's attractors in millimetres, that
-// is of the distances between points of the cloth and their markers or, of tracks, rays.
+// is of the distances between points of the cloth and their markers or, of tracks, rays, and those
+// of clouds' points from the cloth.
 class SynthesisError {
  public:
   // The scene must outlive it.
@@ -32,6 +34,7 @@ class SynthesisError {
   const Scene& scene_;
   double alpha_, beta_;
   HardSilhouette hard_;
+  CloudResiduals clouds_;
   std::vector<PluckerRay<double>> rays_;  // of the scene's tracks; zero where the lens has none
 };
 

@@ -68,9 +68,11 @@ void AddAttractionTargets(const Scene& scene, int frame, StepInputs* inputs) {
 }
 
 AttractionCourses::AttractionCourses(const Scene& scene)
-    : frame_rate_(scene.recording.frame_rate),
+    : scene_(scene),
+      frame_rate_(scene.recording.frame_rate),
       points_(scene.is_fitted.size()),
       rays_(scene.is_fitted.size()) {
+  if (scene.clouds) surface_.emplace(scene.mesh.triangles, scene.initial);
   std::map<int, Sightings<Eigen::Vector3d>> markers;
   for (const MarkerObservation& marker : scene.markers) {
     if (scene.is_fitted[static_cast<std::size_t>(marker.frame)])
@@ -87,9 +89,23 @@ AttractionCourses::AttractionCourses(const Scene& scene)
   for (const auto& [camera_and_id, seen] : tracks) AddCourses(seen, &rays_);
 }
 
+void AttractionCourses::Approach(int frame, const Eigen::VectorXd& x) {
+  of_clouds_.clear();
+  if (!surface_) return;
+  surface_->MoveTo(x);
+  for (const CloudObservation& cloud : scene_.clouds->observations) {
+    if (cloud.frame != frame || !scene_.IsFitted(cloud)) continue;
+    for (const Eigen::Vector3d& point : cloud.points) {
+      const auto [triangle, closest] = surface_->Find(point);
+      of_clouds_.push_back({{scene_.mesh.triangles[triangle], closest.weights}, point, {}});
+    }
+  }
+}
+
 void AttractionCourses::AddTargets(double time, StepInputs* inputs) const {
   const int frame = ComingFrame(time, frame_rate_);
   if (frame < 0 || frame >= static_cast<int>(points_.size())) return;
+  inputs->points.insert(inputs->points.end(), of_clouds_.begin(), of_clouds_.end());
   const double s = std::clamp(time * frame_rate_ - (frame - 1), 0.0, 1.0);
   const auto value = [s](const auto& c) {
     return (c[0] + s * (c[1] + s * (c[2] + s * c[3]))).eval();

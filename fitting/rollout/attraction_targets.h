@@ -6,8 +6,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "autodiff_sim/contact/closest_on_mesh.h"
 #include "autodiff_sim/term/step_inputs.h"
 #include "fitting/scene/scene.h"
 
@@ -23,7 +25,12 @@ void AddAttractionTargets(const Scene& scene, int frame, StepInputs* inputs);
 // before stands still where it is in the coming frame, and damps nothing.
 class AttractionCourses {
  public:
+  // The scene must outlive it.
   explicit AttractionCourses(const Scene& scene);
+
+  // From here on the fitted clouds' points of a coming frame pull at what is closest to them of the
+  // cloth at x (3N, m, world), and those of other frames no more (Besl and McKay 1992).
+  void Approach(int frame, const Eigen::VectorXd& x);
 
   // time: s since frame 0.
   void AddTargets(double time, StepInputs* inputs) const;
@@ -40,6 +47,9 @@ class AttractionCourses {
   using RayCourse =
       Course<Eigen::Matrix<double, 6, 1>>;  // direction and moment, not of unit length
 
+  const Scene& scene_;
+  std::optional<ClosestOnMesh> surface_;  // where there are clouds
+  std::vector<PointTarget> of_clouds_;
   double frame_rate_;
   // By the frame at which they end.
   std::vector<std::vector<PointCourse>> points_;

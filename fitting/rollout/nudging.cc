@@ -21,8 +21,14 @@ std::optional<FitConfig> NudgedConfig(FitConfig config, const Scene& scene, doub
   const auto tracks =
       std::count_if(scene.tracks.begin(), scene.tracks.end(),
                     [&](const TrackObservation& track) { return scene.IsFitted(track); });
-  if (markers + tracks == 0) return {};
-  const double per_frame = static_cast<double>(markers + tracks) / (scene.last_fitted_frame + 1);
+  std::size_t points = 0;
+  for (std::size_t i = 0; scene.clouds && i < scene.clouds->observations.size(); ++i) {
+    const CloudObservation& cloud = scene.clouds->observations[i];
+    if (scene.IsFitted(cloud)) points += cloud.points.size();
+  }
+  const double pulling = static_cast<double>(markers + tracks) + static_cast<double>(points);
+  if (pulling == 0.0) return {};
+  const double per_frame = pulling / (scene.last_fitted_frame + 1);
   const double mass =
       config.parameters.at("cloth.areal_density").value * scene.recording.cloth.size.prod();
   // Each point as a mass on a spring that moves.

@@ -29,7 +29,12 @@ FitConfig WithValues(FitConfig config, const Eigen::VectorXd& values) {
 }  // namespace
 
 bool FitsWindows(const Scene& scene, const FitConfig& config) {
-  return config.window > 0.0 && config.beta > 0.0 && !config.attract && HasPoints(scene);
+  // Where a handle goes is told by markers beside it, but not by a cloud.
+  const bool by_clouds =
+      scene.clouds && std::all_of(scene.handles.begin(), scene.handles.end(),
+                                  [](const SceneHandle& h) { return h.path.is_known(); });
+  return config.window > 0.0 && config.beta > 0.0 && !config.attract &&
+         (HasPoints(scene) || by_clouds);
 }
 
 std::vector<int> WindowLengths(const Scene& scene, const FitConfig& config) {

@@ -17,7 +17,7 @@
 
 namespace clothfit {
 
-// Does a config ask for windows, and are there points to nudge a motion to?
+// Does a config ask for windows, and is there anything to nudge a motion to?
 bool FitsWindows(const Scene& scene, const FitConfig& config);
 
 // The lengths (frames) of windows that a fit goes through before all frames: the config's, then

@@ -95,6 +95,7 @@ WindowSimulator::Outcome WindowSimulator::Run(const WindowStart& start,
   observer(start.frame, state, derivatives ? &sensitivity : nullptr);
   for (int frame = start.frame + 1; frame <= last_frame; ++frame) {
     if (stop_ != nullptr && *stop_) return Outcome::kStopped;
+    if (attracting_) attracting_->Approach(frame, state.x);
     for (int k = 0; k < scene_.steps_per_frame; ++k, ++step) {
       const StepReport report =
           simulation_.Advance(scene_.step, drive, &state, derivatives ? &sensitivity : nullptr,

@@ -5,18 +5,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/contact/closest_on_mesh.h"
 #include "autodiff_sim/step/handle_constraints.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit/search.h"
 #include "fitting/rollout/window_simulator.h"
 #include "fitting/runs/obstacles.h"
-#include "fitting/runs/surface_evaluation.h"
 #include "fitting/runs/workload.h"
 #include "tracking/silhouette/raster.h"
 #include "tracking/text/text.h"
@@ -36,13 +35,7 @@ std::vector<Eigen::VectorXd> SimulatePositions(const Scene& scene, const FitConf
 }
 
 double DistanceFromCloth(const Scene& scene, const Eigen::Vector3d& point) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::array<int, 3>& t : scene.mesh.triangles) {
-    least = std::min(least, SquaredDistanceToTriangle(point, scene.initial.segment<3>(3 * t[0]),
-                                                      scene.initial.segment<3>(3 * t[1]),
-                                                      scene.initial.segment<3>(3 * t[2])));
-  }
-  return std::sqrt(least);
+  return ClosestOnMesh(scene.mesh.triangles, scene.initial).Find(point).on_triangle.distance;
 }
 
 // A camera that cannot see the cloth as it lies at the start, although its mask shows it, gives the
@@ -145,10 +138,14 @@ void CheckFittable(const Scene& scene, const FitConfig& config) {
       scene.silhouettes &&
       std::any_of(scene.silhouettes->observations.begin(), scene.silhouettes->observations.end(),
                   [](const SilhouetteObservation& s) { return s.field; });
-  if (any_marker || any_track || any_silhouette) return;
+  const bool any_cloud =
+      scene.clouds &&
+      std::any_of(scene.clouds->observations.begin(), scene.clouds->observations.end(),
+                  [&](const CloudObservation& cloud) { return scene.IsFitted(cloud); });
+  if (any_marker || any_track || any_cloud || any_silhouette) return;
   throw InputError(
       scene.recording.path.string(),
-      "nothing to fit: expected markers, tracks or masks in the frames that are fitted");
+      "nothing to fit: expected markers, tracks, clouds or masks in the frames that are fitted");
 }
 
 std::vector<std::string> HandlesUnknownInHeldOutFrames(const Scene& scene) {

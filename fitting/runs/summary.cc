@@ -25,12 +25,14 @@ Json OrNull(const std::optional<double>& value) {
 Json FittedErrors(const Evaluation& evaluation) {
   return {{"marker_rms_m", OrNull(evaluation.marker_rms)},
           {"track_rms_px", OrNull(evaluation.track_rms)},
+          {"cloud_rms_m", OrNull(evaluation.cloud_rms)},
           {"silhouette_error_px", OrNull(evaluation.silhouette_error)}};
 }
 
 Json HeldOutErrors(const Evaluation& evaluation) {
   return {{"marker_rms_m", OrNull(evaluation.held_out_marker_rms)},
           {"track_rms_px", OrNull(evaluation.held_out_track_rms)},
+          {"cloud_rms_m", OrNull(evaluation.held_out_cloud_rms)},
           {"silhouette_error_px", OrNull(evaluation.held_out_silhouette_error)}};
 }
 
@@ -108,6 +110,10 @@ void RunFolder::WriteSummary(const Scene& scene, const FitConfig& config,
   json["held_out"] = HeldOutErrors(result.after);
   json["before"] = {{"fit", FittedErrors(result.before)},
                     {"held_out", HeldOutErrors(result.before)}};
+  json["noise"] = {{"marker_m", scene.marker_sigma},
+                   {"track_px", scene.track_sigma},
+                   {"cloud_m", scene.cloud_sigma},
+                   {"silhouette_px", scene.silhouette_sigma}};
   json["frames"] = Frames(scene, result);
   json["halvings"] = result.steps.halvings;
   json["noise_factor"] = OrNull(result.noise_factor);

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/contact/closest_on_mesh.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/runs/prediction.h"
 #include "fitting/scene/surface_truth.h"
@@ -53,18 +54,9 @@ std::optional<SurfaceError> Summarise(std::vector<double> distances) {
   return error;
 }
 
-std::vector<double> FromCloud(const std::vector<Vector3d>& cloud, const ClothMesh& mesh,
-                              const Eigen::VectorXd& x) {
+std::vector<double> FromCloud(const std::vector<Vector3d>& cloud, const ClosestOnMesh& surface) {
   std::vector<double> distances;
-  for (const Vector3d& point : cloud) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::array<int, 3>& t : mesh.triangles) {
-      least = std::min(
-          least, SquaredDistanceToTriangle(point, x.segment<3>(3 * t[0]), x.segment<3>(3 * t[1]),
-                                           x.segment<3>(3 * t[2])));
-    }
-    distances.push_back(std::sqrt(least));
-  }
+  for (const Vector3d& point : cloud) distances.push_back(surface.Find(point).on_triangle.distance);
   return distances;
 }
 
@@ -81,34 +73,12 @@ std::vector<double> ToCloud(const std::vector<Vector3d>& cloud, const Eigen::Vec
 
 }  // namespace
 
-// Ericson 2005, Real-Time Collision Detection, sec. 5.1.5, by the regions of the nearest feature.
-double SquaredDistanceToTriangle(const Vector3d& point, const Vector3d& a, const Vector3d& b,
-                                 const Vector3d& c) {
-  const Vector3d ab = b - a, ac = c - a, ap = point - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return ap.squaredNorm();
-  const Vector3d bp = point - b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0.0 && d4 <= d3) return bp.squaredNorm();
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return (ap - d1 / (d1 - d3) * ab).squaredNorm();
-  const Vector3d cp = point - c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0.0 && d5 <= d6) return cp.squaredNorm();
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return (ap - d2 / (d2 - d6) * ac).squaredNorm();
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 >= d3 && d5 >= d6)
-    return (bp - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).squaredNorm();
-  const double sum = va + vb + vc;
-  return (ap - vb / sum * ab - vc / sum * ac).squaredNorm();
-}
-
 SurfaceEvaluation EvaluateSurface(const RunFolder& run, const fs::path& truth_folder) {
   const FittedRun fitted = ReadFittedRun(run);
   const Scene& scene = fitted.scene;
   const FreeParameters free(fitted.config, scene, MakeParameterTable());
   const SurfaceTruth truth(truth_folder, scene);
+  ClosestOnMesh surface(scene.mesh.triangles, scene.initial);
   Distances points, from_cloud, to_cloud;
   SurfaceEvaluation evaluation;
   const auto compare = [&](int frame, const State& state) {
@@ -117,7 +87,8 @@ SurfaceEvaluation EvaluateSurface(const RunFolder& run, const fs::path& truth_fo
     errors.held_out = scene.IsHeldOut(frame);
     errors.points = points.Add(truth.PointDistances(frame, state.x), errors.held_out);
     const std::vector<Vector3d> cloud = truth.Cloud(frame);
-    errors.from_cloud = from_cloud.Add(FromCloud(cloud, scene.mesh, state.x), errors.held_out);
+    surface.MoveTo(state.x);
+    errors.from_cloud = from_cloud.Add(FromCloud(cloud, surface), errors.held_out);
     errors.to_cloud = to_cloud.Add(ToCloud(cloud, state.x), errors.held_out);
     evaluation.frames.push_back(errors);
   };
@@ -136,6 +107,11 @@ SurfaceEvaluation EvaluateSurface(const RunFolder& run, const fs::path& truth_fo
   return evaluation;
 }
 
+std::optional<double> ChamferScore(const FrameErrors& frame) {
+  if (!frame.from_cloud || !frame.to_cloud) return std::nullopt;
+  return 1e4 * (*frame.from_cloud * *frame.from_cloud + *frame.to_cloud * *frame.to_cloud);
+}
+
 std::string SurfaceAsMarkdown(const SurfaceEvaluation& evaluation) {
   std::string text =
       "| distance, mm | frames | rms | median | 95 % | of |\n|---|---|---:|---:|---:|---:|\n";
@@ -152,17 +128,31 @@ std::string SurfaceAsMarkdown(const SurfaceEvaluation& evaluation) {
   add("same point of the cloth", evaluation.points);
   add("true cloud to fitted surface", evaluation.from_cloud);
   add("fitted particles to true cloud", evaluation.to_cloud);
+  std::array<std::vector<double>, kParts> scores;
+  for (const FrameErrors& frame : evaluation.frames) {
+    const std::optional<double> score = ChamferScore(frame);
+    if (!score) continue;
+    for (const Part part : {kAll, frame.held_out ? kHeldOut : kFitted})
+      scores[part].push_back(*score);
+  }
+  for (int part = 0; part < kParts; ++part) {
+    if (scores[part].empty()) continue;
+    const double sum = std::accumulate(scores[part].begin(), scores[part].end(), 0.0);
+    text += fmt::format("{}chamfer score, 1e-4 m^2, {} frames: {:.3g} (mean of {})\n",
+                        part == kAll ? "\n" : "", kNames[part],
+                        sum / static_cast<double>(scores[part].size()), scores[part].size());
+  }
   return text;
 }
 
 std::string SurfaceAsCsv(const SurfaceEvaluation& evaluation) {
-  std::string text = "frame,held_out,points_rms,from_cloud_rms,to_cloud_rms\n";
+  std::string text = "frame,held_out,points_rms,from_cloud_rms,to_cloud_rms,chamfer_score\n";
   const auto number = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.6f}", *value) : std::string();
   };
   for (const FrameErrors& f : evaluation.frames) {
-    text += fmt::format("{},{},{},{},{}\n", f.frame, f.held_out ? 1 : 0, number(f.points),
-                        number(f.from_cloud), number(f.to_cloud));
+    text += fmt::format("{},{},{},{},{},{}\n", f.frame, f.held_out ? 1 : 0, number(f.points),
+                        number(f.from_cloud), number(f.to_cloud), number(ChamferScore(f)));
   }
   return text;
 }

@@ -37,6 +37,10 @@ struct SurfaceEvaluation {
   std::array<std::optional<SurfaceError>, 3> points, from_cloud, to_cloud;
 };
 
+// 1e4 times the sum of the two mean squared distances (m^2) between surface and cloud, by which
+// Kairanda et al. 2022 (phi-SfT) and those after them score a frame; empty without a cloud.
+std::optional<double> ChamferScore(const FrameErrors& frame);
+
 // Simulates the run's cloth, open loop, and compares it with what `truth` (a recording's folder)
 // has in truth/. Throws InputError where it has neither points.csv nor a cloud, or one is
 // malformed.
@@ -45,9 +49,5 @@ SurfaceEvaluation EvaluateSurface(const RunFolder& run, const std::filesystem::p
 // The table, and one row a frame.
 std::string SurfaceAsMarkdown(const SurfaceEvaluation& evaluation);
 std::string SurfaceAsCsv(const SurfaceEvaluation& evaluation);
-
-// Squared distance (m^2) of a point from a triangle's nearest point.
-double SquaredDistanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
-                                 const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
 }  // namespace clothfit

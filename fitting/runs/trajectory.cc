@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "fitting/files/npy_file.h"
+#include "fitting/residuals/cloud_residuals.h"
 #include "fitting/runs/run_folder.h"
 #include "tracking/camera/camera.h"
 #include "tracking/files/whole_file.h"
@@ -68,8 +69,28 @@ std::string TrackRow(const Scene& scene, const TrackObservation& track, const Ei
   return begin + fmt::format(",,,,{},{}\n", FormatNumber(d.x()), FormatNumber(d.y()));
 }
 
-// One row an observation: predicted minus observed, m for markers and px for tracks. A residual is
-// empty where the simulation did not reach the frame, or the point lies behind the camera.
+// A row a point: from there to the closest of the surface, whose (u, v) it is.
+std::string CloudRows(const Scene& scene, const CloudResiduals& to_surface,
+                      const CloudObservation& cloud, const Eigen::VectorXd& x) {
+  const bool is_held_out = scene.IsHeldOut(cloud.frame) ||
+                           (cloud.camera && IsHeldOutCamera(scene.recording, *cloud.camera));
+  const std::string camera =
+      cloud.camera ? scene.recording.cameras[static_cast<size_t>(*cloud.camera)].name : "";
+  const std::vector<PointResidual> distances = to_surface.OfPoints(cloud, x);
+  std::string text;
+  for (size_t i = 0; i < distances.size(); ++i) {
+    const Eigen::Vector3d d = distances[i].point.At(x) - cloud.points[i];
+    text +=
+        RowBegin(scene, "cloud", cloud.frame, camera, static_cast<int>(i), scene.IsFitted(cloud),
+                 is_held_out, distances[i].point) +
+        fmt::format(",{},{},{},,\n", FormatNumber(d.x()), FormatNumber(d.y()), FormatNumber(d.z()));
+  }
+  return text;
+}
+
+// One row an observation: predicted minus observed, m for markers and clouds and px for tracks. A
+// residual is empty where the simulation did not reach the frame, or the point lies behind the
+// camera.
 std::string ResidualsAsCsv(const Scene& scene, const std::vector<Eigen::VectorXd>& positions) {
   std::string text = "kind,frame,camera,id,fitted,held_out,u,v,dx,dy,dz,dx_px,dy_px\n";
   const auto at = [&](int frame) {
@@ -81,6 +102,12 @@ std::string ResidualsAsCsv(const Scene& scene, const std::vector<Eigen::VectorXd
   }
   for (const TrackObservation& track : scene.tracks) {
     text += TrackRow(scene, track, at(track.frame));
+  }
+  const CloudResiduals to_surface(scene, 0.0);
+  for (size_t i = 0; scene.clouds && i < scene.clouds->observations.size(); ++i) {
+    const CloudObservation& cloud = scene.clouds->observations[i];
+    if (const Eigen::VectorXd* const x = at(cloud.frame))
+      text += CloudRows(scene, to_surface, cloud, *x);
   }
   return text;
 }

@@ -144,6 +144,19 @@ void ChooseFrames(const Recording& recording, const FitConfig& config, Scene* sc
   }
 }
 
+void AddClouds(const FitConfig& config, const Scene* same, Scene* scene) {
+  if (!config.FitsClouds() || !HasClouds(scene->recording)) return;
+  const bool is_same =
+      same != nullptr && same->clouds && same->clouds->most_points == config.cloud_points;
+  scene->clouds = is_same
+                      ? same->clouds
+                      : std::make_shared<Clouds>(LoadClouds(scene->recording, config.cloud_points));
+  for (const CloudObservation& cloud : scene->clouds->observations) {
+    if (scene->IsFitted(cloud))
+      scene->last_fitted_frame = std::max(scene->last_fitted_frame, cloud.frame);
+  }
+}
+
 bool HaveSameMasks(const Recording& a, const Recording& b) {
   return std::equal(a.files.begin(), a.files.end(), b.files.begin(), b.files.end(),
                     [](const CameraFiles& of_a, const CameraFiles& of_b) {
@@ -232,6 +245,7 @@ Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene
   scene.step = 1.0 / (recording.frame_rate * scene.steps_per_frame);
   scene.marker_sigma = recording.noise.marker.value_or(kDefaultMarkerSigma);
   scene.track_sigma = recording.noise.track.value_or(kDefaultTrackSigma);
+  scene.cloud_sigma = recording.noise.cloud.value_or(kDefaultCloudSigma);
   scene.silhouette_sigma = recording.noise.silhouette.value_or(kDefaultSilhouetteSigma);
   PlacedCloth placed = PlaceCloth(recording, config.resolution);
   scene.mesh = std::move(placed.mesh);
@@ -240,6 +254,7 @@ Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene
   AddHandles(recording, config, &scene);
   AddObservations(recording, config, &scene);
   ChooseFrames(recording, config, &scene);
+  AddClouds(config, same, &scene);
   AddSilhouettes(config, same, &scene);
   return scene;
 }

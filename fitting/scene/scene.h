@@ -15,6 +15,7 @@
 
 #include "autodiff_sim/step/simulation.h"
 #include "fitting/config/config.h"
+#include "fitting/scene/clouds.h"
 #include "fitting/scene/silhouettes.h"
 #include "tracking/camera/plucker_ray.h"
 #include "tracking/recording/recording.h"
@@ -77,10 +78,12 @@ struct Scene {
   std::vector<TrackObservation> tracks;    // by frame
   // By frame, then camera; none unless they are fitted. Shared by the scenes of one recording.
   std::shared_ptr<const Silhouettes> silhouettes;
+  std::shared_ptr<const Clouds> clouds;  // likewise
   int steps_per_frame = 1;
   double step = 0.0;                             // s
   double marker_sigma = 0.0, track_sigma = 0.0;  // m, px
   double silhouette_sigma = 0.0;                 // px
+  double cloud_sigma = 0.0;                      // m
   std::vector<bool> is_fitted;                   // one a frame: may its observations be fitted?
   int last_fitted_frame = 0;
 
@@ -89,6 +92,9 @@ struct Scene {
   bool IsHeldOut(int frame) const;
   // In a fitted frame and of a camera that is not held out.
   bool IsFitted(const TrackObservation& track) const { return IsFitted(track.frame, track.camera); }
+  bool IsFitted(const CloudObservation& cloud) const {
+    return cloud.camera ? IsFitted(cloud.frame, *cloud.camera) : is_fitted[cloud.frame];
+  }
   bool IsFitted(int frame, int camera) const;
 };
 

@@ -20,6 +20,7 @@
 #include "tracking/import/colmap.h"
 #include "tracking/import/motive.h"
 #include "tracking/import/opencv.h"
+#include "tracking/recording/cloud_file.h"
 #include "tracking/recording/images.h"
 #include "tracking/recording/recording.h"
 #include "tracking/recording/summary.h"
@@ -114,6 +115,14 @@ Recording PlainRecording() {
   recording.files.resize(1);
   recording.files[0].masks[0] = Write("masks/left/000000.png", bytes);
   LoadMask(recording, 0, 0);
+}
+
+// The first byte says which kind of file it is.
+[[maybe_unused]] void ReadCloud(const std::string& bytes) {
+  const std::vector<std::string>& extensions = CloudExtensions();
+  const std::size_t kind = bytes.empty() ? 0 : static_cast<unsigned char>(bytes[0]);
+  ReadCloudFile(Write("cloud" + extensions[kind % extensions.size()],
+                      bytes.substr(std::min<std::size_t>(1, bytes.size()))));
 }
 
 [[maybe_unused]] void ReadMotive(const std::string& bytes) {

@@ -29,27 +29,40 @@ void WriteMask(const cv::Mat& mask, const fs::path& file) {
   if (!is_written) throw InputError(file.string(), "cannot be written");
 }
 
+// What tracking hands on as it is, and under which name.
+std::vector<std::pair<fs::path, std::string>> CopiedFiles(const Recording& recording) {
+  std::vector<std::pair<fs::path, std::string>> files;
+  for (std::size_t c = 0; c < recording.files.size(); ++c) {
+    for (const auto& [frame, file] : recording.files[c].masks)
+      files.emplace_back(file, MaskFile(recording.cameras[c], frame));
+    for (const auto& [frame, file] : recording.files[c].depth)
+      files.emplace_back(file,
+                         fmt::format("depth/{}/{:06d}.png", recording.cameras[c].name, frame));
+  }
+  for (const auto& [frame, file] : recording.clouds.files)
+    files.emplace_back(file, "clouds/" + file.filename().string());
+  return files;
+}
+
 // All that tracking may write.
 std::vector<std::string> FilesOfTracking(const Recording& recording, bool find_masks) {
   std::vector<std::string> files = NamesOf(FilesOf(recording));
   files.insert(files.end(), {"tracks.csv", "markers.csv", "pictures.csv", "filters.csv", kOrigin});
   for (std::size_t c = 0; c < recording.cameras.size(); ++c) {
     for (int frame = 0; frame < recording.frame_count; ++frame) {
-      const bool has_mask = c < recording.files.size() && recording.files[c].masks.count(frame) > 0;
-      if (find_masks || has_mask) files.push_back(MaskFile(recording.cameras[c], frame));
+      if (find_masks) files.push_back(MaskFile(recording.cameras[c], frame));
     }
   }
+  for (const auto& [file, copy] : CopiedFiles(recording)) files.push_back(copy);
   return files;
 }
 
-void CopyMasks(const Recording& recording, const fs::path& folder) {
-  for (std::size_t c = 0; c < recording.files.size(); ++c) {
-    for (const auto& [frame, file] : recording.files[c].masks) {
-      const fs::path copy = folder / MaskFile(recording.cameras[c], frame);
-      std::error_code error;
-      fs::copy_file(file, copy, error);
-      if (error) throw InputError(copy.string(), "cannot be written (" + error.message() + ")");
-    }
+void CopyFiles(const Recording& recording, const fs::path& folder) {
+  for (const auto& [file, name] : CopiedFiles(recording)) {
+    const fs::path copy = folder / name;
+    std::error_code error;
+    fs::copy_file(file, copy, error);
+    if (error) throw InputError(copy.string(), "cannot be written (" + error.message() + ")");
   }
 }
 
@@ -63,7 +76,7 @@ TrackingResult TrackIntoFolder(const Recording& recording, const TrackingOptions
     throw InputError(folder.string(), "is the recording itself; expected another folder");
   OutputFolder output(folder, FolderKind::kRecording, "track", ExistingIf(overwrite));
   output.Begin(FilesOfTracking(recording, options.find_masks));
-  CopyMasks(recording, folder);
+  CopyFiles(recording, folder);
   TrackingCallbacks with_masks = callbacks;
   with_masks.on_silhouette = [&](int camera, int frame, const Silhouette& silhouette) {
     WriteMask(silhouette.mask, folder / MaskFile(recording.cameras[camera], frame));

@@ -141,6 +141,16 @@ cv::Mat LoadMask(const Recording& recording, int camera, int frame) {
   return MaskBetween(mask, mask, 0.0, faults.fat);
 }
 
+cv::Mat LoadDepthPicture(const Recording& recording, int camera, int frame) {
+  const CameraFiles* const files = FilesOf(recording, camera);
+  if (files == nullptr || files->depth.count(frame) == 0) return {};
+  const fs::path& file = files->depth.at(frame);
+  cv::Mat depth = LoadPicture(file, cv::IMREAD_UNCHANGED, CameraAt(recording, camera));
+  if (depth.type() == CV_16UC1) return depth;
+  throw InputError(file.string(), fmt::format("expected one channel of 16 bits, found {} of {}",
+                                              depth.channels(), 8 * depth.elemSize1()));
+}
+
 cv::Mat LoadBackground(const Recording& recording, int camera) {
   const CameraFiles* const files = FilesOf(recording, camera);
   if (files == nullptr || !files->background) return {};

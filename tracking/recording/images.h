@@ -28,6 +28,9 @@ cv::Mat LoadImage(const Recording& recording, int camera, int frame);
 // that moment are there and show cloth.
 cv::Mat LoadMask(const Recording& recording, int camera, int frame);
 
+// 16-bit, one channel, in units of the recording's depth_scales; 0 where nothing is known.
+cv::Mat LoadDepthPicture(const Recording& recording, int camera, int frame);
+
 // 8-bit BGR picture of the empty scene.
 cv::Mat LoadBackground(const Recording& recording, int camera);
 

@@ -29,7 +29,9 @@ inline constexpr double kMostDistortion = 1e6;     // of any coefficient; of a l
 inline constexpr int kMostPictureSide = 20'000;    // px
 inline constexpr double kMostPicturePixels = 1e8;  // in colour 300 MB, and several are kept
 inline constexpr int kMostThings = 1000;           // cameras, handles, obstacles
-inline constexpr int kLongestName = 100;           // bytes: names become those of files
+// Of one file: a laser scanner's; what a fit takes of it is a thousandth.
+inline constexpr int kMostCloudPoints = 10'000'000;
+inline constexpr int kLongestName = 100;  // bytes: names become those of files
 
 inline bool IsPictureSize(double width, double height) {
   return width >= 1.0 && height >= 1.0 && width <= kMostPictureSide && height <= kMostPictureSide &&

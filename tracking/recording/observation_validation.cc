@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/printable.h"
+#include "tracking/recording/limits.h"
 #include "tracking/recording/validation.h"
 
 namespace clothfit {
@@ -61,7 +63,32 @@ void CheckTracks(const Recording& recording, const std::vector<int>& lines) {
 }
 
 bool HasPictures(const CameraFiles& files) {
-  return !files.images.empty() || !files.masks.empty() || files.video.has_value();
+  return !files.images.empty() || !files.masks.empty() || !files.depth.empty() ||
+         files.video.has_value();
+}
+
+// Each depth picture has a scale, and what is said of cameras is said of those that there are.
+void CheckCamerasOfClouds(const Recording& recording) {
+  const CloudFiles& clouds = recording.clouds;
+  const auto check = [&](const std::string& name, const char* key) {
+    if (FindCamera(recording, name)) return;
+    throw InputError(PlaceInRecording(recording, "recording.yaml", key),
+                     Quoted(name) + " is no camera of cameras.yaml");
+  };
+  if (!clouds.camera.empty()) check(clouds.camera, "clouds.camera");
+  for (const auto& [camera, scale] : clouds.depth_scales) {
+    check(camera, "depth");
+    if (scale >= kSigma.least && scale <= kSigma.most) continue;
+    throw InputError(PlaceInRecording(recording, "recording.yaml", "depth"),
+                     fmt::format("scale of {}: expected {} to {} m, found {}", Quoted(camera),
+                                 kSigma.least, kSigma.most, scale));
+  }
+  for (std::size_t c = 0; c < recording.files.size(); ++c) {
+    const std::string& camera = recording.cameras[c].name;
+    if (recording.files[c].depth.empty() || clouds.depth_scales.count(camera) > 0) continue;
+    throw InputError(PlaceInRecording(recording, "recording.yaml", "depth"),
+                     "has no scale for the depth pictures of " + Quoted(camera));
+  }
 }
 
 void CheckFiles(const Recording& recording) {
@@ -73,7 +100,11 @@ void CheckFiles(const Recording& recording) {
   for (const CameraFiles& files : recording.files) {
     for (const auto& [frame, file] : files.images) CheckFrame(recording, frame, file.string());
     for (const auto& [frame, file] : files.masks) CheckFrame(recording, frame, file.string());
+    for (const auto& [frame, file] : files.depth) CheckFrame(recording, frame, file.string());
   }
+  for (const auto& [frame, file] : recording.clouds.files)
+    CheckFrame(recording, frame, file.string());
+  CheckCamerasOfClouds(recording);
 }
 
 }  // namespace
@@ -88,10 +119,12 @@ void CheckHasObservation(const Recording& recording) {
   for (const CameraFiles& files : recording.files) {
     if (HasPictures(files)) return;
   }
-  if (!recording.markers.empty() || !recording.tracks.empty()) return;
-  throw InputError(recording.path.string(),
-                   "there is no observation; expected images, videos, masks, tracks.csv or "
-                   "markers.csv");
+  const bool any_cloud = !recording.clouds.files.empty();
+  if (any_cloud || !recording.markers.empty() || !recording.tracks.empty()) return;
+  throw InputError(
+      recording.path.string(),
+      "there is no observation; expected images, videos, masks, depth, clouds, tracks.csv "
+      "or markers.csv");
 }
 
 void CheckValues(const Recording& recording, const ObservationLines& lines) {

@@ -5,10 +5,12 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/input_file.h"
 #include "autodiff_sim/base/printable.h"
+#include "tracking/recording/cloud_file.h"
 #include "tracking/recording/inside.h"
 #include "tracking/text/text.h"
 
@@ -36,14 +38,17 @@ size_t CameraNamed(const Recording& recording, const std::string& name, const fs
 }
 
 // The frame that a name such as 000042.png stands for.
-int FrameOfFile(const Recording& recording, const fs::path& file) {
+int FrameOfFile(const Recording& recording, const fs::path& file,
+                const std::vector<std::string>& extensions) {
   const std::string stem = file.stem().string();
   const bool is_numbered =
       stem.size() == 6 &&
       std::all_of(stem.begin(), stem.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
   const std::optional<int> frame = is_numbered ? ParseInteger(stem) : std::nullopt;
-  if (!frame || file.extension() != ".png") {
-    throw InputError(file.string(), "expected a name of six digits such as 000042.png");
+  if (!frame ||
+      std::find(extensions.begin(), extensions.end(), file.extension()) == extensions.end()) {
+    throw InputError(file.string(), "expected a name of six digits such as 000042" +
+                                        fmt::format("{}", fmt::join(extensions, " or 000042")));
   }
   if (*frame >= recording.frame_count) {
     throw InputError(file.string(),
@@ -58,7 +63,7 @@ void ListFrames(const Recording& recording, const fs::path& folder,
   for (const fs::path& entry : SortedEntries(recording.path, folder)) {
     const size_t camera = CameraNamed(recording, entry.filename().string(), entry);
     for (const fs::path& file : SortedEntries(recording.path, entry)) {
-      ((*files)[camera].*frames)[FrameOfFile(recording, file)] = file;
+      ((*files)[camera].*frames)[FrameOfFile(recording, file, {".png"})] = file;
     }
   }
 }
@@ -79,7 +84,7 @@ void ListSingles(const Recording& recording, const fs::path& folder,
 
 std::vector<std::string> PictureFolders(const fs::path& recording_folder) {
   std::vector<std::string> folders;
-  for (const char* name : {"images", "videos", "background", "masks"}) {
+  for (const char* name : {"images", "videos", "background", "masks", "depth"}) {
     if (!SortedEntries(recording_folder, recording_folder / name).empty())
       folders.emplace_back(name);
   }
@@ -90,8 +95,21 @@ std::vector<CameraFiles> ListPictures(const Recording& recording) {
   std::vector<CameraFiles> files(recording.cameras.size());
   ListFrames(recording, recording.path / "images", &CameraFiles::images, &files);
   ListFrames(recording, recording.path / "masks", &CameraFiles::masks, &files);
+  ListFrames(recording, recording.path / "depth", &CameraFiles::depth, &files);
   ListSingles(recording, recording.path / "videos", &CameraFiles::video, &files);
   ListSingles(recording, recording.path / "background", &CameraFiles::background, &files);
+  return files;
+}
+
+std::map<int, fs::path> ListClouds(const Recording& recording) {
+  std::map<int, fs::path> files;
+  for (const fs::path& file : SortedEntries(recording.path, recording.path / "clouds")) {
+    const auto [first, is_new] =
+        files.try_emplace(FrameOfFile(recording, file, CloudExtensions()), file);
+    if (!is_new)
+      throw InputError(file.string(),
+                       "is the second of its frame beside " + first->second.string());
+  }
   return files;
 }
 

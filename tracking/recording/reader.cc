@@ -112,10 +112,21 @@ ObstacleDescription ReadObstacle(const YamlValue& value, const Recording& record
 }
 
 void ReadNoise(const YamlValue& value, NoiseSigmas* noise) {
-  value.AllowKeys({"marker", "track", "silhouette"});
+  value.AllowKeys({"marker", "track", "silhouette", "cloud", "cloud_spacing"});
   if (const auto marker = value.Find("marker")) noise->marker = marker->Number();
   if (const auto track = value.Find("track")) noise->track = track->Number();
   if (const auto silhouette = value.Find("silhouette")) noise->silhouette = silhouette->Number();
+  if (const auto cloud = value.Find("cloud")) noise->cloud = cloud->Number();
+  if (const auto spacing = value.Find("cloud_spacing")) noise->cloud_spacing = spacing->Number();
+}
+
+void ReadDepthScales(const YamlValue& list, CloudFiles* clouds) {
+  for (const YamlValue& value : list.Items()) {
+    value.AllowKeys({"camera", "scale"});
+    const YamlValue camera = value.Require("camera");
+    if (!clouds->depth_scales.emplace(camera.Text(), value.Require("scale").Number()).second)
+      camera.Fail(Quoted(camera.Text()) + " appears more than once");
+  }
 }
 
 void ReadSplits(const YamlValue& value, Splits* splits) {
@@ -136,7 +147,7 @@ void ReadDescription(const YamlValue& top, Recording* recording) {
     format.Fail(fmt::format("expected '{}', found {}", kRecordingFormat, Quoted(format.Text())));
   }
   top.AllowKeys({"format", "name", "frame_rate", "frame_count", "gravity", "ground", "cloth",
-                 "handles", "obstacles", "noise", "splits"});
+                 "handles", "obstacles", "clouds", "depth", "noise", "splits"});
   recording->name = top.Require("name").Text();
   recording->frame_rate = top.Require("frame_rate").Number();
   recording->frame_count = top.Require("frame_count").Integer();
@@ -156,6 +167,11 @@ void ReadDescription(const YamlValue& top, Recording* recording) {
     for (const YamlValue& obstacle : obstacles->Items())
       recording->obstacles.push_back(ReadObstacle(obstacle, *recording));
   }
+  if (const auto clouds = top.Find("clouds")) {
+    clouds->AllowKeys({"camera"});
+    recording->clouds.camera = clouds->Require("camera").Text();
+  }
+  if (const auto depth = top.Find("depth")) ReadDepthScales(*depth, &recording->clouds);
   if (const auto noise = top.Find("noise")) ReadNoise(*noise, &recording->noise);
   if (const auto splits = top.Find("splits")) ReadSplits(*splits, &recording->splits);
 }
@@ -187,6 +203,7 @@ Recording ReadRecording(const fs::path& folder) {
   recording.path = folder;
   ReadDescription(YamlValue::Load(folder / "recording.yaml"), &recording);
   ReadCamerasAndFiles(&recording);
+  recording.clouds.files = ListClouds(recording);
   ObservationLines lines;
   const fs::path markers = folder / "markers.csv";
   if (IsThere(markers)) recording.markers = ReadMarkers(markers, &lines.markers);

@@ -18,6 +18,12 @@ bool HasMasks(const Recording& recording) {
                      [](const CameraFiles& files) { return !files.masks.empty(); });
 }
 
+bool HasClouds(const Recording& recording) {
+  return !recording.clouds.files.empty() ||
+         std::any_of(recording.files.begin(), recording.files.end(),
+                     [](const CameraFiles& files) { return !files.depth.empty(); });
+}
+
 bool HasPictures(const Recording& recording) {
   return std::any_of(recording.files.begin(), recording.files.end(), [](const CameraFiles& files) {
     return !files.images.empty() || files.video.has_value();

@@ -27,6 +27,8 @@ inline constexpr double kDefaultMarkerSigma = 0.002;    // m
 inline constexpr double kDefaultTrackSigma = 0.5;       // px
 inline constexpr double kDefaultSilhouetteSigma = 1.0;  // px
 inline constexpr double kDefaultPathSigma = 0.005;      // m
+inline constexpr double kDefaultCloudSigma = 0.005;     // m
+inline constexpr double kDefaultCloudSpacing = 0.01;    // m
 
 // The cloth lies flat at frame 0: x(u, v) = origin + u * u_axis + v * v_axis.
 struct FlatPlacement {
@@ -100,6 +102,9 @@ struct NoiseSigmas {
   std::optional<double> marker;      // m
   std::optional<double> track;       // px
   std::optional<double> silhouette;  // px
+  std::optional<double> cloud;       // m, of a point's distance from the surface
+  // m: points of a cloud that are nearer to each other share their errors, and say as much as one.
+  std::optional<double> cloud_spacing;
 };
 
 // What a held-out evaluation must not fit.
@@ -144,9 +149,19 @@ struct MaskFaults {
 struct CameraFiles {
   std::map<int, std::filesystem::path> images;  // by frame; a frame may lack
   std::map<int, std::filesystem::path> masks;   // by frame; 0 = background, 255 = cloth
+  std::map<int, std::filesystem::path> depth;   // by frame; 16 bits, see CloudFiles
   MaskFaults mask_faults;
   std::optional<std::filesystem::path> video;  // not looked at where there are images
   std::optional<std::filesystem::path> background;
+};
+
+// Where there are points of the surface of which nobody knows where on the cloth they are. Nothing
+// is opened before tracking/recording/clouds.h is asked.
+struct CloudFiles {
+  std::map<int, std::filesystem::path> files;  // by frame; points in m, world
+  std::string camera;  // that saw them, by its name; empty: they show the whole cloth
+  // m along a camera's view that one unit of its depth pictures stands for, by its name.
+  std::map<std::string, double> depth_scales;
 };
 
 // A marker or a track that is off by far more than its noise.
@@ -170,9 +185,10 @@ struct Recording {
   Splits splits;
   std::vector<Camera> cameras;
   std::vector<CameraFiles> files;  // one a camera, in the same order; or none at all
-  std::vector<Marker> markers;     // in file order
-  std::vector<Track> tracks;       // in file order
-  std::vector<Outlier> left_out;   // of markers and tracks, by LeaveOutOutliers; not in files
+  CloudFiles clouds;
+  std::vector<Marker> markers;    // in file order
+  std::vector<Track> tracks;      // in file order
+  std::vector<Outlier> left_out;  // of markers and tracks, by LeaveOutOutliers; not in files
 };
 
 // Reads the folder (recording-format version 1) and checks it as CheckRecording does. Rows of
@@ -201,6 +217,8 @@ std::optional<int> FindCamera(const Recording& recording, const std::string& nam
 // Whether any camera has images or a video, and whether any has finished silhouettes.
 bool HasPictures(const Recording& recording);
 bool HasMasks(const Recording& recording);
+// Whether there is any cloud or depth picture.
+bool HasClouds(const Recording& recording);
 
 bool IsHeldOutFrame(const Recording& recording, int frame);
 bool IsHeldOutCamera(const Recording& recording, int camera);

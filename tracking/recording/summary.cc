@@ -96,6 +96,7 @@ std::string DescribeFiles(const CameraFiles& files, const Recording& recording) 
   if (!files.images.empty()) text += ", images in " + Frames(KeysOf(files.images), recording);
   if (files.video) text += ", video " + files.video->filename().string();
   if (!files.masks.empty()) text += ", masks in " + Frames(KeysOf(files.masks), recording);
+  if (!files.depth.empty()) text += ", depth in " + Frames(KeysOf(files.depth), recording);
   if (files.background) text += ", background";
   return text.empty() ? ", no pictures" : text;
 }
@@ -114,11 +115,15 @@ std::string Sigma(const std::optional<double>& given, double assumed, const char
   return fmt::format("{} {}{}", given.value_or(assumed), unit, given ? "" : " (assumed)");
 }
 
-std::string DescribeNoise(const NoiseSigmas& noise) {
+std::string DescribeNoise(const NoiseSigmas& noise, bool has_clouds) {
   return fmt::format("marker {}, track {}, silhouette {}",
                      Sigma(noise.marker, kDefaultMarkerSigma, "m"),
                      Sigma(noise.track, kDefaultTrackSigma, "px"),
-                     Sigma(noise.silhouette, kDefaultSilhouetteSigma, "px"));
+                     Sigma(noise.silhouette, kDefaultSilhouetteSigma, "px")) +
+         (has_clouds
+              ? fmt::format(", cloud {} every {}", Sigma(noise.cloud, kDefaultCloudSigma, "m"),
+                            Sigma(noise.cloud_spacing, kDefaultCloudSpacing, "m"))
+              : std::string());
 }
 
 std::string DescribeSplits(const Splits& splits) {
@@ -157,10 +162,16 @@ std::string DescribeRecording(const Recording& recording) {
   }
   text += SummaryRow("markers", DescribeMarkers(recording));
   text += SummaryRow("tracks", DescribeTracks(recording));
+  if (!recording.clouds.files.empty()) {
+    const std::string& camera = recording.clouds.camera;
+    text +=
+        SummaryRow("clouds", Frames(KeysOf(recording.clouds.files), recording) +
+                                 (camera.empty() ? ", of the whole cloth" : ", seen by " + camera));
+  }
   for (size_t i = 0; i < recording.cameras.size(); ++i) {
     text += SummaryRow("camera", DescribeCamera(recording, i));
   }
-  text += SummaryRow("noise", DescribeNoise(recording.noise));
+  text += SummaryRow("noise", DescribeNoise(recording.noise, HasClouds(recording)));
   text += SummaryRow("held out", DescribeSplits(recording.splits));
   return text;
 }

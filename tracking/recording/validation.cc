@@ -269,6 +269,9 @@ void CheckNoiseAndSplits(const Recording& recording) {
   check_sigma(noise.marker, "noise.marker");
   check_sigma(noise.track, "noise.track");
   check_sigma(noise.silhouette, "noise.silhouette");
+  check_sigma(noise.cloud, "noise.cloud");
+  if (noise.cloud_spacing)
+    CheckWithin(*noise.cloud_spacing, kLength, YamlPlace(recording, "noise.cloud_spacing"));
   if (const std::optional<Splits::FrameRange>& range = recording.splits.held_out_frames) {
     const std::string place = YamlPlace(recording, "splits.held_out_frames");
     CheckFrame(recording, range->first, place);

@@ -15,7 +15,7 @@ namespace clothfit {
 // All of the parts below; the lines are those that the observations were read from.
 void CheckValues(const Recording& recording, const ObservationLines& lines);
 
-// Throws unless there are images, videos, masks, tracks or markers.
+// Throws unless there are images, videos, masks, depth pictures, clouds, tracks or markers.
 void CheckHasObservation(const Recording& recording);
 
 void CheckScene(const Recording& recording);  // frame rate and count, gravity, ground

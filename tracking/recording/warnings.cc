@@ -82,11 +82,13 @@ Coverage FindCoverage(const Recording& recording) {
   for (const Track& track : recording.tracks) {
     add(track.frame, IsHeldOutCamera(recording, track.camera));
   }
+  for (const auto& [frame, file] : recording.clouds.files) add(frame, false);
   for (size_t i = 0; i < recording.files.size(); ++i) {
     const bool is_held_out = IsHeldOutCamera(recording, static_cast<int>(i));
     const CameraFiles& files = recording.files[i];
     for (const auto& [frame, file] : files.images) add(frame, is_held_out);
     for (const auto& [frame, file] : files.masks) add(frame, is_held_out);
+    for (const auto& [frame, file] : files.depth) add(frame, is_held_out);
     coverage.has_video = coverage.has_video || files.video.has_value();
     coverage.has_silhouettes =
         coverage.has_silhouettes || !files.masks.empty() || files.background.has_value();
@@ -120,6 +122,9 @@ void WarnOfNoise(const Recording& recording, const Coverage& coverage,
   warn(!recording.tracks.empty(), recording.noise.track, "track", kDefaultTrackSigma, "px");
   warn(coverage.has_silhouettes, recording.noise.silhouette, "silhouette", kDefaultSilhouetteSigma,
        "px");
+  warn(HasClouds(recording), recording.noise.cloud, "cloud", kDefaultCloudSigma, "m");
+  warn(HasClouds(recording), recording.noise.cloud_spacing, "cloud_spacing", kDefaultCloudSpacing,
+       "m");
 }
 
 void WarnOfCameras(const Recording& recording, std::vector<std::string>* warnings) {
@@ -144,7 +149,7 @@ void WarnOfCameras(const Recording& recording, std::vector<std::string>* warning
                     "meant?",
                     camera.name, distance));
   }
-  if (recording.cameras.size() == 1 && recording.markers.empty()) {
+  if (recording.cameras.size() == 1 && recording.markers.empty() && !HasClouds(recording)) {
     warnings->emplace_back("a single camera: depth is only weakly known");
   }
   const auto outside =

@@ -92,7 +92,19 @@ std::string NoiseAsYaml(const NoiseSigmas& noise) {
   if (noise.marker) text += fmt::format("  marker: {}\n", *noise.marker);
   if (noise.track) text += fmt::format("  track: {}\n", *noise.track);
   if (noise.silhouette) text += fmt::format("  silhouette: {}\n", *noise.silhouette);
+  if (noise.cloud) text += fmt::format("  cloud: {}\n", *noise.cloud);
+  if (noise.cloud_spacing) text += fmt::format("  cloud_spacing: {}\n", *noise.cloud_spacing);
   return text.empty() ? "" : "noise:\n" + text;
+}
+
+std::string CloudsAsYaml(const CloudFiles& clouds) {
+  std::string text;
+  if (!clouds.camera.empty())
+    text += fmt::format("clouds: {{camera: {}}}\n", YamlText(clouds.camera));
+  if (!clouds.depth_scales.empty()) text += "depth:\n";
+  for (const auto& [camera, scale] : clouds.depth_scales)
+    text += fmt::format("  - {{camera: {}, scale: {}}}\n", YamlText(camera), scale);
+  return text;
 }
 
 std::string SplitsAsYaml(const Splits& splits) {
@@ -122,7 +134,8 @@ std::string RecordingAsYaml(const Recording& recording) {
   for (const HandleDescription& handle : recording.handles) text += HandleAsYaml(handle);
   if (!recording.obstacles.empty()) text += "obstacles:\n";
   for (const ObstacleDescription& obstacle : recording.obstacles) text += ObstacleAsYaml(obstacle);
-  return text + NoiseAsYaml(recording.noise) + SplitsAsYaml(recording.splits);
+  return text + CloudsAsYaml(recording.clouds) + NoiseAsYaml(recording.noise) +
+         SplitsAsYaml(recording.splits);
 }
 
 std::string MeshName(const fs::path& mesh) { return mesh.filename().string(); }

@@ -122,6 +122,33 @@ void AddTracks(const SyntheticOptions& options, const ClothMesh& mesh,
   }
 }
 
+std::vector<std::vector<Vector3d>> MakeClouds(const SyntheticOptions& options,
+                                              const ClothMesh& mesh,
+                                              const std::vector<Eigen::VectorXd>& frames,
+                                              Recording* recording) {
+  std::vector<std::vector<Vector3d>> clouds;
+  if (options.cloud_points < 1) return clouds;
+  if (options.cloud_sigma > 0.0) recording->noise.cloud = options.cloud_sigma;
+  recording->noise.cloud_spacing = kMicrometre;  // their errors have nothing to do with each other
+  NormalNumbers noise(options.seed, 2);
+  constexpr std::size_t kSteps = std::size_t{1} << 20;
+  for (const Eigen::VectorXd& x : frames) {
+    std::vector<Vector3d>& cloud = clouds.emplace_back();
+    for (int i = 0; i < options.cloud_points; ++i) {
+      const std::size_t triangle = noise.Index(mesh.triangles.size());  // they are of one size
+      double first = static_cast<double>(noise.Index(kSteps)) / kSteps;
+      double second = static_cast<double>(noise.Index(kSteps)) / kSteps;
+      if (first + second > 1.0) {
+        first = 1.0 - first;
+        second = 1.0 - second;
+      }
+      const SurfacePoint point{mesh.triangles[triangle], {1.0 - first - second, first, second}};
+      cloud.push_back(point.At(x) + options.cloud_sigma * noise.NextVector<3>());
+    }
+  }
+  return clouds;
+}
+
 std::vector<TruthPoint> TruthPoints(const SyntheticOptions& options, const ClothMesh& mesh,
                                     const std::vector<Eigen::VectorXd>& frames) {
   const std::vector<Vector2d> uv = GridOnCloth(options.truth_points, options.size, true);

@@ -30,6 +30,12 @@ void AddMarkers(const SyntheticOptions& options, const ClothMesh& mesh,
 void AddTracks(const SyntheticOptions& options, const ClothMesh& mesh,
                const std::vector<Eigen::VectorXd>& frames, Recording* recording);
 
+// Clouds of points with noise, by frame, and their sigma; none without any. Nothing hides anything.
+std::vector<std::vector<Eigen::Vector3d>> MakeClouds(const SyntheticOptions& options,
+                                                     const ClothMesh& mesh,
+                                                     const std::vector<Eigen::VectorXd>& frames,
+                                                     Recording* recording);
+
 std::vector<TruthPoint> TruthPoints(const SyntheticOptions& options, const ClothMesh& mesh,
                                     const std::vector<Eigen::VectorXd>& frames);
 

@@ -51,8 +51,9 @@ void SyntheticOptions::Check(const std::string& place) const {
   const auto within = [](double value, const Limits& limits) {
     return value >= limits.least && value <= limits.most;
   };
-  constexpr int kMostPoints = 1000;   // along each side: markers and truth, a million in all
-  constexpr double kMostSteps = 1e7;  // hours, on the smallest of meshes
+  constexpr int kMostPoints = 1000;       // along each side: markers and truth, a million in all
+  constexpr double kMostSteps = 1e7;      // hours, on the smallest of meshes
+  constexpr double kMostSynthetic = 1e8;  // points of all clouds, in memory 2.4 GB
   Expect(within(size.x(), kSide) && within(size.y(), kSide), place + ": size",
          fmt::format("two lengths of {} to {} m", kSide.least, kSide.most));
   Expect(resolution.minCoeff() >= 2 && resolution.maxCoeff() <= 500, place + ": resolution",
@@ -73,12 +74,17 @@ void SyntheticOptions::Check(const std::string& place) const {
          fmt::format("0 to {}", kMostThings));
   Expect(num_cameras > 0 || !images, place + ": cameras", "1 or more, where there are images");
   if (images) pictures.Check(place);
-  Expect(markers.minCoeff() > 0 || num_cameras > 0, place + ": markers",
-         "some, where there is no camera");
-  Expect(markers.minCoeff() > 0 || tracks || images, place + ": markers",
-         "some, where there are neither tracks nor images");
-  Expect(not_negative(marker_sigma) && not_negative(track_sigma), place + ": noise",
-         "sigmas of 0 or more");
+  const bool any_point = markers.minCoeff() > 0 || cloud_points > 0;
+  Expect(any_point || num_cameras > 0, place + ": markers",
+         "some, where there is no camera and no cloud");
+  Expect(any_point || tracks || images, place + ": markers",
+         "some, where there are neither tracks nor images nor clouds");
+  Expect(cloud_points >= 0 && cloud_points <= kMostCloudPoints &&
+             static_cast<double>(cloud_points) * frame_count <= kMostSynthetic,
+         place + ": cloud points",
+         fmt::format("0 to {}, at most {:g} in all", kMostCloudPoints, kMostSynthetic));
+  Expect(not_negative(marker_sigma) && not_negative(track_sigma) && not_negative(cloud_sigma),
+         place + ": noise", "sigmas of 0 or more");
   Expect(truth_points.minCoeff() >= 2 && truth_points.maxCoeff() <= kMostPoints,
          place + ": truth points", fmt::format("2 to {} along u and v", kMostPoints));
   CheckHiddenHandles(*this, place + ": hidden handles");

@@ -14,6 +14,7 @@
 #include "autodiff_sim/scenes/cloth_scene.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "tracking/files/output_folder.h"
+#include "tracking/recording/cloud_file.h"
 #include "tracking/synthetic/keys.h"
 #include "tracking/synthetic/observations.h"
 
@@ -179,12 +180,15 @@ SyntheticRecording MakeSyntheticRecording(const SyntheticOptions& options,
   AddCameras(options, frames, &result.recording);
   AddMarkers(options, mesh, frames, &result.recording);
   AddTracks(options, mesh, frames, &result.recording);
+  result.clouds = MakeClouds(options, mesh, frames, &result.recording);
   result.truth_points = TruthPoints(options, mesh, frames);
   return result;
 }
 
 std::map<std::string, std::string> FilesOf(const SyntheticRecording& synthetic) {
   std::map<std::string, std::string> files = FilesOf(synthetic.recording);
+  for (std::size_t f = 0; f < synthetic.clouds.size(); ++f)
+    files[fmt::format("clouds/{:06d}.ply", f)] = CloudAsPly(synthetic.clouds[f]);
   files[kTruthPointsFile] = TruthPointsAsCsv(synthetic.truth_points);
   files[kTruthParametersFile] = TruthParametersAsYaml(synthetic.truth_parameters);
   return files;

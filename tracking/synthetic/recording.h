@@ -47,6 +47,8 @@ struct SyntheticOptions {
   int num_cameras = 0;            // around the cloth; with images, in a room and at its ceiling
   bool tracks = true;             // does each camera track the markers' points?
   double track_sigma = 0.5;       // px
+  int cloud_points = 0;           // of the surface in each frame, at chance places; 0 = none
+  double cloud_sigma = 0.003;     // m, of each coordinate
   bool images = false;            // does each camera take pictures?
   SyntheticPictureOptions pictures;         // then
   std::vector<std::string> hidden_handles;  // handles whose path is not told
@@ -62,9 +64,10 @@ struct SyntheticOptions {
 
 struct SyntheticRecording {
   Recording recording;
-  SyntheticSurface surface;                        // of the generator's mesh
-  std::vector<TruthPoint> truth_points;            // noise-free
-  std::map<std::string, double> truth_parameters;  // every parameter by its full name
+  SyntheticSurface surface;                          // of the generator's mesh
+  std::vector<std::vector<Eigen::Vector3d>> clouds;  // m, world, by frame; none without them
+  std::vector<TruthPoint> truth_points;              // noise-free
+  std::map<std::string, double> truth_parameters;    // every parameter by its full name
 };
 
 // What simulates, where it is not clothfit's own list of terms, and who looks on.
