@@ -46,6 +46,8 @@ void CheckFreedOnce(const ConfigOptions& options) {
   }
 }
 
+std::string Prefix(const std::string& name) { return name.empty() ? "" : Printable(name) + ": "; }
+
 // Terms before single parameters, so that the finer word has the last say.
 void FreeAndFix(const ConfigOptions& options, FitConfig* config) {
   CheckFreedOnce(options);
@@ -87,9 +89,15 @@ void CheckConfig(const FitConfig& config) {
   config.Check("command line");
 }
 
-void AddConfigOptions(CLI::App* command, ConfigOptions* options) {
-  command->add_option("RECORDING", options->recording,
-                      "folder of the recording; may be left out where --config names it");
+void AddConfigOptions(CLI::App* command, ConfigOptions* options,
+                      std::vector<std::string>* recordings) {
+  const char* const doc = "folder of the recording; may be left out where --config names it";
+  if (recordings == nullptr) {
+    command->add_option("RECORDING", options->recording, doc);
+  } else {
+    command->add_option("RECORDING", *recordings,
+                        std::string(doc) + "; several of one cloth are fitted together");
+  }
   BeginGroup(command, kModelGroup);
   command
       ->add_option("--config", options->config,
@@ -143,24 +151,32 @@ FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording)
 void LeaveOutOutliers(const FitConfig& config, Recording* recording) {
   if (!config.leave_out_outliers) return;
   LeaveOutOutliers(recording);
-  const std::string outliers = DescribeOutliers(*recording);
-  if (!outliers.empty())
-    std::fprintf(Terminal(), "clothfit: left out as gross errors: %s\n", outliers.c_str());
+  PrintOutliers(*recording);
 }
 
-void PrintWarnings(const Recording& recording) {
+void PrintOutliers(const Recording& recording, const std::string& name) {
+  const std::string outliers = DescribeOutliers(recording);
+  if (!outliers.empty())
+    std::fprintf(Terminal(), "clothfit: %sleft out as gross errors: %s\n", Prefix(name).c_str(),
+                 outliers.c_str());
+}
+
+void PrintWarnings(const Recording& recording, const std::string& name) {
   for (const std::string& warning : Warnings(recording)) {
-    std::fprintf(Terminal(), "clothfit: warning: %s\n", Printable(warning).c_str());
+    std::fprintf(Terminal(), "clothfit: %swarning: %s\n", Prefix(name).c_str(),
+                 Printable(warning).c_str());
   }
 }
 
-void PrintWarnings(const Scene& scene) {
+void PrintWarnings(const Scene& scene, const std::string& name) {
   std::vector<std::string> warnings;
   if (scene.silhouettes) warnings = scene.silhouettes->warnings;
   if (scene.clouds)
     warnings.insert(warnings.end(), scene.clouds->warnings.begin(), scene.clouds->warnings.end());
-  for (const std::string& warning : warnings)
-    std::fprintf(Terminal(), "clothfit: warning: %s\n", Printable(warning).c_str());
+  for (const std::string& warning : warnings) {
+    std::fprintf(Terminal(), "clothfit: %swarning: %s\n", Prefix(name).c_str(),
+                 Printable(warning).c_str());
+  }
 }
 
 }  // namespace clothfit

@@ -27,8 +27,9 @@ struct ConfigOptions {
 };
 
 // RECORDING, --config, --set, --without, --self-contact, --resolution and --keep-outliers, in the
-// group kModelGroup.
-void AddConfigOptions(CLI::App* command, ConfigOptions* options);
+// group kModelGroup. `recordings`, where given, takes one RECORDING or more instead.
+void AddConfigOptions(CLI::App* command, ConfigOptions* options,
+                      std::vector<std::string>* recordings = nullptr);
 // --free and --fix, in the same group.
 void AddFreeOptions(CLI::App* command, ConfigOptions* options);
 inline constexpr const char* kModelGroup = "The model";
@@ -51,9 +52,11 @@ FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording)
 
 // Leaves the recording's gross errors out, unless the config keeps them, and tells them on stderr.
 void LeaveOutOutliers(const FitConfig& config, Recording* recording);
+// Tells what was left out. `name`: of one of several recordings.
+void PrintOutliers(const Recording& recording, const std::string& name = "");
 
 // Prints what is worth knowing about the recording to the standard error.
-void PrintWarnings(const Recording& recording);
-void PrintWarnings(const Scene& scene);
+void PrintWarnings(const Recording& recording, const std::string& name = "");
+void PrintWarnings(const Scene& scene, const std::string& name = "");
 
 }  // namespace clothfit

@@ -1,20 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// clothfit fit: from a recording to a run.
+// clothfit fit: from a recording to a run, or from several of one cloth.
 #include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/config_options.h"
+#include "apps/fit_options.h"
 #include "apps/fit_result_text.h"
 #include "apps/interrupt.h"
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "apps/terminal.h"
-#include "apps/tracking_options.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/optimise/optimiser.h"
@@ -26,38 +25,6 @@ namespace clothfit {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Interrupted {};
-
-struct FitOptions {
-  ConfigOptions config;
-  TrackingOptions tracking;  // where there are pictures only
-  std::string run;           // empty: runs/NAME
-  std::optional<double> window;
-  std::optional<int> initial_order, max_iterations;
-  std::optional<double> alpha, beta, max_simulations;
-  std::optional<std::string> strategy, optimiser;
-  std::optional<std::vector<int>> frames;
-  std::optional<LossKind> loss;
-  bool no_polish = false, attract = false, force = false, resume = false;
-  bool quiet = false;
-};
-
-void ApplyOptions(const FitOptions& options, FitConfig* config) {
-  if (options.window) config->window = *options.window;
-  if (options.initial_order) config->initial_order = *options.initial_order;
-  if (options.max_iterations) config->max_iterations = *options.max_iterations;
-  if (options.frames) config->frames = {(*options.frames)[0], (*options.frames)[1]};
-  if (options.loss) config->loss = *options.loss;
-  if (options.alpha) config->alpha = *options.alpha;
-  if (options.beta) config->beta = *options.beta;
-  if (options.strategy) config->loops = ParseStrategy("--strategy", *options.strategy);
-  if (options.optimiser) config->optimiser = *options.optimiser;
-  if (options.max_simulations) config->max_simulations = *options.max_simulations;
-  if (options.no_polish) config->polish = false;
-  if (options.attract) Attract(config);
-  CheckConfig(*config);
-}
 
 fs::path DefaultRun(const Recording& recording) {
   return fs::path("runs") / AsFolderName(recording.name);
@@ -95,28 +62,7 @@ int Report(const FitResult& result, const RunFolder& run, bool quiet) {
     fmt::print("{}\n{}\nrun: {}\n", DescribeFitResult(result),
                DescribeVerdict(JudgeFit(FactsOf(ReadRunRecord(run)))), run.path().string());
   }
-  std::fflush(stdout);
-  const std::string hint =
-      fmt::format("; 'clothfit fit --resume -o {}' goes on", run.path().string());
-  switch (result.status) {
-    case FitStatus::kConverged:
-      if (!quiet) PrintNext("clothfit report " + ShellWord(run.path().string()));
-      return kExitSuccess;
-    case FitStatus::kNotConverged:
-      fmt::print(Terminal(),
-                 "clothfit: warning: not converged; 'clothfit fit --resume -o {} "
-                 "--max-iterations N' goes on\n",
-                 ShellWord(run.path().string()));
-      if (!quiet) PrintNext("clothfit report " + ShellWord(run.path().string()));
-      return kExitSuccess;
-    case FitStatus::kInterrupted:
-      fmt::print(Terminal(), "clothfit: interrupted{}\n", hint);
-      return kExitInterrupted;
-    case FitStatus::kFailed:
-      break;
-  }
-  throw std::runtime_error("the fit failed: the simulation diverges, see " +
-                           (run.path() / "log.txt").string());
+  return EndOfFit(result.status, run, quiet);
 }
 
 RunFolder MakeRunFolder(const FitOptions& options, const Recording& recording) {
@@ -124,28 +70,9 @@ RunFolder MakeRunFolder(const FitOptions& options, const Recording& recording) {
                    ExistingIf(options.force, options.resume));
 }
 
-bool HasPicturesOnly(const Recording& recording) {
-  return recording.markers.empty() && recording.tracks.empty() && !HasClouds(recording) &&
-         HasPictures(recording);
-}
-
-// What is seen in the pictures becomes a recording of its own, inside the run.
-Recording TrackIntoRun(const Recording& recording, const RunFolder& run,
-                       const FitOptions& options) {
-  const fs::path folder = run.path() / "observations";
-  if (options.resume && fs::exists(folder / "recording.yaml")) return ReadRecording(folder);
-  run.Add({"observations/"});
-  const TrackingResult found =
-      TrackWithDisplay(recording, options.tracking, folder, Overwrite::kAllow, options.quiet);
-  if (!options.quiet) fmt::print("{}\n\n", DescribeTracking(recording, found));
-  std::fflush(stdout);
-  if (found.num_frames == recording.frame_count) return ReadRecording(folder);
-  std::error_code ignored;  // half of the observations would be taken for all
-  fs::remove(folder / "recording.yaml", ignored);
-  throw Interrupted();
-}
-
 int RunFitCommand(FitOptions options) {
+  if (IsOfSeveral(options)) return RunFitOfSeveral(options);
+  if (!options.recordings.empty()) options.config.recording = options.recordings.front();
   if (options.resume) TakeOptionsOfRun(&options);
   Recording recording = ReadRecordingOf(options.config);
   FitConfig config = ReadConfigOf(options.config, recording);
@@ -157,14 +84,9 @@ int RunFitCommand(FitOptions options) {
   CheckContact(scene, config);
   const RunFolder run = MakeRunFolder(options, recording);
   if (track) {
-    try {
-      recording = TrackIntoRun(recording, run, options);
-    } catch (const Interrupted&) {
-      fmt::print(Terminal(),
-                 "clothfit: interrupted before the fit began; 'clothfit fit --force' "
-                 "begins again\n");
-      return kExitInterrupted;
-    }
+    const std::optional<Recording> tracked = TrackIntoRun(recording, run, options);
+    if (!tracked) return kExitInterrupted;
+    recording = *tracked;
     config = ReadConfigOf(options.config, recording);
     config.recording = fs::absolute(recording.path).lexically_normal().string();
     ApplyOptions(options, &config);
@@ -250,7 +172,13 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
   command->add_flag("--resume", options->resume, "go on with an interrupted run")
       ->excludes("--force");
   command->add_flag("--quiet", options->quiet, "print errors only");
-  AddConfigOptions(command, &options->config);
+  command
+      ->add_option("--hold-out", options->hold_out,
+                   "a recording to predict and not to fit, of those named or another; may be "
+                   "repeated")
+      ->type_name("RECORDING")
+      ->allow_extra_args(false);
+  AddConfigOptions(command, &options->config, &options->recordings);
   AddFreeOptions(command, &options->config);
   AddObservationOptions(command, options);
   AddSearchOptions(command, options);
@@ -260,15 +188,18 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
 
 void AddFitCommand(CLI::App* app, Action* action) {
   CLI::App* const command =
-      app->add_subcommand("fit", "fit a cloth to a recording and write a run");
+      app->add_subcommand("fit", "fit a cloth to a recording, or to several, and write a run");
   const auto options = std::make_shared<FitOptions>();
   AddFitOptions(command, options.get());
   command->footer(
       "Ctrl-C stops and keeps the best so far (exit status 130); --resume goes on from there. A "
       "fit\n"
-      "that uses up its iterations ends with a warning and status 0.\n\n"
+      "that uses up its iterations ends with a warning and status 0. Several recordings are of "
+      "one\n"
+      "cloth: its material is fitted to all of them, and all else to each.\n\n"
       "Examples:\n"
       "  clothfit fit data/demo\n"
+      "  clothfit fit takes/1 takes/2 takes/3 --hold-out takes/4 -o runs/silk\n"
       "  clothfit fit data/demo -o runs/b --set bending.stiffness=1e-4 --fix bending --window 0.5\n"
       "  clothfit fit --config runs/b/config.yaml -o runs/c --without air_drag\n"
       "  clothfit fit --resume -o runs/b");

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/base/printable.h"
 #include "autodiff_sim/terms/parameter_table.h"
 
 namespace clothfit {
@@ -44,8 +45,9 @@ std::string EstimateRow(const ParameterEstimate& estimate) {
       fmt::format("{:.4g} .. {:.4g}", estimate.lower95, estimate.upper95), estimate.unit, note);
 }
 
-// The free physical parameters; the rest is only counted.
-std::string EstimateTable(const std::vector<ParameterEstimate>& estimates) {
+// The free physical parameters; the others, which are `of_what`, are only counted.
+std::string EstimateTable(const std::vector<ParameterEstimate>& estimates,
+                          const std::string& of_what) {
   const std::vector<NamedParameter> table = MakeParameterTable();
   std::string rows, shrinkage;
   int others = 0;
@@ -66,21 +68,39 @@ std::string EstimateTable(const std::vector<ParameterEstimate>& estimates) {
   std::string text = rows.empty() ? "  all parameters are held at their values\n" : head + rows;
   text += shrinkage;
   if (others > 0) {
-    text += fmt::format("  and {} entries of handle paths and the initial state\n", others);
+    text += fmt::format("  and {} entries of {}\n", others, of_what);
   }
+  return text;
+}
+
+std::string DescribeWork(const FitResult& result) {
+  return fmt::format("{}: {} iterations, {} simulations, {:.1f} s\n\n", ToString(result.status),
+                     result.iterations, result.simulations, result.seconds);
+}
+
+std::string DescribeStatements(const FitResult& result) {
+  std::string text = result.statements.empty() ? "" : "\n";
+  for (const std::string& statement : result.statements) text += "  " + statement + "\n";
   return text;
 }
 
 }  // namespace
 
 std::string DescribeFitResult(const FitResult& result) {
-  std::string text =
-      fmt::format("{}: {} iterations, {} simulations, {:.1f} s\n\n", ToString(result.status),
-                  result.iterations, result.simulations, result.seconds);
-  text += ErrorTable(result.before, result.after) + "\n" + EstimateTable(result.estimates);
-  if (!result.statements.empty()) text += "\n";
-  for (const std::string& statement : result.statements) text += "  " + statement + "\n";
-  return text;
+  std::string text = DescribeWork(result);
+  text += ErrorTable(result.before, result.after) + "\n" +
+          EstimateTable(result.estimates, "handle paths and the initial state");
+  return text + DescribeStatements(result);
+}
+
+std::string DescribeJointResult(const FitResult& result, const std::vector<std::string>& names) {
+  std::string text = DescribeWork(result);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const FitResult& one = result.recordings[i];
+    text += fmt::format("{}\n{}", Printable(names[i]), ErrorTable(one.before, one.after));
+  }
+  return text + "\n" + EstimateTable(result.estimates, "single recordings") +
+         DescribeStatements(result);
 }
 
 std::string DescribeVerdict(const PageVerdict& verdict) {

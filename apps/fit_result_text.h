@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fitting/fit/fit.h"
 #include "fitting/report/page_verdict.h"
@@ -13,6 +14,9 @@ namespace clothfit {
 
 // Several lines: how it ended, errors before and after, estimates, statements.
 std::string DescribeFitResult(const FitResult& result);
+
+// The same of a fit of several recordings; names: of FitResult::recordings.
+std::string DescribeJointResult(const FitResult& result, const std::vector<std::string>& names);
 
 // What it amounts to: a headline and sentences, one a line.
 std::string DescribeVerdict(const PageVerdict& verdict);

@@ -12,6 +12,8 @@
 #include "apps/next_step.h"
 #include "apps/report/assets.h"
 #include "fitting/jobs/shell.h"
+#include "fitting/runs/recording_list.h"
+#include "tracking/files/manifest.h"
 
 namespace clothfit {
 namespace {
@@ -31,18 +33,38 @@ std::filesystem::path PageOf(const std::filesystem::path& folder) {
   return name.string() + ".html";
 }
 
+// Of a fit of several recordings each run's page, in the run: the whole one leads there.
+std::vector<std::filesystem::path> PagesOfRecordings(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> runs;
+  if (KindOfFolder(folder) == FolderKind::kJointRun)
+    for (const ListedRecording& one : ReadRecordingList(folder))
+      runs.push_back(folder / RunFolder::PlaceOf(one.name) / "report.html");
+  return runs;
+}
+
 int RunReportCommand(const ReportCommandOptions& options) {
   const std::filesystem::path folder = options.folder;
   const std::filesystem::path file =
       options.output.empty() ? PageOf(folder) : std::filesystem::path(options.output);
-  CheckMayWrite(file, OverwriteIf(options.force));
-  const ReportPage page = MakeReport(folder, PageAssets(), options.report);
-  WriteOutputFile(file, page.html, OverwriteIf(options.force));
+  const Overwrite overwrite = OverwriteIf(options.force);
+  CheckMayWrite(file, overwrite);
+  const std::vector<std::filesystem::path> of_recordings = PagesOfRecordings(folder);
+  for (const std::filesystem::path& one : of_recordings) CheckMayWrite(one, overwrite);
+  ReportOptions whole = options.report;
+  whole.page = file;
+  const ReportPage page = MakeReport(folder, PageAssets(), whole);
+  for (const std::filesystem::path& one : of_recordings)
+    WriteOutputFile(one, MakeReport(one.parent_path(), PageAssets(), options.report).html,
+                    overwrite);
+  WriteOutputFile(file, page.html, overwrite);
   fmt::print("{}\n", page.verdict.headline);
   for (const std::string& sentence : page.verdict.sentences) fmt::print("  {}\n", sentence);
   for (const std::string& note : page.notes) fmt::print("  {}\n", note);
   fmt::print("report: {} ({:.1f} MB)\n", file.string(),
              1e-6 * static_cast<double>(page.html.size()));
+  if (!of_recordings.empty())
+    fmt::print("and of each recording: {}\n",
+               (folder / RunFolder::PlaceOf("NAME") / "report.html").string());
   PrintNext("open " + ShellWord(file.string()) + " in a browser");
   return kExitSuccess;
 }

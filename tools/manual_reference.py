@@ -88,6 +88,8 @@ def configuration(clothfit):
         "| `lower`, `upper` | bounds |\n"
         "| `prior`, `prior_sigma` | the prior's centre, and one sigma: a factor where the scale is "
         "logarithmic, an amount where it is linear |\n"
+        "| `shared` | of a fit of several recordings: whether all have one value of it; else as its "
+        "term says |\n"
     )
 
 

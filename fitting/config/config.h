@@ -28,6 +28,8 @@ struct ParameterSetting {
   // Not in files: the scale it is moved on, where that is not its parameter's own. What may vanish
   // cannot be moved by factors.
   std::optional<Scale> scale;
+  // Of a fit of several recordings: whether all have one value of it; where left out, see IsShared.
+  std::optional<bool> shared;
 };
 
 enum class LossKind { kNone, kHuber, kCauchy };
@@ -86,6 +88,8 @@ struct FitConfig {
   double loss_scale = 3.0;  // in sigmas
   std::optional<std::array<int, 2>>
       frames;  // inclusive range of frames to fit; all but held-out ones
+  // Of a fit of several recordings: this one is predicted, and nothing of it fitted.
+  bool hold_out = false;
   // pull of the markers and of the tracks' rays on the cloth while fitting, as strong as
   // attraction_point.* and attraction_ray.* say: see docs/model.md
   bool attract = false;

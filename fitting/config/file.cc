@@ -39,12 +39,14 @@ void ReadSetting(const YamlValue& value, ParameterSetting* setting) {
     return;
   }
   std::vector<std::string> allowed = {"free"};
+  allowed.emplace_back("shared");
   for (const SettingKey& key : kSettingKeys) allowed.emplace_back(key.name);
   value.AllowKeys(allowed);
   for (const SettingKey& key : kSettingKeys) {
     if (const auto number = value.Find(key.name)) setting->*key.member = number->Number();
   }
   if (const auto free = value.Find("free")) setting->free = ReadBool(*free);
+  if (const auto shared = value.Find("shared")) setting->shared = ReadBool(*shared);
 }
 
 void ReadParameterSettings(const YamlValue& parameters, FitConfig* config) {
@@ -88,10 +90,11 @@ YamlValue LoadConfig(const fs::path& file) {
 }
 
 std::string SettingAsYaml(const ParameterSetting& setting) {
-  return fmt::format("{{value: {}, free: {}, lower: {}, upper: {}, prior: {}, prior_sigma: {}}}",
+  return fmt::format("{{value: {}, free: {}, lower: {}, upper: {}, prior: {}, prior_sigma: {}{}}}",
                      FormatNumber(setting.value), setting.free, FormatNumber(setting.lower),
                      FormatNumber(setting.upper), FormatNumber(setting.prior),
-                     FormatNumber(setting.prior_sigma));
+                     FormatNumber(setting.prior_sigma),
+                     setting.shared ? fmt::format(", shared: {}", *setting.shared) : "");
 }
 
 std::string ParametersAsYaml(const FitConfig& config) {

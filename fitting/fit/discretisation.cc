@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
@@ -36,6 +38,13 @@ struct PointRows {
   RowMajorMatrix jacobian;
 };
 
+// A recording's markers and tracks alone, as it is given and on the finer mesh.
+struct PointScene {
+  Scene scene;
+  FitConfig config;
+  std::optional<PointRows> own, finer;
+};
+
 std::optional<PointRows> Evaluate(const Scene& scene, const FitConfig& config,
                                   const Eigen::VectorXd& theta, bool derivatives) {
   const FreeParameters free(config, scene, MakeParameterTable());
@@ -56,6 +65,28 @@ std::optional<PointRows> EvaluateFiner(const Scene& scene, FitConfig config,
   config.resolution = GridWithSide(grid, FinerSide(std::max(grid[0], grid[1])));
   config.max_step = 0.5 * scene.step;
   return Evaluate(MakeScene(scene.recording, config), config, theta, false);
+}
+
+// The rows of all, one recording after the other, with the columns of all. Empty where one has
+// none.
+std::optional<PointRows> Stack(const JointVector& free, const std::vector<PointScene>& points,
+                               std::optional<PointRows> PointScene::*rows) {
+  PointRows all;
+  Eigen::Index count = 0;
+  for (const PointScene& one : points) {
+    if (!(one.*rows)) return std::nullopt;
+    count += (one.*rows)->residuals.size();
+  }
+  all.residuals.resize(count);
+  all.jacobian.setZero((points.front().*rows)->jacobian.cols() > 0 ? count : 0, free.size());
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PointRows& one = *(points[i].*rows);
+    all.residuals.segment(row, one.residuals.size()) = one.residuals;
+    if (one.jacobian.cols() > 0) free.PutColumns(i, one.jacobian, row, &all.jacobian);
+    row += one.residuals.size();
+  }
+  return all;
 }
 
 double RootMeanSquare(const Eigen::VectorXd& values) {
@@ -93,24 +124,45 @@ void AddDiscretisation(const PointRows& own, const PointRows& finer,
       std::max(1, misfit.observed - static_cast<int>(information.rows()));
 }
 
+PointFit PointFitOf(const std::vector<SeenResidual>& seen, const FreeVector& free,
+                    const PointRows& own, const std::optional<PointRows>& finer) {
+  PointFit fit;
+  fit.misfit = MeasureMisfit(seen, free.size());
+  fit.errors.correlation = fit.misfit.correlation;
+  if (finer && finer->residuals.size() == own.residuals.size())
+    AddDiscretisation(own, *finer, free.prior_jacobian(), &fit);
+  return fit;
+}
+
 }  // namespace
 
-std::optional<PointFit> MeasurePoints(const Scene& scene, const FitConfig& config,
-                                      const FreeParameters& free, const Eigen::VectorXd& theta) {
-  const Scene points = PointsOf(scene);
-  const FitConfig of_points = ConfigOfPoints(config);
-  if (ObservationResiduals(points, of_points).Count(0, points.last_fitted_frame) == 0) return {};
-  std::optional<PointRows> own, finer;
-  ParallelFor(2, NumThreads(0), [&](int i, int) {
-    if (i == 0) finer = EvaluateFiner(points, of_points, theta);
-    if (i == 1) own = Evaluate(points, of_points, theta, true);
+std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes,
+                                           const Eigen::VectorXd& theta) {
+  std::vector<PointScene> points;
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    points.push_back({PointsOf(scenes[i].scene), ConfigOfPoints(scenes[i].config), {}, {}});
+  std::vector<NamedScene> named;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    named.push_back({scenes.named(i).name, &points[i].scene, &points[i].config});
+  const JointScenes of_points(std::move(named));
+  if (of_points.NumResiduals() == 0) return {};
+  ParallelFor(2 * static_cast<int>(points.size()), NumThreads(0), [&](int piece, int) {
+    const auto i = static_cast<std::size_t>(piece / 2);
+    const Eigen::VectorXd own = scenes.free().Of(i, theta);
+    PointScene& one = points[i];
+    if (piece % 2 == 0) one.finer = EvaluateFiner(one.scene, one.config, own);
+    if (piece % 2 == 1) one.own = Evaluate(one.scene, one.config, own, true);
   });
+  const auto own = Stack(scenes.free(), points, &PointScene::own);
   if (!own) return {};
-  PointFit fit;
-  fit.misfit = MeasureMisfit(SeenResiduals(points, own->residuals), free.size());
-  fit.errors.correlation = fit.misfit.correlation;
-  if (finer && finer->residuals.size() == own->residuals.size())
-    AddDiscretisation(*own, *finer, free.prior_jacobian(), &fit);
+  JointPointFit fit;
+  fit.all = PointFitOf(SeenResiduals(of_points, own->residuals), scenes.free(), *own,
+                       Stack(scenes.free(), points, &PointScene::finer));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PointScene& one = points[i];
+    fit.of_each.push_back(PointFitOf(SeenResiduals(one.scene, one.own->residuals), scenes[i].free,
+                                     *one.own, one.finer));
+  }
   return fit;
 }
 

@@ -5,10 +5,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "fitting/fit/misfit.h"
 #include "fitting/fit/uncertainty.h"
-#include "fitting/rollout/free_parameters.h"
+#include "fitting/rollout/joint_scenes.h"
 
 namespace clothfit {
 
@@ -17,16 +18,22 @@ struct PointFit {
   ModelErrors errors;
 };
 
+// Of all recordings together, and of each by itself.
+struct JointPointFit {
+  PointFit all;
+  std::vector<PointFit> of_each;
+};
+
 // Of the fitted markers and tracks at theta; empty where there are none, or they cannot be
 // simulated.
 //
 // The error of mesh and step is estimated from one simulation on the finer mesh (FinerSide) with
 // half the step, as if both errors were of second order (Richardson): the converged simulation lies
 // 1 / (1 - 1 / kFiner^2) times as far off as the finer one, a little more than that of the step.
-// Where the mesh is no grid or the finer simulation fails it is not known.
+// Where a mesh is no grid or a finer simulation fails it is not known. Recordings that are
+// simulated alike err alike: there is one amount of all their errors.
 //
-// Two simulations, one of them with derivatives, side by side.
-std::optional<PointFit> MeasurePoints(const Scene& scene, const FitConfig& config,
-                                      const FreeParameters& free, const Eigen::VectorXd& theta);
+// Two simulations of each, one of them with derivatives, side by side.
+std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes, const Eigen::VectorXd& theta);
 
 }  // namespace clothfit

@@ -11,6 +11,7 @@
 
 #include "fitting/fit/fitter.h"
 #include "fitting/fit/forecast_fit.h"
+#include "fitting/fit/joint_fit.h"
 #include "fitting/scene/grid_side.h"
 
 namespace clothfit {
@@ -32,18 +33,49 @@ std::string ToString(FitStatus status) {
 namespace {
 
 // The config of a fit with a coarser grid, where that is worth while: its iterations cost little,
-// and stiffness and damping are the material's, not the mesh's. Windows need none.
+// and stiffness and damping are the material's, not the mesh's.
 std::optional<FitConfig> Coarser(const Scene& scene, const FitConfig& config) {
   const std::array<int, 2> grid = scene.mesh.grid;
   const int longer = std::max(grid[0], grid[1]), coarse = config.coarse_resolution;
   const bool is_of_use = scene.mesh.is_grid() && coarse >= 2 && 3 * coarse <= 2 * longer;
-  if (!is_of_use || !config.polish || FitsWindows(scene, config)) return std::nullopt;
+  if (!is_of_use || !config.polish) return std::nullopt;
   constexpr int kIterationsToComeNear = 30;
   FitConfig coarser = config;
   coarser.max_iterations = std::min(config.max_iterations, kIterationsToComeNear);
   coarser.resolution = GridWithSide(grid, coarse);
   return coarser;
 }
+
+// All recordings with coarser grids, where that is worth while of any. Windows need none.
+class CoarserScenes {
+ public:
+  explicit CoarserScenes(const std::vector<NamedScene>& scenes) {
+    const bool any_windows = std::any_of(scenes.begin(), scenes.end(), [](const NamedScene& one) {
+      return FitsWindows(*one.scene, *one.config);
+    });
+    if (any_windows) return;
+    configs_.reserve(scenes.size());
+    scenes_.reserve(scenes.size());
+    for (const auto& [name, scene, config] : scenes) {
+      const std::optional<FitConfig> coarser = Coarser(*scene, *config);
+      are_of_use_ = are_of_use_ || coarser;
+      configs_.push_back(coarser.value_or(*config));
+      scenes_.push_back(coarser ? MakeScene(scene->recording, *coarser, scene) : *scene);
+      named_.push_back({name, &scenes_.back(), &configs_.back()});
+    }
+  }
+  CoarserScenes(const CoarserScenes&) = delete;
+  CoarserScenes& operator=(const CoarserScenes&) = delete;
+
+  bool are_of_use() const { return are_of_use_; }
+  const std::vector<NamedScene>& named() const { return named_; }
+
+ private:
+  bool are_of_use_ = false;
+  std::vector<FitConfig> configs_;
+  std::vector<Scene> scenes_;
+  std::vector<NamedScene> named_;
+};
 
 FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const Scene& scene) {
   constexpr double kShare = 0.3;  // of the time, a guess
@@ -74,18 +106,23 @@ FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const Scene& scene) {
 
 FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
                  const FitCheckpoint* resume, bool tells_misfit) {
+  return RunJointFit({{"", &scene, &config}}, callbacks, resume, tells_misfit);
+}
+
+FitResult RunJointFit(const std::vector<NamedScene>& scenes, const FitCallbacks& callbacks,
+                      const FitCheckpoint* resume, bool tells_misfit) {
   const auto begin = std::chrono::steady_clock::now();
   FitResult before;  // with the work of the coarse fit
-  Fitter fitter(scene, config, callbacks);
+  Fitter fitter(scenes, callbacks);
   fitter.MeasureStart(&before);
-  const std::optional<FitConfig> coarser = Coarser(scene, config);
-  if (coarser && (resume == nullptr || resume->coarse)) {
-    const Scene coarse = MakeScene(scene.recording, *coarser, &scene);
-    const FitCallbacks of_coarse = OfCoarseFit(callbacks, coarse);
-    Fitter first(coarse, *coarser, of_coarse);
+  const bool begins_coarse = resume == nullptr || resume->coarse;
+  const CoarserScenes coarser(begins_coarse ? scenes : std::vector<NamedScene>());
+  if (coarser.are_of_use()) {
+    const FitCallbacks of_coarse = OfCoarseFit(callbacks, *coarser.named()[0].scene);
+    Fitter first(coarser.named(), of_coarse);
     first.OnlyComeNear();
     first.Begin(resume);
-    first.Advance(coarser->max_iterations);
+    first.Advance(coarser.named()[0].config->max_iterations);
     first.AddWorkTo(&before);
     const FitCheckpoint reached = fitter.AfterWindows(first.theta());
     fitter.BeginNear();
@@ -93,7 +130,7 @@ FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks
   } else {
     fitter.Begin(resume);
   }
-  fitter.Advance(config.max_iterations);
+  fitter.Advance(scenes[0].config->max_iterations);
   if (tells_misfit) fitter.TellMisfit();
   FitResult result = fitter.End();
   result.before = before.before;
@@ -101,8 +138,9 @@ FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks
   result.iterations += before.iterations;
   result.simulated_frames += before.simulated_frames;
   result.differentiated_frames += before.differentiated_frames;
-  result.simulations =
-      static_cast<int>(std::ceil(result.simulated_frames / std::max(1, scene.last_fitted_frame)));
+  int frames = 0;
+  for (const NamedScene& one : scenes) frames += one.scene->last_fitted_frame;
+  result.simulations = static_cast<int>(std::ceil(result.simulated_frames / std::max(1, frames)));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

@@ -103,6 +103,8 @@ struct FitResult {
   std::optional<Misfit>
       misfit;        // of markers and tracks; of whole fits (FitByStrategy, AppraiseFit) alone
   StepReport steps;  // halvings and the like, summed over the last simulation
+  // Of a fit of several recordings (FitJointly): what is to be said of each.
+  std::vector<FitResult> recordings;
 };
 
 // Runs the fit. `resume` goes on from a checkpoint of the same scene and config. tells_misfit: with

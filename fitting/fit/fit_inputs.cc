@@ -231,8 +231,8 @@ class InputBytes {
 
   // The fit.
   void Put(const ParameterSetting& setting) {
-    const auto& [value, free, lower, upper, prior, prior_sigma, scale] = setting;
-    PutAll(value, free, lower, upper, prior, prior_sigma, scale);
+    const auto& [value, free, lower, upper, prior, prior_sigma, scale, shared] = setting;
+    PutAll(value, free, lower, upper, prior, prior_sigma, scale, shared);
   }
   void Put(const FitConfig& config) {
     [[maybe_unused]] const auto& [recording, resolution, buckling, max_step, integrator, tolerance,
@@ -240,16 +240,17 @@ class InputBytes {
                                   initial_position_sigma, initial_velocity_sigma, spline_spacing,
                                   spline_acceleration, spline_speed, use_markers, use_tracks,
                                   use_silhouettes, use_clouds, leave_out_outliers, alpha, beta,
-                                  cloud_points, cloud_coverage, loss, loss_scale, frames, attract,
-                                  loops, optimiser, max_simulations, polish_hard, window,
+                                  cloud_points, cloud_coverage, loss, loss_scale, frames, hold_out,
+                                  attract, loops, optimiser, max_simulations, polish_hard, window,
                                   coarse_resolution, polish, max_iterations, function_tolerance] =
         config;
     PutAll(resolution, buckling, max_step, integrator, tolerance, check_intersections, self_contact,
            parameters, initial_order, initial_position_sigma, initial_velocity_sigma,
            spline_spacing, spline_acceleration, spline_speed, use_markers, use_tracks,
            use_silhouettes, use_clouds, leave_out_outliers, alpha, beta, cloud_points,
-           cloud_coverage, loss, loss_scale, frames, attract, loops, optimiser, max_simulations,
-           polish_hard, window, coarse_resolution, polish, max_iterations, function_tolerance);
+           cloud_coverage, loss, loss_scale, frames, hold_out, attract, loops, optimiser,
+           max_simulations, polish_hard, window, coarse_resolution, polish, max_iterations,
+           function_tolerance);
   }
   void Put(const FitCheckpoint& from) {
     const auto& [coarse, next_window, theta] = from;

@@ -58,37 +58,34 @@ class IterationReporter : public ceres::IterationCallback {
 
 }  // namespace
 
-Fitter::Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks)
-    : scene_(scene),
-      config_(config),
+Fitter::Fitter(std::vector<NamedScene> scenes, const FitCallbacks& callbacks)
+    : scenes_(std::move(scenes)),
+      free_(scenes_.free()),
+      config_(scenes_[0].config),
       callbacks_(callbacks),
-      free_(config, scene, MakeParameterTable()),
-      observations_(scene, config),
-      simulator_(scene, config, free_, false, callbacks.stop),
-      attracting_(scene, config, free_, config.attract, callbacks.stop),
-      lengths_(WindowLengths(scene, config)),
+      rollout_(scenes_, false, callbacks.stop),
+      attracting_(scenes_, config_.attract, callbacks.stop),
+      lengths_(WindowLengths(scenes_)),
       polish_tolerance_(PolishTolerance(1.0)) {}
 
 double Fitter::PolishTolerance(double correlation) const {
   // Of the logarithm of the evidence, which is the cost over chi-square and correlation: what one
   // standard error of one parameter is worth, a sixth of what two models have to differ by.
   constexpr double kNegligible = 0.5;
-  const double observed = observations_.NumObserved(0, scene_.last_fitted_frame);
+  const double observed = scenes_.NumObserved();
   constexpr double kMost = 2e-4;  // however much residuals hang together
   const double negligible = 2.0 * kNegligible * correlation / std::max(1.0, observed);
   return std::max(config_.function_tolerance, std::min(kMost, negligible));
 }
 
 double Fitter::ResidualCorrelation() {
-  if (!HasPoints(scene_) || scene_.silhouettes || scene_.clouds || config_.attract) return 1.0;
-  Eigen::VectorXd residuals;
-  const Eigen::VectorXd& theta = progress_.theta;
-  if (EvaluateWindow(&simulator_, observations_, simulator_.FirstStart(theta), theta, 0,
-                     scene_.last_fitted_frame, WindowRows::kAll, &residuals,
-                     nullptr) != Outcome::kComplete) {
-    return 1.0;
+  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+    const Scene& scene = scenes_[i].scene;
+    if (!HasPoints(scene) || scene.silhouettes || scene.clouds || config_.attract) return 1.0;
   }
-  return MeasureMisfit(SeenResiduals(scene_, residuals), free_.size()).correlation;
+  Eigen::VectorXd residuals;
+  if (!rollout_.Evaluate(progress_.theta, WindowRows::kAll, &residuals, nullptr)) return 1.0;
+  return MeasureMisfit(SeenResiduals(scenes_, residuals), free_.size()).correlation;
 }
 
 void Fitter::OnlyComeNear() {
@@ -158,28 +155,29 @@ Fitter::Minimum Fitter::Minimise(const Misfits& misfits, const Patience& patienc
 }
 
 RecalledEvaluation Fitter::Recalled(RecalledEvaluation::Simulated simulated) {
-  return RecalledEvaluation(callbacks_.journal,
-                            fmt::format("{} particles, {}", scene_.mesh.num_particles(), stage_),
-                            std::move(simulated), callbacks_.stop, &recalled_);
+  std::string name;
+  for (std::size_t i = 0; i < scenes_.size(); ++i)
+    name += fmt::format("{}{} particles, ", scenes_.named(i).name,
+                        scenes_[i].scene.mesh.num_particles());
+  return RecalledEvaluation(callbacks_.journal, name + stage_, std::move(simulated),
+                            callbacks_.stop, &recalled_);
 }
 
-Fitter::Minimum Fitter::MinimiseRollout(WindowSimulator* simulator, int last,
-                                        const Patience& patience, const std::vector<int>& held) {
-  const bool is_whole =
-      simulator == &simulator_ && held.empty() && last == scene_.last_fitted_frame;
+Fitter::Minimum Fitter::MinimiseRollout(JointRollout* simulated, int last, const Patience& patience,
+                                        const std::vector<int>& held) {
+  const bool is_whole = simulated == &rollout_ && held.empty() && last >= scenes_.LastFittedFrame();
   newest_ = {};
   if (!is_whole) at_best_ = {};
   Linearisation rollout;
-  const WindowStart start = simulator->FirstStart(progress_.theta);
+  const std::vector<WindowStart> starts = simulated->FirstStarts(progress_.theta);
   RecalledEvaluation recalled = Recalled(
       {[&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) {
-         return EvaluateWindow(simulator, observations_, start, at, 0, last,
-                               WindowRows::kCompressed, residuals, jacobian) == Outcome::kComplete;
+         return simulated->Evaluate(starts, at, last, WindowRows::kCompressed, residuals, jacobian);
        },
        [&] {
-         return FrameCounts{simulator->simulated_frames(), simulator->differentiated_frames()};
+         return FrameCounts{simulated->simulated_frames(), simulated->differentiated_frames()};
        },
-       [&] { return simulator->last_report(); }});
+       [&] { return simulated->last_report(); }});
   const auto evaluate = [&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals,
                             RowMajorMatrix* jacobian) {
     if (jacobian != nullptr && at_best_.IsAt(at)) {
@@ -195,18 +193,18 @@ Fitter::Minimum Fitter::MinimiseRollout(WindowSimulator* simulator, int last,
     if (jacobian != nullptr && is_whole) newest_ = rollout;
     return true;
   };
-  simulator->Hold(held);
+  simulated->Hold(held);
   Eigen::VectorXd residuals;  // simulated once, it is differentiated without being simulated again
   if (!at_best_.IsAt(progress_.theta) && !evaluate(progress_.theta, &residuals, nullptr)) {
     if (!Stopped()) Log(stage_ + ": where it begins cannot be simulated");
-    simulator->Hold({});
+    simulated->Hold({});
     return {};
   }
   const double first_radius = is_near_ ? kRadiusNear : kCautiousRadius;
   const double radius = is_whole && radius_ > 0.0 ? radius_ : first_radius;
-  Minimum minimum = Minimise({evaluate, free_.size() + 1, observations_.NumObserved(0, last)},
+  Minimum minimum = Minimise({evaluate, simulated->NumCompressedRows(), scenes_.NumObserved(last)},
                              patience, radius, held);
-  simulator->Hold({});
+  simulated->Hold({});
   return minimum;
 }
 
@@ -219,21 +217,21 @@ void Fitter::LengthenWindows() {
   // Of forecasts, by which models are compared.
   const Patience at_the_end{std::min(2 * kMostIterations, config_.max_iterations), 0.2 * kTolerance,
                             kLeastRadius};
-  ShootingWindows windows(scene_, config_, free_, callbacks_.stop);
+  ShootingWindows windows(scenes_, callbacks_.stop);
   const int all = static_cast<int>(lengths_.size()), count = std::min(all, most_lengths_);
   at_best_ = {};
   for (int& k = progress_.next_window; k < count && !Stopped(); ++k) {
-    const int frames = lengths_[static_cast<std::size_t>(k)];
-    stage_ = fmt::format("windows of {:.2g} s", frames / scene_.recording.frame_rate);
+    const WindowLength& length = lengths_[static_cast<std::size_t>(k)];
+    stage_ = fmt::format("windows of {:.2g} s", length.seconds);
     stage_share_ = kShareOfWindows / all;
     stage_begin_ = k * stage_share_;
-    if (!windows.Lay(progress_.theta, frames)) {
+    if (!windows.Lay(progress_.theta, length.frames)) {
       if (!Stopped()) Log(stage_ + ": the motion that they begin from cannot be simulated");
       break;
     }
     RecalledEvaluation evaluate = Recalled(
         {[&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) {
-           return windows.Evaluate(observations_, at, residuals, jacobian);
+           return windows.Evaluate(at, residuals, jacobian);
          },
          [&] {
            return FrameCounts{windows.simulated_frames(), windows.differentiated_frames()};
@@ -245,7 +243,7 @@ void Fitter::LengthenWindows() {
       if (!Stopped()) Log(stage_ + ": one of them cannot be simulated");
       continue;
     }
-    const int observed = observations_.NumObserved(0, scene_.last_fitted_frame);
+    const int observed = scenes_.NumObserved();
     const bool is_compared = only_forecasts_ && k == all - 1;
     best_cost_ = std::numeric_limits<double>::infinity();
     in_windows_.converged =
@@ -259,122 +257,54 @@ void Fitter::LengthenWindows() {
     }
     is_near_ = true;
     if (only_forecasts_ && k == count - 1)
-      in_windows_.residuals = windows.Residuals(observations_, progress_.theta);
+      in_windows_.residuals = windows.Residuals(progress_.theta);
   }
   in_windows_.simulated += windows.simulated_frames();
   in_windows_.differentiated += windows.differentiated_frames();
 }
 
-void Fitter::FindHandlePaths() {
-  const bool any_unknown =
-      std::any_of(scene_.handles.begin(), scene_.handles.end(),
-                  [](const SceneHandle& handle) { return !handle.path.is_known(); });
-  if (!any_unknown) return;
-  const double at_start = Cost(free_.start(), &simulator_);
-  constexpr int kControls = 2;  // of a path that each stretch adds
-  const int stride = std::max(1, static_cast<int>(std::lround(kControls * config_.spline_spacing *
-                                                              scene_.recording.frame_rate)));
-  FrameByFrameOptions options;
-  options.optimiser = "lm";
-  FrameByFrame search(scene_, config_, free_, options, callbacks_.stop);
-  int fitted = 0;  // the last frame of the last fit of all that is unknown
-  for (int last = 0; last < scene_.last_fitted_frame && !Stopped();) {
-    const int next = std::min(last + stride, scene_.last_fitted_frame);
-    stage_ = fmt::format("handles, frames 0-{}", next);
-    if (!ContinueHandlePaths(&search, last, next)) break;
-    last = next;
-    // Such a fit begins at the first frame: the more there are, the more new ones are worth one.
-    constexpr double kGrowth = 0.15;
-    const bool is_last = last == scene_.last_fitted_frame;
-    if (!is_last && last - fitted < kGrowth * last) continue;
-    if (observations_.Count(0, last) == 0) continue;
-    // The tolerance is of a cost of which most may be the masks' own.
-    constexpr Patience kPatience{5, 1e-6};
-    MinimiseRollout(&simulator_, last, kPatience, ControlsLongBefore(fitted));
-    fitted = last;
-  }
-  if (Cost(progress_.theta, &simulator_) < at_start) return;
-  Log("handles: what was found explains all frames worse than the start does");
-  progress_.theta = free_.start();
-}
-
-std::vector<int> Fitter::ControlsLongBefore(int frame) const {
-  constexpr double kLag = 8.0;  // control points: what came before has been fitted often enough
-  const double now = scene_.FrameTime(frame) / config_.spline_spacing;
-  std::vector<int> entries;
-  for (int i = 0; i < free_.size(); ++i) {
-    const FreeEntry& entry = free_.entries()[i];
-    if (entry.kind == FreeEntry::Kind::kHandle && entry.control < now - kLag) entries.push_back(i);
-  }
-  return entries;
-}
-
-bool Fitter::ContinueHandlePaths(FrameByFrame* search, int first, int last) {
-  State state;
-  std::vector<std::vector<PathPoint>> paths(scene_.handles.size());
-  std::vector<SceneHandle> handles = scene_.handles;
-  free_.ApplyToHandles(progress_.theta, &handles);
-  const Outcome outcome =
-      simulator_.Run(simulator_.FirstStart(progress_.theta), progress_.theta, first, false,
-                     [&](int frame, const State& at, const Sensitivity*) {
-                       state = at;
-                       const double time = scene_.FrameTime(frame);
-                       for (std::size_t h = 0; h < handles.size(); ++h)
-                         paths[h].push_back({time, handles[h].path.At(time)});
-                     });
-  if (outcome != Outcome::kComplete) return false;
-  const FrameByFrameResult found = search->Continue(progress_.theta, state, first, last);
-  frames_for_paths_ += found.simulated_frames;
-  differentiated_for_paths_ += found.differentiated_frames;
-  if (!found.complete) {
-    Log(stage_ + ": the simulation does not reach the last one");
-    return false;
-  }
-  for (std::size_t h = 0; h < handles.size(); ++h)
-    paths[h].insert(paths[h].end(), found.paths[h].begin(), found.paths[h].end());
-  constexpr double kSigma = 0.001;  // m
-  progress_.theta = free_.WithHandlePaths(progress_.theta, scene_, paths, kSigma);
-  return true;
-}
-
-double Fitter::Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) const {
-  Eigen::VectorXd residuals;
-  const WindowStart start = simulator->FirstStart(theta);
-  if (EvaluateWindow(simulator, observations_, start, theta, 0, scene_.last_fitted_frame,
-                     WindowRows::kCompressed, &residuals, nullptr) != Outcome::kComplete) {
-    return std::numeric_limits<double>::infinity();
-  }
+double Fitter::CostOf(const Eigen::VectorXd& residuals, const Eigen::VectorXd& theta) const {
   return 0.5 * (residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());
 }
 
-void Fitter::Linearise(const Eigen::VectorXd& theta, WindowSimulator* simulator) {
-  const WindowStart start = simulator->FirstStart(theta);
+double Fitter::CostOf(std::size_t recording, const Eigen::VectorXd& residuals,
+                      const Eigen::VectorXd& theta) const {
+  const Eigen::VectorXd prior = scenes_[recording].free.PriorResiduals(free_.Of(recording, theta));
+  return 0.5 * (rollout_.ResidualsOf(recording, residuals).squaredNorm() + prior.squaredNorm());
+}
+
+double Fitter::Cost(const Eigen::VectorXd& theta, JointRollout* rollout) const {
+  Eigen::VectorXd residuals;
+  const bool is_complete = rollout->Evaluate(theta, WindowRows::kCompressed, &residuals, nullptr);
+  return is_complete ? CostOf(residuals, theta) : std::numeric_limits<double>::infinity();
+}
+
+void Fitter::Linearise(const Eigen::VectorXd& theta, JointRollout* rollout) {
   at_best_ = {};
   cost_ = std::numeric_limits<double>::infinity();
-  const Outcome outcome =
-      EvaluateWindow(simulator, observations_, start, theta, 0, scene_.last_fitted_frame,
-                     WindowRows::kCompressed, &at_best_.residuals, &at_best_.jacobian);
-  if (outcome == Outcome::kComplete) {
+  if (rollout->Evaluate(theta, WindowRows::kCompressed, &at_best_.residuals, &at_best_.jacobian)) {
     at_best_.theta = theta;
-    cost_ = 0.5 * (at_best_.residuals.squaredNorm() + free_.PriorResiduals(theta).squaredNorm());
+    cost_ = CostOf(at_best_.residuals, theta);
   } else {
     at_best_ = {};
   }
-  at_best_.steps = simulator->last_report();
+  at_best_.steps = rollout->last_report();
 }
 
 void Fitter::StartPolish() {
-  stage_ = fmt::format("all frames (0-{})", scene_.last_fitted_frame);
+  stage_ = scenes_.size() > 1
+               ? fmt::format("all frames of {} recordings", scenes_.size())
+               : fmt::format("all frames (0-{})", scenes_[0].scene.last_fitted_frame);
   stage_begin_ = lengths_.empty() ? 0.0 : kShareOfWindows;
   stage_share_ = 1.0 - stage_begin_;
   // Simulated here, it is differentiated without being simulated again.
   if (!only_comes_near_) polish_tolerance_ = PolishTolerance(ResidualCorrelation());
-  Linearise(progress_.theta, &simulator_);
+  Linearise(progress_.theta, &rollout_);
   if (cost_before_ < cost_ && progress_.theta != free_.start() && !Stopped()) {
     Log("the windows' result explains all frames worse than the start does; going on from the "
         "start");
     progress_.theta = free_.start();
-    Linearise(progress_.theta, &simulator_);
+    Linearise(progress_.theta, &rollout_);
   }
 }
 
@@ -384,7 +314,7 @@ void Fitter::Advance(int most_iterations) {
   // What is left hangs together less the less it is: looked at again where a fit has ended.
   for (bool may_go_on = true; may_go_on && of_polish_ < most_iterations && !Stopped();) {
     const double tolerance = polish_tolerance_;
-    const Minimum minimum = MinimiseRollout(&simulator_, scene_.last_fitted_frame,
+    const Minimum minimum = MinimiseRollout(&rollout_, JointRollout::kAllFrames,
                                             {most_iterations - of_polish_, tolerance});
     if (minimum.summary.iterations.empty()) return;
     converged_ = minimum.converged;
@@ -397,9 +327,7 @@ void Fitter::Advance(int most_iterations) {
   }
 }
 
-bool Fitter::HasWork() const {
-  return free_.size() > 0 && observations_.Count(0, scene_.last_fitted_frame) > 0;
-}
+bool Fitter::HasWork() const { return free_.size() > 0 && scenes_.NumResiduals() > 0; }
 
 void Fitter::ToStart() {
   progress_ = {};
@@ -407,9 +335,20 @@ void Fitter::ToStart() {
 }
 
 void Fitter::MeasureStart(FitResult* result) {
-  result->before = EvaluateScene(scene_, config_, free_, free_.start());
-  WindowSimulator unstopped(scene_, config_, free_, false, nullptr);
-  result->cost_before = cost_before_ = Cost(free_.start(), &unstopped);
+  starts_.assign(scenes_.size(), {});
+  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+    const auto& [scene, config, free, observations] = scenes_[i];
+    starts_[i].evaluation = EvaluateScene(scene, config, free, free.start());
+  }
+  JointRollout unstopped(scenes_, false, nullptr);
+  Eigen::VectorXd residuals;
+  if (unstopped.Evaluate(free_.start(), WindowRows::kCompressed, &residuals, nullptr)) {
+    cost_before_ = CostOf(residuals, free_.start());
+    for (std::size_t i = 0; i < scenes_.size(); ++i)
+      starts_[i].cost = CostOf(i, residuals, free_.start());
+  }
+  result->cost_before = cost_before_;
+  if (scenes_.size() == 1) result->before = starts_[0].evaluation;
 }
 
 void Fitter::AddWorkTo(FitResult* result) const {
@@ -449,7 +388,7 @@ void Fitter::Begin(const FitCheckpoint* resume) {
 // Pulled at, where the config wants that: what follows only has to be come near to.
 void Fitter::FitPulled(int most_iterations) {
   stage_ = config_.attract ? "pulled at" : "all frames";
-  MinimiseRollout(&attracting_, scene_.last_fitted_frame,
+  MinimiseRollout(&attracting_, JointRollout::kAllFrames,
                   {std::min(most_iterations, config_.max_iterations), config_.function_tolerance});
   if (!Stopped()) progress_.next_window = NumStages();
 }
@@ -464,13 +403,13 @@ FitResult Fitter::Forecast(int num_lengths, int most_lengths, const FitCheckpoin
   if (HasWork() && num_lengths > 0) LengthenWindows();
   FitResult result;
   result.theta = progress_.theta;
-  result.parameters = free_.Values(result.theta);
+  result.parameters = scenes_[0].free.Values(result.theta);
   result.iterations = iterations_;
   result.simulated_frames = SimulatedFrames();
   result.differentiated_frames = DifferentiatedFrames();
   result.cost_after = in_windows_.cost;
   if (in_windows_.residuals.size() > 0) {
-    result.misfit = MeasureMisfit(SeenResiduals(scene_, in_windows_.residuals), free_.size());
+    result.misfit = MeasureMisfit(SeenResiduals(scenes_, in_windows_.residuals), free_.size());
     result.status = in_windows_.converged ? FitStatus::kConverged : FitStatus::kNotConverged;
   }
   if (Stopped()) result.status = FitStatus::kInterrupted;
@@ -478,7 +417,7 @@ FitResult Fitter::Forecast(int num_lengths, int most_lengths, const FitCheckpoin
   unknown.lower95 = unknown.upper95 =
       Eigen::VectorXd::Constant(free_.size(), std::numeric_limits<double>::quiet_NaN());
   unknown.determined.assign(static_cast<std::size_t>(free_.size()), true);
-  FillEstimates(unknown, &result);
+  FillEstimates(0, unknown, &result);
   return result;
 }
 

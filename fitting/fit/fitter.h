@@ -1,29 +1,36 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One fit at one resolution: windows that grow, then all frames at once.
+// One fit at one resolution, of one recording or several: windows that grow, then all frames at
+// once.
 // Behind RunFit and FitByStrategy; nothing else includes it.
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <ceres/solver.h>
 
+#include "fitting/fit/discretisation.h"
 #include "fitting/fit/fit.h"
 #include "fitting/fit/frame_by_frame.h"
 #include "fitting/fit/recalled_evaluation.h"
 #include "fitting/fit/uncertainty.h"
 #include "fitting/optimise/simulation_cost.h"
+#include "fitting/rollout/joint_rollout.h"
 #include "fitting/rollout/shooting_windows.h"
 
 namespace clothfit {
 
 class Fitter {
  public:
-  // The arguments must outlive this object.
-  Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks);
+  // The arguments must outlive this object. How several recordings are searched is as the first
+  // one's config says.
+  Fitter(std::vector<NamedScene> scenes, const FitCallbacks& callbacks);
+  Fitter(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks)
+      : Fitter({{"", &scene, &config}}, callbacks) {}
 
   // It stops where what follows changes the cost by more than last iterations would.
   void OnlyComeNear();
@@ -75,7 +82,7 @@ class Fitter {
   Minimum Minimise(const Misfits& misfits, const Patience& patience, double first_radius,
                    const std::vector<int>& held = {});
   // One simulation of frames 0 to last.
-  Minimum MinimiseRollout(WindowSimulator* simulator, int last, const Patience& patience,
+  Minimum MinimiseRollout(JointRollout* rollout, int last, const Patience& patience,
                           const std::vector<int>& held = {});
   // Fits windows that grow up to all frames, see ShootingWindows.
   void LengthenWindows();
@@ -86,6 +93,8 @@ class Fitter {
   // more and more of them, each stretch of the paths found frame by frame before. So a path never
   // has to be found from far away, nor with a fabric that the frames before contradict.
   void FindHandlePaths();
+  // Of several recordings: each one's by itself.
+  void FindHandlePathsApart();
   // Control points of hidden handles' paths that matter only long before a frame.
   std::vector<int> ControlsLongBefore(int frame) const;
   // Frame by frame from the first frame on to the last; beyond it as the prior expects. False where
@@ -95,19 +104,23 @@ class Fitter {
   bool HasWork() const;
   // All frames at once from here, with derivatives, as at_best_; which is not at theta where they
   // cannot be simulated.
-  void Linearise(const Eigen::VectorXd& theta, WindowSimulator* simulator);
+  void Linearise(const Eigen::VectorXd& theta, JointRollout* rollout);
   // Where the fit of all frames begins.
   void StartPolish();
-  double Cost(const Eigen::VectorXd& theta, WindowSimulator* simulator) const;
+  double Cost(const Eigen::VectorXd& theta, JointRollout* rollout) const;
+  // Half the sum of squares of compressed residuals and priors: of all, and of a recording alone.
+  double CostOf(const Eigen::VectorXd& residuals, const Eigen::VectorXd& theta) const;
+  double CostOf(std::size_t recording, const Eigen::VectorXd& residuals,
+                const Eigen::VectorXd& theta) const;
   void Log(const std::string& line) const {
     if (callbacks_.log) callbacks_.log(line);
   }
   double SimulatedFrames() const {
-    return simulator_.simulated_frames() + attracting_.simulated_frames() + frames_for_paths_ +
+    return rollout_.simulated_frames() + attracting_.simulated_frames() + frames_for_paths_ +
            in_windows_.simulated + recalled_.simulated;
   }
   double DifferentiatedFrames() const {
-    return simulator_.differentiated_frames() + attracting_.differentiated_frames() +
+    return rollout_.differentiated_frames() + attracting_.differentiated_frames() +
            differentiated_for_paths_ + in_windows_.differentiated + recalled_.differentiated;
   }
   // Through the journal, where there is one; named by the stage under way.
@@ -121,15 +134,19 @@ class Fitter {
   // J'J with the priors' own.
   Eigen::MatrixXd Information(const RowMajorMatrix& jacobian) const;
   void Finish(FitResult* result);
-  void FillEstimates(const Uncertainty& uncertainty, FitResult* result) const;
+  // What is to be said of each of several recordings, after what is said of all.
+  void FinishEach(const Uncertainty& uncertainty, const std::optional<JointPointFit>& points,
+                  FitResult* result) const;
+  // Of a recording, into its own result.
+  void FillEstimates(std::size_t recording, const Uncertainty& uncertainty,
+                     FitResult* result) const;
 
-  const Scene& scene_;
-  const FitConfig& config_;
+  JointScenes scenes_;
+  const JointVector& free_;
+  const FitConfig& config_;  // the first one's
   const FitCallbacks& callbacks_;
-  FreeParameters free_;
-  ObservationResiduals observations_;
-  WindowSimulator simulator_, attracting_;
-  std::vector<int> lengths_;  // of windows, frames; none where all frames are fitted at once
+  JointRollout rollout_, attracting_;
+  std::vector<WindowLength> lengths_;  // of windows; none where all frames are fitted at once
   FitCheckpoint progress_;
   Eigen::VectorXd best_;  // of the stage under way
   double best_cost_ = 0.0;
@@ -159,6 +176,11 @@ class Fitter {
   bool has_begun_polish_ = false, converged_ = false;
   double cost_ = std::numeric_limits<double>::infinity();
   double cost_before_ = std::numeric_limits<double>::infinity();
+  struct Start {
+    Evaluation evaluation;
+    double cost = std::numeric_limits<double>::infinity();
+  };
+  std::vector<Start> starts_;  // of the recordings, where they were measured
   double polish_tolerance_;
   double radius_ = 0.0;  // of the trust region that the polish has come to; 0 before
   int most_lengths_ = std::numeric_limits<int>::max();  // of windows

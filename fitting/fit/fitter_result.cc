@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "fitting/config/shared_parameters.h"
 #include "fitting/fit/discretisation.h"
 #include "fitting/fit/evaluation.h"
 #include "fitting/fit/fitter.h"
@@ -44,24 +45,22 @@ double Fitter::ExpectedDecrease(const Eigen::VectorXd& residuals,
 
 void Fitter::Finish(FitResult* result) {
   result->theta = progress_.theta;
-  result->parameters = free_.Values(result->theta);
   result->iterations = iterations_;
   // What follows is short and must be done even after an interruption.
-  WindowSimulator simulator(scene_, config_, free_, false, nullptr);
-  if (!at_best_.IsAt(result->theta)) Linearise(result->theta, &simulator);
+  JointRollout rollout(scenes_, false, nullptr);
+  if (!at_best_.IsAt(result->theta)) Linearise(result->theta, &rollout);
   const bool is_complete = at_best_.IsAt(result->theta);
   const Eigen::VectorXd& residuals = at_best_.residuals;
   const RowMajorMatrix& jacobian = at_best_.jacobian;
   result->steps = at_best_.steps;
   Uncertainty uncertainty;
+  std::optional<JointPointFit> points;
   if (is_complete) {
-    result->cost_after =
-        0.5 * (residuals.squaredNorm() + free_.PriorResiduals(result->theta).squaredNorm());
-    const std::optional<PointFit> points =
-        tells_misfit_ ? MeasurePoints(scene_, config_, free_, result->theta) : std::nullopt;
-    if (points) result->misfit = points->misfit;
-    uncertainty = QuantifyUncertainty(free_, observations_.NumObserved(0, scene_.last_fitted_frame),
-                                      residuals, jacobian, points ? points->errors : ModelErrors{});
+    result->cost_after = CostOf(residuals, result->theta);
+    if (tells_misfit_) points = MeasurePoints(scenes_, result->theta);
+    if (points) result->misfit = points->all.misfit;
+    uncertainty = QuantifyUncertainty(free_, scenes_.NumObserved(), residuals, jacobian,
+                                      points ? points->all.errors : ModelErrors{});
     // Whoever asks for a rough fit asks for no more than that.
     const double most = std::max(0.01, 10.0 * polish_tolerance_);
     const double decrease = ExpectedDecrease(residuals, jacobian);
@@ -86,21 +85,83 @@ void Fitter::Finish(FitResult* result) {
   }
   result->noise_factor = uncertainty.noise_factor;
   result->statements = uncertainty.statements;
-  FillEstimates(uncertainty, result);
-  result->after = EvaluateScene(scene_, config_, free_, result->theta);
-  result->simulated_frames = SimulatedFrames() + simulator.simulated_frames();
-  result->differentiated_frames = DifferentiatedFrames() + simulator.differentiated_frames();
+  result->simulated_frames = SimulatedFrames() + rollout.simulated_frames();
+  result->differentiated_frames = DifferentiatedFrames() + rollout.differentiated_frames();
   result->simulations =
-      static_cast<int>(std::ceil(result->simulated_frames / std::max(1, scene_.last_fitted_frame)));
+      static_cast<int>(std::ceil(result->simulated_frames / scenes_.NumFittedFrames()));
   result->status = Stopped()                            ? FitStatus::kInterrupted
                    : !std::isfinite(result->cost_after) ? FitStatus::kFailed
                    : converged_                         ? FitStatus::kConverged
                                                         : FitStatus::kNotConverged;
+  if (scenes_.size() > 1) return FinishEach(uncertainty, points, result);
+  const auto& [scene, config, free, observations] = scenes_[0];
+  FillEstimates(0, uncertainty, result);
+  result->after = EvaluateScene(scene, config, free, result->theta);
 }
 
-void Fitter::FillEstimates(const Uncertainty& uncertainty, FitResult* result) const {
+namespace {
+
+// Each shared parameter once, as the first recording has it that moves it, then what each recording
+// has found of its own.
+std::vector<ParameterEstimate> JointEstimates(const JointScenes& scenes,
+                                              const std::vector<FitResult>& of_each) {
+  const std::vector<NamedParameter>& table = MakeParameterTable();
+  std::vector<ParameterEstimate> shared, own;
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    if (!IsShared(scenes[0].config, table[k].name)) continue;
+    std::size_t first = 0;
+    for (std::size_t i = of_each.size(); i-- > 0;)
+      if (of_each[i].estimates[k].free) first = i;
+    shared.push_back(of_each[first].estimates[k]);
+  }
+  for (std::size_t i = 0; i < of_each.size(); ++i) {
+    for (std::size_t k = 0; k < of_each[i].estimates.size(); ++k) {
+      ParameterEstimate estimate = of_each[i].estimates[k];
+      const bool is_own = k >= table.size() || !IsShared(scenes[0].config, estimate.name);
+      if (!is_own || !estimate.free) continue;
+      estimate.name = scenes.named(i).name + "/" + estimate.name;
+      own.push_back(std::move(estimate));
+    }
+  }
+  shared.insert(shared.end(), own.begin(), own.end());
+  return shared;
+}
+
+}  // namespace
+
+void Fitter::FinishEach(const Uncertainty& uncertainty, const std::optional<JointPointFit>& points,
+                        FitResult* result) const {
+  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+    const auto& [scene, config, free, observations] = scenes_[i];
+    FitResult one = *result;  // with what was done for all
+    one.recordings.clear();
+    one.theta = free_.Of(i, result->theta);
+    if (std::isfinite(result->cost_after)) {
+      one.cost_after = CostOf(i, at_best_.residuals, result->theta);
+      const int spare = observations.NumObserved(0, scene.last_fitted_frame) - free.size();
+      one.noise_factor = std::max(
+          1.0, rollout_.ResidualsOf(i, at_best_.residuals).norm() / std::sqrt(std::max(1, spare)));
+    }
+    one.misfit.reset();
+    if (points) one.misfit = points->of_each[i].misfit;
+    FillEstimates(i, uncertainty, &one);
+    one.after = EvaluateScene(scene, config, free, one.theta);
+    if (i < starts_.size()) {
+      one.before = starts_[i].evaluation;
+      one.cost_before = starts_[i].cost;
+    }
+    result->recordings.push_back(std::move(one));
+  }
+  result->estimates = JointEstimates(scenes_, result->recordings);
+}
+
+void Fitter::FillEstimates(std::size_t recording, const Uncertainty& uncertainty,
+                           FitResult* result) const {
   const std::vector<NamedParameter> table = MakeParameterTable();
-  const Eigen::VectorXd start_values = free_.Values(free_.start());
+  const FreeParameters& free = scenes_[recording].free;
+  const std::vector<int>& entries = free_.EntriesOf(recording);
+  const Eigen::VectorXd start_values = free.Values(free.start());
+  result->parameters = free.Values(result->theta);
   std::vector<ParameterEstimate> others;
   for (std::size_t i = 0; i < table.size(); ++i) {
     ParameterEstimate estimate;
@@ -111,19 +172,20 @@ void Fitter::FillEstimates(const Uncertainty& uncertainty, FitResult* result) co
     estimate.start = start_values[static_cast<Eigen::Index>(i)];
     result->estimates.push_back(estimate);
   }
-  for (int i = 0; i < free_.size(); ++i) {
-    const FreeEntry& entry = free_.entries()[i];
+  for (int i = 0; i < free.size(); ++i) {
+    const FreeEntry& entry = free.entries()[static_cast<std::size_t>(i)];
+    const int known = entries[static_cast<std::size_t>(i)];
     const bool physical = entry.kind == FreeEntry::Kind::kParameter;
     ParameterEstimate& estimate = physical ? result->estimates[entry.index] : others.emplace_back();
     const double theta = result->theta[i];
     estimate.name = entry.name;
     estimate.unit = entry.unit;
     estimate.free = true;
-    estimate.value = free_.UnitValue(i, theta);
-    estimate.start = free_.UnitValue(i, free_.start()[i]);
-    estimate.lower95 = free_.UnitValue(i, theta + uncertainty.lower95[i]);
-    estimate.upper95 = free_.UnitValue(i, theta + uncertainty.upper95[i]);
-    estimate.determined = uncertainty.determined[i];
+    estimate.value = free.UnitValue(i, theta);
+    estimate.start = free.UnitValue(i, free.start()[i]);
+    estimate.lower95 = free.UnitValue(i, theta + uncertainty.lower95[known]);
+    estimate.upper95 = free.UnitValue(i, theta + uncertainty.upper95[known]);
+    estimate.determined = uncertainty.determined[static_cast<std::size_t>(known)];
     const double margin = 1e-6 * (entry.upper - entry.lower);
     estimate.at_bound =
         std::isfinite(margin) && (theta <= entry.lower + margin || theta >= entry.upper - margin);

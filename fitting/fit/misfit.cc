@@ -127,6 +127,27 @@ std::vector<SeenResidual> SeenResiduals(const Scene& scene, const Eigen::VectorX
   return seen;
 }
 
+std::vector<SeenResidual> SeenResiduals(const JointScenes& scenes,
+                                        const Eigen::VectorXd& residuals) {
+  std::vector<SeenResidual> all;
+  Eigen::Index row = 0;
+  int next_series = 0, next_kind = 0;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto& [scene, config, free, observations] = scenes[i];
+    const Eigen::Index count = observations.Count(0, scene.last_fitted_frame);
+    const int first_series = next_series, first_kind = next_kind;
+    for (SeenResidual seen : SeenResiduals(scene, residuals.segment(row, count))) {
+      seen.series += first_series;
+      seen.kind += first_kind;
+      next_series = std::max(next_series, seen.series + 1);
+      next_kind = std::max(next_kind, seen.kind + 1);
+      all.push_back(seen);
+    }
+    row += count;
+  }
+  return all;
+}
+
 Misfit MeasureMisfit(const std::vector<SeenResidual>& seen, int num_free) {
   Misfit misfit;
   misfit.observed = static_cast<int>(seen.size());

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "fitting/scene/scene.h"
+#include "fitting/rollout/joint_scenes.h"
 
 namespace clothfit {
 
@@ -48,6 +48,10 @@ struct SeenResidual {
 // Those of the fitted markers and tracks of frames 0 to the last, in the order of
 // ObservationResiduals, of a scene without silhouettes.
 std::vector<SeenResidual> SeenResiduals(const Scene& scene, const Eigen::VectorXd& residuals);
+
+// The same of several recordings, one after the other, which have no series and no kind in common.
+std::vector<SeenResidual> SeenResiduals(const JointScenes& scenes,
+                                        const Eigen::VectorXd& residuals);
 
 // num_free: entries that were fitted to the residuals. Correlations in time are those of series at
 // each distance in frames, over the cloth those of kinds at each distance in spacings of the

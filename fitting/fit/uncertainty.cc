@@ -119,8 +119,8 @@ Eigen::MatrixXd RowsOf(const Eigen::MatrixXd& information) {
 }
 
 // Fills in the ends of the 95 % intervals.
-void FillIntervals(const FreeParameters& free, const DataKnow& data,
-                   const Eigen::MatrixXd& covariance, Uncertainty* result) {
+void FillIntervals(const FreeVector& free, const DataKnow& data, const Eigen::MatrixXd& covariance,
+                   Uncertainty* result) {
   constexpr double kTwoSided95 = 1.959964;
   result->upper95 = kTwoSided95 * result->sigma;
   result->lower95 = -result->upper95;
@@ -140,7 +140,7 @@ void FillIntervals(const FreeParameters& free, const DataKnow& data,
 
 }  // namespace
 
-Uncertainty QuantifyUncertainty(const FreeParameters& free, int num_observed,
+Uncertainty QuantifyUncertainty(const FreeVector& free, int num_observed,
                                 const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian,
                                 const ModelErrors& errors) {
   Uncertainty result;

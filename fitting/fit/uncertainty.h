@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fitting/residuals/observation_residuals.h"
-#include "fitting/rollout/free_parameters.h"
+#include "fitting/rollout/free_vector.h"
 
 namespace clothfit {
 
@@ -38,7 +38,7 @@ struct Uncertainty {
 // parameters along which the singular values of the Jacobian, in units of the priors' sigmas and
 // with every other free entry projected out, are below 1: there the prior knows more than the data.
 // `num_observed` is the number of observed coordinates, which compressed rows do not show.
-Uncertainty QuantifyUncertainty(const FreeParameters& free, int num_observed,
+Uncertainty QuantifyUncertainty(const FreeVector& free, int num_observed,
                                 const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian,
                                 const ModelErrors& errors = {});
 

@@ -31,6 +31,7 @@ ReportPage MakeReportOfKind(const fs::path& folder, const ReportAssets& assets,
     throw InputError(folder.string(), std::string("is no folder") + kExpected);
   const std::optional<FolderKind> kind = KindOfFolder(folder);
   if (kind == FolderKind::kRun) return MakeReport(RunFolder::Open(folder), assets, options);
+  if (kind == FolderKind::kJointRun) return MakeJointReport(folder, assets, options);
   if (kind == FolderKind::kDiagnosis) return MakeDiagnosisReport(folder, assets, options);
   if (kind == FolderKind::kComparison) return MakeComparisonReport(folder, assets);
   if (kind == FolderKind::kRecording || fs::exists(folder / "recording.yaml"))

@@ -14,6 +14,9 @@ namespace clothfit {
 // or of another version.
 ReportPage MakeDiagnosisReport(const std::filesystem::path& folder, const ReportAssets& assets,
                                const ReportOptions& options);
+// What 'clothfit fit' wrote of several recordings; it leads to the pages of each.
+ReportPage MakeJointReport(const std::filesystem::path& folder, const ReportAssets& assets,
+                           const ReportOptions& options);
 // What 'clothfit compare' wrote.
 ReportPage MakeComparisonReport(const std::filesystem::path& folder, const ReportAssets& assets);
 // A recording, of which nothing was fitted yet.

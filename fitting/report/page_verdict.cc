@@ -170,6 +170,35 @@ std::vector<std::string> Reservations(const VerdictFacts& facts) {
   return sentences;
 }
 
+// Of a recording that was held out as a whole.
+PageVerdict JudgePrediction(const VerdictFacts& facts) {
+  const ErrorChange* error = nullptr;
+  for (const char* kind : {"silhouettes", "tracks", "markers"})
+    if (const ErrorChange* const found = Find(facts, kind, true)) error = found;
+  PageVerdict verdict;
+  if (!ReachesTheEnd(facts) || error == nullptr) {
+    verdict.headline = "This recording, to which nothing was fitted, is not predicted to its end.";
+    return verdict;
+  }
+  const bool is_noise = facts.misfit && facts.misfit->IsNoise();
+  const bool is_better = !error->before || *error->after < *error->before;
+  verdict.grade = is_noise ? Grade::kGood : is_better ? Grade::kPartial : Grade::kPoor;
+  verdict.headline =
+      fmt::format("This recording, to which nothing was fitted, is predicted {}.",
+                  is_noise    ? "to within its noise"
+                  : is_better ? "better than with the start values, but not to within its noise"
+                              : "no better than with the start values");
+  verdict.sentences.push_back(FittedSentence(*error));
+  if (facts.misfit)
+    verdict.sentences.push_back(fmt::format(
+        "The residuals' chi-square is {:.3g} (1 is expected, noise leaves up to {:.3g}).",
+        facts.misfit->chi_square, facts.misfit->limit));
+  if (!facts.unknown_handles.empty())
+    verdict.sentences.push_back("Where the handles were is not known of " +
+                                JoinNames(facts.unknown_handles) + ", so that this says little.");
+  return verdict;
+}
+
 }  // namespace
 
 std::string ToString(Grade grade) {
@@ -192,6 +221,7 @@ std::string QuantityInWords(double value, const std::string& unit) {
 }
 
 PageVerdict JudgeFit(const VerdictFacts& facts) {
+  if (facts.is_predicted) return JudgePrediction(facts);
   PageVerdict verdict;
   verdict.grade = GradeOf(facts);
   verdict.headline = Headline(facts, verdict.grade);

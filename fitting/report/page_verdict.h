@@ -31,6 +31,7 @@ struct VerdictFacts {
   std::string left_out;                      // gross errors, in words; empty where there were none
   std::vector<std::string> unknown_handles;  // in held-out frames
   std::string recording;                     // as the command line names it
+  bool is_predicted = false;                 // nothing of the recording was fitted
 };
 
 struct PageVerdict {
@@ -43,7 +44,8 @@ std::string ToString(PageVerdict::Grade grade);
 
 // Good: converged, residuals that noise alone may leave (Misfit::IsNoise; of outlines within 1.5
 // times the stated noise), and held-out errors within 1.5 times the fitted ones, where those can be
-// judged. Partial: within 5 and 2.5 times, and better than the start. Else poor.
+// judged. Partial: within 5 and 2.5 times, and better than the start. Else poor. Of a recording
+// that is predicted its noise alone counts, and whether it is better than with the start values.
 PageVerdict JudgeFit(const VerdictFacts& facts);
 
 // "2.8 mm", "0.33 px".

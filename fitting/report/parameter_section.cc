@@ -108,16 +108,18 @@ std::vector<std::string> Statements(const ReportJson& summary) {
 }  // namespace
 
 ReportJson ParameterSection(const ReportScene& report) {
-  const ReportJson& summary = report.record.summary;
+  return ParameterSection(report.record.summary, report.fitted.config, TrueParameters(report));
+}
+
+ReportJson ParameterSection(const ReportJson& summary, const FitConfig& config,
+                            const std::map<std::string, double>& truth) {
   const ReportJson& parameters = summary.at("parameters");
   const std::vector<NamedParameter> table = MakeParameterTable();
-  const std::map<std::string, double> truth = TrueParameters(report);
   ReportJson items = ReportJson::array();
   for (const NamedParameter& named : table) {
     const auto estimate = parameters.find(named.name);
     if (estimate == parameters.end() || estimate->at("free") != true) continue;
-    items.push_back(
-        IntervalItem(named, *estimate, report.fitted.config.parameters.at(named.name), truth));
+    items.push_back(IntervalItem(named, *estimate, config.parameters.at(named.name), truth));
   }
   ReportJson blocks = ReportJson::array();
   const std::vector<std::string> statements = Statements(summary);

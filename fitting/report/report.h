@@ -18,6 +18,8 @@ struct ReportOptions {
   std::filesystem::path pictures;  // a recording; empty: where the run's recording has them
   PictureSize picture;             // the largest; smaller where the page would be too large
   double max_megabytes = 24.0;     // of the whole page
+  // Where the page will stand: of a fit of several recordings it leads to theirs.
+  std::filesystem::path page;
 };
 
 // The page's own parts, made by `make report-assets`.

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ ReportJson ErrorSection(const ReportScene& report,
 // the mesh is no grid.
 ReportJson ClothMapSection(const ReportScene& report, const std::vector<ScalarField>& fields);
 ReportJson ParameterSection(const ReportScene& report);
+// The same of a summary and a config alone; truth: by full name, of those that are known.
+ReportJson ParameterSection(const ReportJson& summary, const FitConfig& config,
+                            const std::map<std::string, double>& truth);
 ReportJson ConvergenceSection(const ReportScene& report);
 ReportJson TimeSection(const ReportScene& report);
 ReportJson ConfigurationSection(const ReportScene& report);

@@ -61,20 +61,6 @@ void AddErrors(const Json& summary, bool held_out, std::vector<ErrorChange>* err
   }
 }
 
-std::optional<Misfit> MisfitOf(const Json& summary) {
-  const auto found = summary.find("misfit");  // no earlier version has it
-  if (found == summary.end() || !found->is_object()) return std::nullopt;
-  Misfit misfit;
-  misfit.observed = found->value("observed", 0);
-  misfit.chi_square = NumberAt(*found, "chi_square").value_or(NAN);
-  misfit.limit = NumberAt(*found, "limit").value_or(NAN);
-  misfit.correlation = NumberAt(*found, "correlation").value_or(1.0);
-  misfit.discretisation = NumberAt(*found, "discretisation");
-  misfit.amplitude = NumberAt(*found, "amplitude");
-  misfit.without_discretisation = NumberAt(*found, "without_discretisation");
-  return misfit;
-}
-
 }  // namespace
 
 RunRecord ReadRunRecord(const RunFolder& run) {
@@ -91,12 +77,45 @@ RunRecord ReadRunRecord(const RunFolder& run) {
   return record;
 }
 
+Json ReadJointSummary(const std::filesystem::path& folder) {
+  const std::filesystem::path file =
+      RequireFile(folder / "summary.json", "a fit of several recordings that has ended");
+  Json summary = ReadRecordFile(file, "so fit again");
+  for (const char* key : {"status", "recordings", "parameters"}) {
+    if (!summary.contains(key))
+      throw InputError(file.string(), fmt::format("{} is missing; expected what 'clothfit fit' "
+                                                  "writes of several recordings",
+                                                  key));
+  }
+  return summary;
+}
+
+std::optional<Misfit> MisfitOf(const Json& summary) {
+  const auto found = summary.find("misfit");  // no earlier version has it
+  if (found == summary.end() || !found->is_object()) return std::nullopt;
+  Misfit misfit;
+  misfit.observed = found->value("observed", 0);
+  misfit.chi_square = NumberAt(*found, "chi_square").value_or(NAN);
+  misfit.limit = NumberAt(*found, "limit").value_or(NAN);
+  misfit.correlation = NumberAt(*found, "correlation").value_or(1.0);
+  misfit.discretisation = NumberAt(*found, "discretisation");
+  misfit.amplitude = NumberAt(*found, "amplitude");
+  misfit.without_discretisation = NumberAt(*found, "without_discretisation");
+  return misfit;
+}
+
+std::vector<ErrorChange> ErrorsOf(const Json& summary) {
+  std::vector<ErrorChange> errors;
+  AddErrors(summary, false, &errors);
+  AddErrors(summary, true, &errors);
+  return errors;
+}
+
 VerdictFacts FactsOf(const RunRecord& record) {
   const Json& summary = record.summary;
   VerdictFacts facts;
   facts.status = summary.at("status").get<std::string>();
-  AddErrors(summary, false, &facts.errors);
-  AddErrors(summary, true, &facts.errors);
+  facts.errors = ErrorsOf(summary);
   facts.noise_factor = NumberAt(summary, "noise_factor");
   facts.recorded_frames = summary.at("frames").value("recorded", 0);
   facts.misfit = MisfitOf(summary);
@@ -105,6 +124,7 @@ VerdictFacts FactsOf(const RunRecord& record) {
   facts.unknown_handles = summary.value("unknown_in_held_out_frames", std::vector<std::string>());
   facts.recording = summary.value("recording", none).value("path", "");
   facts.simulated_frames = summary.at("frames").value("simulated", 0);
+  facts.is_predicted = summary.at("frames").value("fitted", 1) == 0;
   const std::vector<NamedParameter> table = MakeParameterTable();
   for (const auto& [name, estimate] : summary.at("parameters").items()) {
     if (!estimate.value("free", false) || FindParameter(table, name) < 0) continue;

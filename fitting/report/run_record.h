@@ -4,6 +4,7 @@
 // What a finished fit left in its folder, checked to be complete.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,15 @@ struct RunRecord {
 
 // Throws InputError, one line, where a file is missing, damaged or of another version of clothfit.
 RunRecord ReadRunRecord(const RunFolder& run);
+
+// summary.json of a fit of several recordings. Throws InputError where it is missing, damaged or of
+// another version.
+nlohmann::ordered_json ReadJointSummary(const std::filesystem::path& folder);
+
+// Of summary.json, or of a recording's entry in that of a fit of several: the errors that are
+// known, fitted ones first, and the misfit.
+std::vector<ErrorChange> ErrorsOf(const nlohmann::ordered_json& summary);
+std::optional<Misfit> MisfitOf(const nlohmann::ordered_json& summary);
 
 // summary.json as the verdict needs it.
 VerdictFacts FactsOf(const RunRecord& record);

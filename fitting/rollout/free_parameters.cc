@@ -279,32 +279,4 @@ void FreeParameters::InitialDirections(Eigen::MatrixXd* dx, Eigen::MatrixXd* dv)
   }
 }
 
-Eigen::VectorXd FreeParameters::PriorResiduals(const Eigen::VectorXd& theta) const {
-  return prior_jacobian_ * theta - prior_target_;
-}
-
-std::vector<int> FreeParameters::Fabric() const {
-  std::vector<int> fabric;
-  for (int i = 0; i < size(); ++i) {
-    if (entries_[i].kind == FreeEntry::Kind::kParameter) fabric.push_back(i);
-  }
-  return fabric;
-}
-
-Eigen::VectorXd FreeParameters::lower() const {
-  Eigen::VectorXd bounds(size());
-  for (int i = 0; i < size(); ++i) bounds[i] = entries_[i].lower;
-  return bounds;
-}
-
-Eigen::VectorXd FreeParameters::upper() const {
-  Eigen::VectorXd bounds(size());
-  for (int i = 0; i < size(); ++i) bounds[i] = entries_[i].upper;
-  return bounds;
-}
-
-double FreeParameters::UnitValue(int entry, double theta) const {
-  return entries_[entry].is_log ? std::exp(theta) : theta;
-}
-
 }  // namespace clothfit

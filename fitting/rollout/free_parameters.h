@@ -1,51 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The vector that a fit moves: physical parameters (log scale where they are positive), control
-// points of unknown handle paths, and offsets of the initial state.
+// The vector that the fit of one recording moves: physical parameters (log scale where they are
+// positive), control points of unknown handle paths, and offsets of the initial state.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "fitting/config/config.h"
+#include "fitting/rollout/free_vector.h"
 #include "fitting/scene/path_guess.h"
 #include "fitting/scene/scene.h"
 
 namespace clothfit {
 
-struct FreeEntry {
-  enum class Kind { kParameter, kHandle, kInitialPosition, kInitialVelocity };
-  Kind kind;
-  std::string name;  // term.parameter, handle.NAME.x[3], initial.position.z[2], ...
-  std::string unit;
-  bool is_log = false;
-  // Where it acts: index in the table of parameters; or handle, control point and coordinate; or
-  // polynomial and coordinate.
-  int index = 0, control = 0, axis = 0;
-  double lower, upper;        // in the vector's own scale
-  double prior, prior_sigma;  // in the vector's own scale
-};
-
-class FreeParameters {
+class FreeParameters : public FreeVector {
  public:
-  // Throws InputError where a parameter is free on a logarithmic scale from 0 or less.
+  // Its start: the config's values, unknown paths as the markers near them suggest or at rest where
+  // there are none, no offsets. Throws InputError where a parameter is free on a logarithmic scale
+  // from 0 or less.
   FreeParameters(const FitConfig& config, const Scene& scene,
                  const std::vector<NamedParameter>& table);
-
-  int size() const { return static_cast<int>(entries_.size()); }
-  const std::vector<FreeEntry>& entries() const { return entries_; }
-
-  // The start: the config's values, unknown paths as the markers near them suggest or at rest where
-  // there are none, no offsets.
-  const Eigen::VectorXd& start() const { return start_; }
-  // The entries that are physical parameters: the fabric's.
-  std::vector<int> Fabric() const;
-  // The entries' bounds, which may be infinite.
-  Eigen::VectorXd lower() const;
-  Eigen::VectorXd upper() const;
 
   // theta with the unknown handles' paths (by handle; those of known ones are not looked at) as
   // near to these points as their sigma (m) and the paths' priors let them.
@@ -67,14 +44,6 @@ class FreeParameters {
   void InitialState(const Eigen::VectorXd& theta, Eigen::VectorXd* x, Eigen::VectorXd* v) const;
   void InitialDirections(Eigen::MatrixXd* dx, Eigen::MatrixXd* dv) const;
 
-  // Prior residuals (unit variance) and their constant Jacobian: each entry's own prior, and the
-  // smoothness of unknown paths.
-  Eigen::VectorXd PriorResiduals(const Eigen::VectorXd& theta) const;
-  const Eigen::MatrixXd& prior_jacobian() const { return prior_jacobian_; }
-
-  // The value in the entry's unit.
-  double UnitValue(int entry, double theta) const;
-
  private:
   void AddParameters(const FitConfig& config, const std::vector<NamedParameter>& table);
   void AddHandles(const FitConfig& config, const Scene& scene);
@@ -82,14 +51,10 @@ class FreeParameters {
   void BuildPrior(const FitConfig& config, const Scene& scene);
   void GuessHandlePaths(const Scene& scene);
 
-  std::vector<FreeEntry> entries_;
   std::vector<double> starts_;
-  Eigen::VectorXd start_;
   Eigen::VectorXd values_;   // all physical parameters; free ones are replaced
   Eigen::VectorXd initial_;  // 3N, m
   Eigen::MatrixXd modes_;    // N x polynomials
-  Eigen::MatrixXd prior_jacobian_;
-  Eigen::VectorXd prior_target_;  // residuals = jacobian * theta - target
 };
 
 }  // namespace clothfit

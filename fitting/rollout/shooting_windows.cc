@@ -46,11 +46,31 @@ std::vector<int> WindowLengths(const Scene& scene, const FitConfig& config) {
   return lengths;
 }
 
-ShootingWindows::ShootingWindows(const Scene& scene, const FitConfig& config,
-                                 const FreeParameters& free, const std::atomic<bool>* stop)
-    : scene_(scene), config_(config), free_(free), stop_(stop) {
-  for (int worker = 0; worker < NumThreads(0); ++worker)
-    simulators_.push_back(std::make_unique<WindowSimulator>(scene, config, free, false, stop));
+std::vector<WindowLength> WindowLengths(const JointScenes& scenes) {
+  std::vector<std::vector<int>> of_each;
+  std::size_t longest = 0;  // the recording with most of them
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    of_each.push_back(WindowLengths(scenes[i].scene, scenes[i].config));
+    if (of_each[i].size() > of_each[longest].size()) longest = i;
+  }
+  std::vector<WindowLength> lengths(of_each[longest].size());
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    lengths[k].seconds = of_each[longest][k] / scenes[longest].scene.recording.frame_rate;
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      lengths[k].frames.push_back(k < of_each[i].size() ? of_each[i][k]
+                                                        : scenes[i].scene.last_fitted_frame);
+  }
+  return lengths;
+}
+
+ShootingWindows::ShootingWindows(const JointScenes& scenes, const std::atomic<bool>* stop)
+    : scenes_(scenes), stop_(stop), num_workers_(NumThreads(0)) {
+  for (int worker = 0; worker < num_workers_; ++worker) {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const auto& [scene, config, free, observations] = scenes[i];
+      simulators_.push_back(std::make_unique<WindowSimulator>(scene, config, free, false, stop));
+    }
+  }
 }
 
 std::vector<LaidWindow> LayWindows(const Scene& scene, const FitConfig& config,
@@ -80,38 +100,59 @@ std::vector<LaidWindow> LayWindows(const Scene& scene, const FitConfig& config,
   return windows;
 }
 
-bool ShootingWindows::Lay(const Eigen::VectorXd& theta, int frames) {
-  std::vector<LaidWindow> laid =
-      LayWindows(scene_, config_, free_, theta, frames, stop_, &nudged_frames_);
+bool ShootingWindows::Lay(const Eigen::VectorXd& theta, const std::vector<int>& frames) {
   windows_.clear();
-  const Eigen::MatrixXd directions = free_.ValueDirections(theta);
+  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+    if (LayAlong(i, scenes_.free().Of(i, theta), frames[i])) continue;
+    windows_.clear();
+    return false;
+  }
+  return !windows_.empty();
+}
+
+bool ShootingWindows::LayAlong(std::size_t recording, const Eigen::VectorXd& theta, int frames) {
+  const auto& [scene, config, free, observations] = scenes_[recording];
+  std::vector<LaidWindow> laid;
+  if (frames < scene.last_fitted_frame) {
+    laid = LayWindows(scene, config, free, theta, frames, stop_, &nudged_frames_);
+  } else {
+    laid.push_back({0, 0, scene.last_fitted_frame, State()});  // it begins as the recording does
+  }
+  const Eigen::MatrixXd directions = free.ValueDirections(theta);
   for (LaidWindow& one : laid) {
     Window window;
+    window.recording = recording;
     if (one.first_frame > 0)
       window.start = {one.first_frame, one.state, Sensitivity(one.state, directions), theta};
     window.laid = std::move(one);
     windows_.push_back(std::move(window));
   }
-  return !windows_.empty();
+  return !laid.empty();
+}
+
+int ShootingWindows::NumResiduals() const {
+  int count = 0;
+  for (const Window& window : windows_) count += scenes_[window.recording].free.size() + 1;
+  return count;
 }
 
 bool ShootingWindows::EvaluateAll(
-    const ObservationResiduals& observations, const Eigen::VectorXd& theta, WindowRows kind,
-    bool derivatives,
+    const Eigen::VectorXd& theta, WindowRows kind, bool derivatives,
     const std::function<void(int, const Eigen::VectorXd&, const RowMajorMatrix&)>& rows) {
   std::atomic<bool> is_complete = true;
-  const int workers = static_cast<int>(simulators_.size());
-  ParallelFor(size(), workers, [&](int i, int worker) {
+  ParallelFor(size(), num_workers_, [&](int i, int worker) {
     if (!is_complete) return;
     Window& window = windows_[static_cast<std::size_t>(i)];
-    WindowSimulator& simulator = *simulators_[static_cast<std::size_t>(worker)];
-    if (i == 0) window.start = simulator.FirstStart(theta);
+    WindowSimulator& simulator = SimulatorOf(window, worker);
+    const Eigen::VectorXd own = scenes_.free().Of(window.recording, theta);
+    if (window.laid.first_frame == 0) window.start = simulator.FirstStart(own);
     Eigen::VectorXd residuals;
     RowMajorMatrix jacobian;
     simulator.SwapMotion(&window.motion);
     const Outcome outcome =
-        EvaluateWindow(&simulator, observations, window.start, theta, window.laid.first_row_frame,
-                       window.laid.last, kind, &residuals, derivatives ? &jacobian : nullptr);
+        EvaluateWindow(&simulator, scenes_[window.recording].observations, window.start, own,
+                       window.laid.first_row_frame, window.laid.last, kind, &residuals,
+                       derivatives ? &jacobian : nullptr);
     simulator.SwapMotion(&window.motion);
     if (outcome == Outcome::kComplete) {
       rows(i, residuals, jacobian);
@@ -122,29 +163,35 @@ bool ShootingWindows::EvaluateAll(
   return is_complete;
 }
 
-bool ShootingWindows::Evaluate(const ObservationResiduals& observations,
-                               const Eigen::VectorXd& theta, Eigen::VectorXd* residuals,
+bool ShootingWindows::Evaluate(const Eigen::VectorXd& theta, Eigen::VectorXd* residuals,
                                RowMajorMatrix* jacobian) {
-  const Eigen::Index rows = free_.size() + 1;
-  residuals->setZero(NumResiduals());
-  if (jacobian != nullptr) jacobian->setZero(NumResiduals(), free_.size());
-  return EvaluateAll(observations, theta, WindowRows::kCompressed, jacobian != nullptr,
+  std::vector<Eigen::Index> first_rows;
+  Eigen::Index count = 0;
+  for (const Window& window : windows_) {
+    first_rows.push_back(count);
+    count += scenes_[window.recording].free.size() + 1;
+  }
+  residuals->setZero(count);
+  if (jacobian != nullptr) jacobian->setZero(count, scenes_.free().size());
+  return EvaluateAll(theta, WindowRows::kCompressed, jacobian != nullptr,
                      [&](int i, const Eigen::VectorXd& of_window, const RowMajorMatrix& columns) {
-                       residuals->segment(i * rows, rows) = of_window;
-                       if (jacobian != nullptr) jacobian->middleRows(i * rows, rows) = columns;
+                       const auto window = static_cast<std::size_t>(i);
+                       residuals->segment(first_rows[window], of_window.size()) = of_window;
+                       if (jacobian == nullptr) return;
+                       scenes_.free().PutColumns(windows_[window].recording, columns,
+                                                 first_rows[window], jacobian);
                      });
 }
 
-Eigen::VectorXd ShootingWindows::Residuals(const ObservationResiduals& observations,
-                                           const Eigen::VectorXd& theta) {
+Eigen::VectorXd ShootingWindows::Residuals(const Eigen::VectorXd& theta) {
   std::vector<Eigen::VectorXd> of_windows(windows_.size());
   const bool is_complete =
-      EvaluateAll(observations, theta, WindowRows::kAll, false,
+      EvaluateAll(theta, WindowRows::kAll, false,
                   [&](int i, const Eigen::VectorXd& rows, const RowMajorMatrix&) {
                     of_windows[static_cast<std::size_t>(i)] = rows;
                   });
   if (!is_complete) return {};
-  Eigen::VectorXd all(observations.Count(0, scene_.last_fitted_frame));
+  Eigen::VectorXd all(scenes_.NumResiduals());
   Eigen::Index next = 0;
   for (const Eigen::VectorXd& rows : of_windows) {
     all.segment(next, rows.size()) = rows;

@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "fitting/rollout/joint_scenes.h"
 #include "fitting/rollout/window_cost.h"
 
 namespace clothfit {
@@ -41,46 +42,60 @@ std::vector<LaidWindow> LayWindows(const Scene& scene, const FitConfig& config,
                                    int frames, const std::atomic<bool>* stop,
                                    double* simulated_frames);
 
+// A length of windows that a fit goes through, and how many frames of each recording that are.
+struct WindowLength {
+  double seconds = 0.0;
+  std::vector<int> frames;
+};
+
+// Those of all recordings, the shortest first: each has its own lengths, and beyond them all of its
+// frames in one window. None where no recording has any.
+std::vector<WindowLength> WindowLengths(const JointScenes& scenes);
+
 class ShootingWindows {
  public:
   // The arguments must outlive it.
-  ShootingWindows(const Scene& scene, const FitConfig& config, const FreeParameters& free,
-                  const std::atomic<bool>* stop);
+  ShootingWindows(const JointScenes& scenes, const std::atomic<bool>* stop);
 
-  // See LayWindows; false where there are none.
-  bool Lay(const Eigen::VectorXd& theta, int frames);
+  // Lays windows of so many frames along each recording, see LayWindows; one window where that is
+  // all of them. False where there are none.
+  bool Lay(const Eigen::VectorXd& theta, const std::vector<int>& frames);
   int size() const { return static_cast<int>(windows_.size()); }
-  // Of each window as many as there are free entries and one more, see WindowRows::kCompressed.
-  int NumResiduals() const { return size() * (free_.size() + 1); }
+  // Of each window as many as its recording has free entries and one more, see
+  // WindowRows::kCompressed.
+  int NumResiduals() const;
 
   // Residuals of all windows and, where asked for, their Jacobian, by all cores; the same numbers
-  // for any of them. False where a window cannot be simulated. The first window moves with the
-  // offsets of the initial state; the others' states stay as they were laid.
-  bool Evaluate(const ObservationResiduals& observations, const Eigen::VectorXd& theta,
-                Eigen::VectorXd* residuals, RowMajorMatrix* jacobian);
-  // All residuals, in the order of ObservationResiduals; empty where a window cannot be simulated.
-  Eigen::VectorXd Residuals(const ObservationResiduals& observations, const Eigen::VectorXd& theta);
+  // for any of them. False where a window cannot be simulated. The first window of a recording
+  // moves with the offsets of its initial state; the others' states stay as they were laid.
+  bool Evaluate(const Eigen::VectorXd& theta, Eigen::VectorXd* residuals, RowMajorMatrix* jacobian);
+  // All residuals, recording after recording, each in the order of ObservationResiduals; empty
+  // where a window cannot be simulated.
+  Eigen::VectorXd Residuals(const Eigen::VectorXd& theta);
 
   double simulated_frames() const;
   double differentiated_frames() const;
 
  private:
   struct Window {
+    std::size_t recording = 0;
     LaidWindow laid;
     WindowStart start;
     KnownMotion motion;
   };
+  bool LayAlong(std::size_t recording, const Eigen::VectorXd& theta, int frames);
   // Simulates all windows, by all cores: rows(i, residuals, jacobian) gets what comes of each.
   bool EvaluateAll(
-      const ObservationResiduals& observations, const Eigen::VectorXd& theta, WindowRows kind,
-      bool derivatives,
+      const Eigen::VectorXd& theta, WindowRows kind, bool derivatives,
       const std::function<void(int, const Eigen::VectorXd&, const RowMajorMatrix&)>& rows);
+  WindowSimulator& SimulatorOf(const Window& window, int worker) {
+    return *simulators_[static_cast<std::size_t>(worker) * scenes_.size() + window.recording];
+  }
 
-  const Scene& scene_;
-  const FitConfig& config_;
-  const FreeParameters& free_;
+  const JointScenes& scenes_;
   const std::atomic<bool>* stop_;
-  std::vector<std::unique_ptr<WindowSimulator>> simulators_;  // one a core
+  int num_workers_;
+  std::vector<std::unique_ptr<WindowSimulator>> simulators_;  // one a core and recording
   std::vector<Window> windows_;
   double nudged_frames_ = 0.0;
 };

@@ -183,8 +183,9 @@ void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& resu
   run.AppendLog("status: " + ToString(result.status));
 }
 
-FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
-                     const FitCallbacks& callbacks, bool resume) {
+FitResult FitWithCheckpoint(const RunFolder& run, const FitCallbacks& callbacks, bool resume,
+                            const std::function<FitResult(const FitCallbacks&)>& fit,
+                            const std::function<void(const FitResult&)>& write) {
   if (resume) {
     const bool goes_on = run.HasCheckpoint();
     run.AppendLog(goes_on ? "resumed from the checkpoint" : "resumed from the beginning");
@@ -192,19 +193,26 @@ FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
   } else {
     run.RemoveCheckpoint();
   }
-  run.WriteConfig(config);
   EvaluationJournal journal = run.OpenCheckpoint();
-
-  FitConfig unchecked = config;
-  unchecked.check_intersections = false;  // only the result is worth it
   FitCallbacks with_run = WithRun(callbacks, run);
   with_run.journal = &journal;
-  FitResult result = FitByStrategy(scene, unchecked, with_run);
-  WriteFit(scene, config, result, run);
+  FitResult result = fit(with_run);
+  write(result);
   const bool is_final =
       result.status == FitStatus::kConverged || result.status == FitStatus::kFailed;
   if (is_final) run.RemoveCheckpoint();
   return result;
+}
+
+FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
+                     const FitCallbacks& callbacks, bool resume) {
+  run.WriteConfig(config);
+  FitConfig unchecked = config;
+  unchecked.check_intersections = false;  // only the result is worth it
+  return FitWithCheckpoint(
+      run, callbacks, resume,
+      [&](const FitCallbacks& with_run) { return FitByStrategy(scene, unchecked, with_run); },
+      [&](const FitResult& result) { WriteFit(scene, config, result, run); });
 }
 
 int SimulateIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,

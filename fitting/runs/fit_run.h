@@ -4,6 +4,7 @@
 // Fits and simulations that leave a run folder.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,12 @@ void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& resu
 // goes on from the run's own checkpoint, or from the beginning where it has none yet.
 FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
                      const FitCallbacks& callbacks, bool resume);
+
+// The frame of both: the log and the checkpoint of a fit that `fit` does and whose results `write`
+// writes.
+FitResult FitWithCheckpoint(const RunFolder& run, const FitCallbacks& callbacks, bool resume,
+                            const std::function<FitResult(const FitCallbacks&)>& fit,
+                            const std::function<void(const FitResult&)>& write);
 
 // Simulates frames 0 to last_frame from the config's own values, open loop, and writes config,
 // trajectory, mesh and residuals, and what contact took into the log. Returns the number of frames

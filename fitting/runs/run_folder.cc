@@ -24,6 +24,11 @@ constexpr const char* kCheckpoint = "checkpoint.bin";
 constexpr const char* kSummary = "summary.json";
 constexpr const char* kProgress = "progress.csv";
 
+// Those of the run of one recording, that a fit of several has not.
+std::vector<std::string> FilesOfOne() {
+  return {"config.yaml", "trajectory.npy", "mesh.obj", "residuals.csv"};
+}
+
 // An interrupted run has a checkpoint, or had no time for one.
 bool IsFinished(const fs::path& folder) {
   if (IsThere(folder / kCheckpoint) || !IsThere(folder / kSummary)) return false;
@@ -34,17 +39,51 @@ bool IsFinished(const fs::path& folder) {
 
 }  // namespace
 
-RunFolder::RunFolder(const fs::path& folder, Existing existing)
-    : path_(folder),
-      output_(std::make_shared<OutputFolder>(folder, FolderKind::kRun, "fit", existing)) {
-  if (existing == Existing::kResume) {
-    if (!output_->was_there()) throw InputError(folder.string(), "there is no run to resume");
-    if (IsFinished(folder))
-      throw InputError(folder.string(), "the run is finished; there is nothing to resume");
+RunFolder::RunFolder(const fs::path& folder, FolderKind kind, Existing existing)
+    : path_(folder), output_(std::make_shared<OutputFolder>(folder, kind, "fit", existing)) {}
+
+void RunFolder::RequireUnfinished() const {
+  const fs::path whole = fs::absolute(path_).lexically_normal().parent_path().parent_path();
+  if (KindOfFolder(whole) == FolderKind::kJointRun) {
+    throw InputError(path_.string(),
+                     "is of a fit of several recordings; expected that, " + whole.string());
   }
-  output_->Begin({"config.yaml", "parameters.yaml", kSummary, "trajectory.npy", "mesh.obj",
-                  "residuals.csv", kCheckpoint, kProgress, "report.html", kLog});
-  if (existing != Existing::kResume) AppendLog("clothfit " + Version());
+  if (!output_->was_there()) throw InputError(path_.string(), "there is no run to resume");
+  if (IsFinished(path_))
+    throw InputError(path_.string(), "the run is finished; there is nothing to resume");
+}
+
+void RunFolder::Begin(Existing existing, const std::vector<std::string>& more) {
+  std::vector<std::string> files = {"parameters.yaml", kSummary,      kCheckpoint,
+                                    kProgress,         "report.html", kLog};
+  files.insert(files.end(), more.begin(), more.end());
+  const bool goes_on = existing == Existing::kResume && output_->was_there();
+  output_->Begin(files);
+  if (!goes_on) AppendLog("clothfit " + Version());
+}
+
+RunFolder::RunFolder(const fs::path& folder, Existing existing)
+    : RunFolder(folder, FolderKind::kRun, existing) {
+  if (existing == Existing::kResume) RequireUnfinished();
+  Begin(existing, FilesOfOne());
+}
+
+RunFolder RunFolder::OfSeveral(const fs::path& folder, Existing existing,
+                               const std::vector<std::string>& names) {
+  RunFolder run(folder, FolderKind::kJointRun, existing);
+  if (existing == Existing::kResume) run.RequireUnfinished();
+  std::vector<std::string> files = {"recordings.yaml"};
+  for (const std::string& name : names) files.push_back(PlaceOf(name).string() + "/");
+  run.Begin(existing, files);
+  return run;
+}
+
+fs::path RunFolder::PlaceOf(const std::string& name) { return fs::path("recordings") / name; }
+
+RunFolder RunFolder::OfRecording(const std::string& name) const {
+  RunFolder run(path_ / PlaceOf(name), FolderKind::kRun, Existing::kResume);
+  run.Begin(Existing::kResume, FilesOfOne());
+  return run;
 }
 
 RunFolder RunFolder::Open(const fs::path& folder) {
@@ -54,6 +93,10 @@ RunFolder RunFolder::Open(const fs::path& folder) {
   if (kind == FolderKind::kRun) return RunFolder(folder);
   if (kind == FolderKind::kDiagnosis && KindOfFolder(folder / kOfDiagnosis) == FolderKind::kRun)
     return RunFolder(folder / kOfDiagnosis);
+  if (kind == FolderKind::kJointRun) {
+    throw InputError(folder.string(), "is a fit of several recordings; expected the run of one, " +
+                                          (folder / PlaceOf("NAME")).string());
+  }
   throw InputError(folder.string(),
                    "is not the folder of a run; expected one that 'clothfit fit' "
                    "made" +

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "fitting/files/evaluation_journal.h"
 #include "fitting/fit/fit.h"
 #include "tracking/files/output_folder.h"
@@ -25,6 +27,13 @@ class RunFolder {
   // Makes the folder and begins its log; other commands are kept out of it as long as this lives.
   // Throws InputError as OutputFolder does, and where there is no run to resume or a finished one.
   RunFolder(const std::filesystem::path& folder, Existing existing);
+  // Of a fit of several recordings: as above, with recordings.yaml instead of a config, and room
+  // for a run of each in recordings/NAME.
+  static RunFolder OfSeveral(const std::filesystem::path& folder, Existing existing,
+                             const std::vector<std::string>& names);
+  static std::filesystem::path PlaceOf(const std::string& name);  // recordings/NAME
+  // One of these runs, to write into; what is there stays.
+  RunFolder OfRecording(const std::string& name) const;
   static constexpr const char* kOfDiagnosis = "fit";  // the run in a diagnosis' folder
   // An existing run, to read, or that of a diagnosis.
   static RunFolder Open(const std::filesystem::path& folder);
@@ -36,6 +45,7 @@ class RunFolder {
   void WriteConfig(const FitConfig& config) const;
   void WriteParameters(const FitResult& result) const;
   void WriteSummary(const Scene& scene, const FitConfig& config, const FitResult& result) const;
+  void WriteSummary(const nlohmann::ordered_json& summary) const;
   // trajectory.npy (float64, frames x particles x 3, m, world), mesh.obj (vt in metres) and
   // residuals.csv of one open-loop simulation from frame 0 on.
   void WriteTrajectory(const Scene& scene, const std::vector<Eigen::VectorXd>& positions) const;
@@ -58,6 +68,9 @@ class RunFolder {
 
  private:
   explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  RunFolder(const std::filesystem::path& folder, FolderKind kind, Existing existing);
+  void RequireUnfinished() const;
+  void Begin(Existing existing, const std::vector<std::string>& more);
   std::filesystem::path path_;
   std::shared_ptr<OutputFolder> output_;  // null: to read only
 };

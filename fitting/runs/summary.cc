@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How a fit went, as summary.json. What is not known is null.
+#include "fitting/runs/summary.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include <nlohmann/json.hpp>
 
 #include "fitting/files/version.h"
 #include "fitting/runs/fit_run.h"
@@ -93,19 +92,29 @@ Json EstimateAsJson(const ParameterEstimate& estimate) {
   return json;
 }
 
+Json EstimatesAsJson(const FitResult& result) {
+  Json json = Json::object();
+  for (const ParameterEstimate& estimate : result.estimates)
+    json[estimate.name] = EstimateAsJson(estimate);
+  return json;
+}
+
+void AddWork(const FitResult& result, Json* json) {
+  (*json)["status"] = ToString(result.status);
+  (*json)["iterations"] = result.iterations;
+  (*json)["simulations"] = result.simulations;
+  (*json)["simulated_frames"] = result.simulated_frames;
+  (*json)["seconds"] = result.seconds;
+  (*json)["cost"] = {{"before", OrNull(result.cost_before)}, {"after", OrNull(result.cost_after)}};
+}
+
 }  // namespace
 
-void RunFolder::WriteSummary(const Scene& scene, const FitConfig& config,
-                             const FitResult& result) const {
+Json SummaryAsJson(const Scene& scene, const FitConfig& config, const FitResult& result) {
   Json json;
   json["clothfit"] = Version();
   json["recording"] = {{"name", scene.recording.name}, {"path", config.recording}};
-  json["status"] = ToString(result.status);
-  json["iterations"] = result.iterations;
-  json["simulations"] = result.simulations;
-  json["simulated_frames"] = result.simulated_frames;
-  json["seconds"] = result.seconds;
-  json["cost"] = {{"before", OrNull(result.cost_before)}, {"after", OrNull(result.cost_after)}};
+  AddWork(result, &json);
   json["fit"] = FittedErrors(result.after);
   json["held_out"] = HeldOutErrors(result.after);
   json["before"] = {{"fit", FittedErrors(result.before)},
@@ -121,10 +130,28 @@ void RunFolder::WriteSummary(const Scene& scene, const FitConfig& config,
   json["left_out"] = LeftOutAsJson(scene.recording);
   json["unknown_in_held_out_frames"] = HandlesUnknownInHeldOutFrames(scene);
   json["statements"] = result.statements;
-  json["parameters"] = Json::object();
-  for (const ParameterEstimate& estimate : result.estimates) {
-    json["parameters"][estimate.name] = EstimateAsJson(estimate);
-  }
+  json["parameters"] = EstimatesAsJson(result);
+  return json;
+}
+
+Json JointSummaryAsJson(const FitResult& result) {
+  Json json;
+  json["clothfit"] = Version();
+  AddWork(result, &json);
+  json["halvings"] = result.steps.halvings;
+  json["noise_factor"] = OrNull(result.noise_factor);
+  json["misfit"] = MisfitAsJson(result.misfit);
+  json["statements"] = result.statements;
+  json["parameters"] = EstimatesAsJson(result);
+  return json;
+}
+
+void RunFolder::WriteSummary(const Scene& scene, const FitConfig& config,
+                             const FitResult& result) const {
+  WriteSummary(SummaryAsJson(scene, config, result));
+}
+
+void RunFolder::WriteSummary(const Json& json) const {
   WriteWholeFile(path_ / "summary.json",
                  json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

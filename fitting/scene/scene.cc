@@ -228,6 +228,8 @@ bool Scene::IsFitted(int frame, int camera) const {
 Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene* same) {
   Scene scene;
   scene.recording = recording;
+  if (config.hold_out)
+    scene.recording.splits.held_out_frames = Splits::FrameRange{0, recording.frame_count - 1};
   scene.world.gravity = recording.gravity;
   scene.world.ground_height = recording.ground_height;
   for (const ObstacleDescription& obstacle : recording.obstacles) {

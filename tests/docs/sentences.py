@@ -13,6 +13,7 @@ import sys
 # File, and the line from which on its texts are tables and keys, not sentences.
 SOURCES = (
     ("fitting/report/page_verdict.cc", None),
+    ("fitting/report/joint_verdict.cc", None),
     ("tracking/recording/warnings.cc", None),
     ("tracking/recording/point_warnings.cc", None),
     ("apps/check_command.cc", "void AddCheckCommand("),

@@ -15,6 +15,7 @@
 #include "autodiff_sim/mesh/obj_file.h"
 #include "fitting/files/evaluation_journal.h"
 #include "fitting/files/npy_file.h"
+#include "fitting/runs/recording_list.h"
 #include "tracking/camera/camera_file.h"
 #include "tracking/files/manifest.h"
 #include "tracking/import/colmap.h"
@@ -161,6 +162,13 @@ Recording PlainRecording() {
 [[maybe_unused]] void ReadFolder(const std::string& bytes) {
   Write(kManifestFile, bytes);
   KindOfFolder(Folder());
+}
+
+// Which recordings a fit of several is of.
+[[maybe_unused]] void ReadRecordings(const std::string& bytes) {
+  Write(kManifestFile, R"({"format": "clothfit-folder/1", "kind": "joint run", "files": {}})");
+  Write("recordings.yaml", bytes);
+  ReadRecordingList(Folder());
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ struct KindRow {
 };
 constexpr KindRow kKinds[] = {
     {FolderKind::kRun, "run", "a run", ""},
+    {FolderKind::kJointRun, "joint run", "a fit of several recordings", ""},
     {FolderKind::kDiagnosis, "diagnosis", "a diagnosis", ""},
     {FolderKind::kRecording, "recording", "a recording", ""},
     {FolderKind::kExport, "export", "an export", ""},

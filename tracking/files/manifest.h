@@ -25,7 +25,8 @@ enum class FolderKind {
   kStudyTables,
   kStudyRecordings,
   kKeptFits,
-  kSlurm
+  kSlurm,
+  kJointRun
 };
 
 // As a manifest has it: "run".

@@ -47,6 +47,7 @@ FitConfig AwkwardConfig() {
   config.loss = LossKind::kCauchy;
   config.loss_scale = 2.0 / 3.0;
   config.frames = std::array<int, 2>{3, 88};
+  config.hold_out = true;
   config.attract = true;
   config.window = 0.0;
   config.polish = false;
@@ -56,7 +57,8 @@ FitConfig AwkwardConfig() {
   config.polish_hard = false;
   config.max_iterations = 7;
   config.function_tolerance = 1e-300;
-  config.parameters["air_drag.normal"] = {1.0 / 3.0, false, 1e-17, 1e17 / 7.0, 2.0 / 3.0, 1.1, {}};
+  config.parameters["air_drag.normal"] = {1.0 / 3.0, false, 1e-17, 1e17 / 7.0,
+                                          2.0 / 3.0, 1.1,   {},    false};
   return config;
 }
 
@@ -106,6 +108,9 @@ TEST(ConfigToYaml, RoundTripsExactly) {
   EXPECT_EQ(again.function_tolerance, config.function_tolerance);
   EXPECT_EQ(again.parameters.at("air_drag.normal").upper, 1e17 / 7.0);
   EXPECT_EQ(again.frames, config.frames);
+  EXPECT_EQ(again.hold_out, config.hold_out);
+  EXPECT_EQ(again.parameters.at("air_drag.normal").shared, false);
+  EXPECT_FALSE(again.parameters.at("gravity.scale").shared);  // as its term says
 }
 
 TEST(ReadConfig, ChangesOnlyWhatItNames) {

@@ -34,11 +34,15 @@ FitConfig ConfigOf(const Recording& recording, int side) {
   return config;
 }
 
+std::optional<PointFit> MeasureAtStart(const Scene& scene, const FitConfig& config) {
+  const JointScenes scenes({{"", &scene, &config}});
+  const auto points = MeasurePoints(scenes, scenes.free().start());
+  return points ? std::make_optional(points->all) : std::nullopt;
+}
+
 std::optional<PointFit> MeasureAtStart(const Recording& recording, int side) {
   const FitConfig config = ConfigOf(recording, side);
-  const Scene scene = MakeScene(recording, config);
-  const FreeParameters free(config, scene, MakeParameterTable());
-  return MeasurePoints(scene, config, free, free.start());
+  return MeasureAtStart(MakeScene(recording, config), config);
 }
 
 Eigen::VectorXd ResidualsOnMesh(const Recording& recording, int side, double step) {
@@ -118,8 +122,7 @@ TEST(Discretisation, IsNotKnownOfMeshesThatAreNoGrid) {
   const FitConfig config = ConfigOf(recording, 7);
   Scene scene = MakeScene(recording, config);
   scene.mesh.grid = {0, 0};
-  const FreeParameters free(config, scene, MakeParameterTable());
-  const auto points = MeasurePoints(scene, config, free, free.start());
+  const auto points = MeasureAtStart(scene, config);
   ASSERT_TRUE(points);
   EXPECT_FALSE(points->misfit.discretisation);
   EXPECT_EQ(points->errors.by_entries.size(), 0);

@@ -40,13 +40,16 @@ struct Laid {
   explicit Laid(const FitConfig& given, const Recording& recording)
       : config(given),
         scene(MakeScene(recording, config)),
-        free(config, scene, MakeParameterTable()),
-        observations(scene, config),
-        windows(scene, config, free, nullptr) {}
+        scenes({{"", &scene, &config}}),
+        free(scenes[0].free),
+        observations(scenes[0].observations),
+        windows(scenes, nullptr) {}
+  bool Lay(const Eigen::VectorXd& theta, int frames) { return windows.Lay(theta, {frames}); }
   FitConfig config;
   Scene scene;
-  FreeParameters free;
-  ObservationResiduals observations;
+  JointScenes scenes;
+  const FreeParameters& free;
+  const ObservationResiduals& observations;
   ShootingWindows windows;
 };
 
@@ -54,16 +57,16 @@ TEST(ShootingWindows, HoldEachFrameOnce) {
   const Recording recording = SmallRecording();
   Laid laid(DefaultConfig(recording), recording);
   for (const int frames : {4, 7, 100}) {
-    ASSERT_TRUE(laid.windows.Lay(laid.free.start(), frames));
+    ASSERT_TRUE(laid.Lay(laid.free.start(), frames));
     EXPECT_EQ(laid.windows.size(), (laid.scene.last_fitted_frame + frames - 1) / frames);
     Eigen::VectorXd residuals;
-    ASSERT_TRUE(laid.windows.Evaluate(laid.observations, laid.free.start(), &residuals, nullptr));
+    ASSERT_TRUE(laid.windows.Evaluate(laid.free.start(), &residuals, nullptr));
     EXPECT_EQ(residuals.size(), laid.windows.NumResiduals());
     EXPECT_TRUE(residuals.allFinite());
   }
   // One window that begins at the first frame is the simulation of all frames.
   Eigen::VectorXd all, one;
-  ASSERT_TRUE(laid.windows.Evaluate(laid.observations, laid.free.start(), &one, nullptr));
+  ASSERT_TRUE(laid.windows.Evaluate(laid.free.start(), &one, nullptr));
   ASSERT_TRUE(EvaluateResiduals(laid.scene, laid.config, laid.free, laid.free.start(),
                                 laid.scene.last_fitted_frame, &all, nullptr));
   const double prior = laid.free.PriorResiduals(laid.free.start()).squaredNorm();
@@ -73,10 +76,10 @@ TEST(ShootingWindows, HoldEachFrameOnce) {
 TEST(ShootingWindows, GiveAllResidualsInTheOrderOfTheObservations) {
   const Recording recording = SmallRecording();
   Laid laid(DefaultConfig(recording), recording);
-  ASSERT_TRUE(laid.windows.Lay(laid.free.start(), 6));
+  ASSERT_TRUE(laid.Lay(laid.free.start(), 6));
   Eigen::VectorXd compressed;
-  ASSERT_TRUE(laid.windows.Evaluate(laid.observations, laid.free.start(), &compressed, nullptr));
-  const Eigen::VectorXd all = laid.windows.Residuals(laid.observations, laid.free.start());
+  ASSERT_TRUE(laid.windows.Evaluate(laid.free.start(), &compressed, nullptr));
+  const Eigen::VectorXd all = laid.windows.Residuals(laid.free.start());
   ASSERT_EQ(all.size(), laid.observations.Count(0, laid.scene.last_fitted_frame));
   EXPECT_NEAR(all.squaredNorm(), compressed.squaredNorm(), 1e-9 * all.squaredNorm());
   // Those of the first window are of the open loop's first frames.
@@ -100,8 +103,8 @@ TEST(Forecasts, AreFittedAndTellTheirMisfit) {
   EXPECT_GT(lengths[static_cast<std::size_t>(count)], lead);
   const FitResult fit = FitForecasts(laid.scene, laid.config);
   ASSERT_NE(fit.status, FitStatus::kFailed);
-  ASSERT_TRUE(laid.windows.Lay(laid.free.start(), lengths[static_cast<std::size_t>(count - 1)]));
-  const double before = laid.windows.Residuals(laid.observations, laid.free.start()).squaredNorm();
+  ASSERT_TRUE(laid.Lay(laid.free.start(), lengths[static_cast<std::size_t>(count - 1)]));
+  const double before = laid.windows.Residuals(laid.free.start()).squaredNorm();
   ASSERT_TRUE(fit.misfit);
   EXPECT_EQ(fit.misfit->observed, laid.observations.Count(0, laid.scene.last_fitted_frame));
   EXPECT_LT(fit.cost_after, 0.25 * before);
@@ -119,14 +122,14 @@ TEST(ShootingWindows, AreDifferentiated) {
   config.initial_order = 1;
   Laid laid(config, recording);
   const Eigen::VectorXd at = laid.free.start();
-  ASSERT_TRUE(laid.windows.Lay(at, 6));
+  ASSERT_TRUE(laid.Lay(at, 6));
   Eigen::VectorXd residuals;
   RowMajorMatrix jacobian;
-  ASSERT_TRUE(laid.windows.Evaluate(laid.observations, at, &residuals, &jacobian));
+  ASSERT_TRUE(laid.windows.Evaluate(at, &residuals, &jacobian));
   const Eigen::VectorXd gradient = jacobian.transpose() * residuals;
   const auto cost = [&](const Eigen::VectorXd& theta) {
     Eigen::VectorXd r;
-    EXPECT_TRUE(laid.windows.Evaluate(laid.observations, theta, &r, nullptr));
+    EXPECT_TRUE(laid.windows.Evaluate(theta, &r, nullptr));
     return 0.5 * r.squaredNorm();
   };
   for (int i = 0; i < laid.free.size(); ++i) {
@@ -146,8 +149,8 @@ TEST(ShootingWindows, DoNotDependOnTheNumberOfThreads) {
     Laid laid(config, recording);
     Eigen::VectorXd residuals;
     RowMajorMatrix columns;
-    EXPECT_TRUE(laid.windows.Lay(laid.free.start(), 5));
-    EXPECT_TRUE(laid.windows.Evaluate(laid.observations, laid.free.start(), &residuals, &columns));
+    EXPECT_TRUE(laid.Lay(laid.free.start(), 5));
+    EXPECT_TRUE(laid.windows.Evaluate(laid.free.start(), &residuals, &columns));
     return columns;
   };
   const RowMajorMatrix many = jacobian();

@@ -104,6 +104,28 @@ TEST(PageVerdict, NamesWhatTheDataLeaveOpen) {
   EXPECT_THAT(sentences, Contains(HasSubstr("At a bound")));
 }
 
+TEST(PageVerdict, OfARecordingThatWasHeldOutJudgesThePrediction) {
+  VerdictFacts facts;
+  facts.status = "converged";
+  facts.is_predicted = true;
+  facts.errors = {{"markers", true, "m", 0.02, 0.012}};
+  facts.recorded_frames = facts.simulated_frames = 50;
+  facts.misfit.emplace();
+  facts.misfit->chi_square = 6.0;
+  facts.misfit->limit = 1.2;
+  EXPECT_EQ(JudgeFit(facts).grade, Grade::kPartial);
+  EXPECT_THAT(JudgeFit(facts).headline, HasSubstr("better than with the start values, but not"));
+  EXPECT_THAT(JudgeFit(facts).sentences, Contains(HasSubstr("off by 12 mm")));
+  facts.errors[0].after = 0.03;
+  EXPECT_EQ(JudgeFit(facts).grade, Grade::kPoor);
+  EXPECT_THAT(JudgeFit(facts).headline, HasSubstr("no better than with the start values"));
+  facts.misfit->chi_square = 1.1;
+  EXPECT_EQ(JudgeFit(facts).grade, Grade::kGood);
+  facts.simulated_frames = 20;
+  EXPECT_EQ(JudgeFit(facts).grade, Grade::kPoor);
+  EXPECT_THAT(JudgeFit(facts).headline, HasSubstr("is not predicted to its end"));
+}
+
 TEST(PageVerdict, SpeaksOfWhatThereIs) {
   VerdictFacts facts = GoodFacts();
   facts.errors = {{"silhouettes", false, "px", 2887.0, 1215.0}};

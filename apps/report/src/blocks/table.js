@@ -7,7 +7,13 @@ import { h } from '../dom.js';
 import { number } from '../format.js';
 import { folded } from './text.js';
 
+// A text that leads to another page beside this one is { text, href }; no other place is led to.
+function link({ text, href }) {
+  return href.startsWith('./') ? h('a', { href }, text) : text;
+}
+
 function cell(value, column) {
+  if (value?.href) return h('td', {}, link(value));
   const text = typeof value === 'number' ? number(value) : value ?? '–';
   const content = column.code ? h('code', {}, text) : String(text);
   return h('td', { class: column.number ? 'number' : null }, content);
@@ -20,6 +26,7 @@ function titleOf(column) {
 // Texts by their leading number where they have one, such as "12 (3 to 40)".
 function keyOf(value) {
   if (typeof value === 'number') return value;
+  if (value?.href) return value.text;
   const leading = Number.parseFloat(value);
   return Number.isFinite(leading) ? leading : String(value);
 }
