@@ -74,10 +74,10 @@ void AddImportCommand(CLI::App* app, Action* action) {
   import->require_subcommand(1);
   import->footer(
       "Examples:\n"
-      "  clothfit import motive take.csv -o take\n"
+      "  clothfit import markers take.csv -o take\n"
       "  clothfit import opencv cam0.yml cam1.yml -o drape --scale 0.001\n"
       "  clothfit import video cam0=a.mp4 cam1=b.mp4 -o drape --size 0.5 0.7 --ground 0");
-  AddImportMotive(import, action);
+  AddImportMarkers(import, action);
   AddImportColmap(import, action);
   AddImportOpencv(import, action);
   AddImportVideo(import, action);

@@ -12,7 +12,7 @@
 
 namespace clothfit {
 
-void AddImportMotive(CLI::App* import, Action* action);
+void AddImportMarkers(CLI::App* import, Action* action);
 void AddImportColmap(CLI::App* import, Action* action);
 void AddImportOpencv(CLI::App* import, Action* action);
 void AddImportVideo(CLI::App* import, Action* action);
