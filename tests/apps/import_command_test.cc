@@ -128,12 +128,13 @@ TEST_F(ImportCommand, PutsCamerasAndVideosTogether) {
   ASSERT_EQ(cameras.status, 0) << cameras.err;
   EXPECT_THAT(cameras.out, HasSubstr("cameras.yaml: 2 cameras"));
   EXPECT_THAT(cameras.out, HasSubstr("left: 64 x 48 px, at (0.000, -1.000, 0.000) m"));
-  EXPECT_THAT(cameras.out, HasSubstr("it needs --size, --frames, --rate, --ground or --origin"));
+  EXPECT_THAT(cameras.out,
+              HasSubstr("it needs --size, --frames, --rate, --ground, --origin or --corner"));
   const CommandResult videos =
       Import({"video", "left=a.avi", "right=b.avi", "-o", "rec", "--size", "0.4", "0.3", "--origin",
               "-0.2", "-0.1", "1", "--v-axis", "0", "0", "-1"});
   ASSERT_EQ(videos.status, 0) << videos.err;
-  EXPECT_THAT(videos.out, HasSubstr("2 videos, 4 frames at 25 Hz"));
+  EXPECT_THAT(videos.out, HasSubstr("2 cameras, 4 frames at 25 Hz"));
   EXPECT_THAT(videos.out, Not(HasSubstr("not written")));
   const Recording recording = ReadRecording(path() / "rec");
   EXPECT_EQ(recording.frame_count, 4);
@@ -145,6 +146,33 @@ TEST_F(ImportCommand, PutsCamerasAndVideosTogether) {
   EXPECT_THAT(BadInputLine(Import({"colmap", "model", "-o", "rec"})),
               HasSubstr("cameras.yaml: exists already; --force replaces it"));
   EXPECT_EQ(Import({"colmap", "model", "-o", "rec", "--force"}).status, 0);
+}
+
+// The cameras look along y, 0.5 m apart; the sheet hangs 2 m before them.
+TEST_F(ImportCommand, PlacesAClothByItsCornersInPictures) {
+  WriteVideo("a.avi", 3);
+  WriteVideo("b.avi", 3);
+  std::vector<std::string> words = {"video",  "left=a.avi", "right=b.avi", "-o",       "rec",
+                                    "--size", "0.4",        "0.4",         "--corner", "left",
+                                    "0",      "0",          "21.5",        "13.5"};
+  EXPECT_THAT(BadInputLine(Import(words)), HasSubstr("cameras.yaml: no such file"));
+  ASSERT_EQ(Import({"colmap", "model", "-o", "rec", "--up=-y"}).status, 0);
+  EXPECT_THAT(BadInputLine(Import(words)), HasSubstr("--corner: expected three corners that two"));
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--corner", "right", "0", "0", "34", "13.5"},
+        {"--corner", "left", "0.4", "0", "31.5", "13.5"},
+        {"--corner", "right", "0.4", "0", "44", "13.5"}}) {
+    words.insert(words.end(), more.begin(), more.end());
+  }
+  const CommandResult result = Import(words);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("corner (0.4, 0): at ("));
+  EXPECT_THAT(result.out, HasSubstr("taken to hang straight down"));
+  const auto flat = std::get<FlatPlacement>(ReadRecording(path() / "rec").cloth.initial);
+  EXPECT_LT((flat.v_axis + Eigen::Vector3d::UnitZ()).norm(), 1e-6);
+  EXPECT_NEAR(std::abs(flat.u_axis.x()), 1.0, 1e-6);
+  words[1] = "right=a.avi";
+  EXPECT_THAT(BadInputLine(Import(words)), HasSubstr("exists already; expected no --corner"));
 }
 
 TEST_F(ImportCommand, BeginsARecordingOfOpencvCameras) {
