@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
+#include <optional>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -24,7 +25,9 @@ constexpr double kMillimetres = 1e3;
 struct Corner {
   Eigen::Vector2d uv = Eigen::Vector2d::Zero();  // m
   std::vector<Sighting> sightings;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // m, world
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // m, world; of the former
+
+  bool is_triangulated() const { return sightings.size() > 1; }
 };
 
 std::string Described(const Eigen::Vector2d& uv) {
@@ -68,16 +71,13 @@ std::vector<Corner> ByPoint(const std::vector<SeenCorner>& seen, const std::vect
   return corners;
 }
 
-// Those that two cameras see.
-std::vector<Corner> Triangulated(const std::vector<Corner>& corners,
-                                 const std::vector<Camera>& cameras,
-                                 std::vector<std::string>* notes) {
+void Triangulate(const std::vector<Camera>& cameras, std::vector<Corner>* corners,
+                 std::vector<std::string>* notes) {
   TriangulationOptions options;
   options.gate = 10.0;  // px; somebody points at them
-  std::vector<Corner> placed;
-  for (Corner corner : corners) {
+  for (Corner& corner : *corners) {
+    if (!corner.is_triangulated()) continue;
     const size_t count = corner.sightings.size();
-    if (count < 2) continue;
     const auto found = TriangulateRobustly(cameras, corner.sightings, options);
     if (!found || found->num_agreeing < static_cast<int>(count)) {
       throw InputError(kOption,
@@ -91,9 +91,7 @@ std::vector<Corner> Triangulated(const std::vector<Corner>& corners,
                     "{:.1f} px",
                     Described(corner.uv), corner.position.x(), corner.position.y(),
                     corner.position.z(), count, found->reprojection_rms));
-    placed.push_back(corner);
   }
-  return placed;
 }
 
 FlatPlacement PlacementOf(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& origin) {
@@ -144,17 +142,6 @@ FlatPlacement Hanging(const Corner& a, const Corner& b, const Eigen::Vector2d& s
   return flat;
 }
 
-// The camera that sees most of the corners, and which.
-std::map<int, std::vector<SeenCorner>> ByCamera(const std::vector<Corner>& corners) {
-  std::map<int, std::vector<SeenCorner>> views;
-  for (const Corner& corner : corners) {
-    for (const Sighting& one : corner.sightings) {
-      views[one.camera].push_back({"", corner.uv, one.pixel});
-    }
-  }
-  return views;
-}
-
 std::optional<FlatPlacement> ByOneCamera(const std::vector<SeenCorner>& seen,
                                          const Camera& camera) {
   std::vector<cv::Point3d> flat;
@@ -186,6 +173,41 @@ std::optional<FlatPlacement> ByOneCamera(const std::vector<SeenCorner>& seen,
                      world_from_camera * (origin_in_camera - camera.camera_from_world_translation));
 }
 
+// By the first camera that sees four corners.
+std::optional<FlatPlacement> ByAnyCamera(const std::vector<Corner>& corners,
+                                         const std::vector<Camera>& cameras,
+                                         std::vector<std::string>* notes) {
+  for (size_t camera = 0; camera < cameras.size(); ++camera) {
+    std::vector<SeenCorner> seen;
+    for (const Corner& corner : corners) {
+      for (const Sighting& one : corner.sightings) {
+        if (one.camera == int(camera)) seen.push_back({"", corner.uv, one.pixel});
+      }
+    }
+    if (seen.size() < 4) continue;
+    notes->push_back(fmt::format("the sheet is placed by {} corners in '{}' alone", seen.size(),
+                                 cameras[camera].name));
+    return ByOneCamera(seen, cameras[camera]);
+  }
+  return std::nullopt;
+}
+
+FlatPlacement Place(const std::vector<Corner>& corners, const std::vector<Camera>& cameras,
+                    const Eigen::Vector2d& size, std::vector<std::string>* notes) {
+  std::vector<Corner> placed;
+  std::copy_if(corners.begin(), corners.end(), std::back_inserter(placed),
+               [](const Corner& corner) { return corner.is_triangulated(); });
+  if (placed.size() > 2 && !IsLine(placed)) return ByThree(placed);
+  if (placed.size() >= 2) {
+    notes->emplace_back("the sheet is taken to hang straight down from these corners");
+    return Hanging(placed.front(), placed.back(), size);
+  }
+  if (const auto flat = ByAnyCamera(corners, cameras, notes)) return *flat;
+  throw InputError(kOption,
+                   "expected three corners that two cameras see, two where the cloth hangs from "
+                   "them, or four in one camera");
+}
+
 void NoteErrors(const std::vector<Corner>& corners, const std::vector<Camera>& cameras,
                 SheetPlacement* placement) {
   double largest_px = 0.0;
@@ -197,7 +219,7 @@ void NoteErrors(const std::vector<Corner>& corners, const std::vector<Camera>& c
     for (const double error : ReprojectionErrors(cameras, corner.sightings, place)) {
       largest_px = std::max(largest_px, error);
     }
-    if (corner.sightings.size() > 1) {
+    if (corner.is_triangulated()) {
       largest_m = std::max(largest_m, (place - corner.position).norm());
     }
   }
@@ -213,34 +235,14 @@ SheetPlacement PlaceByCorners(const std::vector<SeenCorner>& seen,
                               const std::vector<Camera>& cameras, const Eigen::Vector2d& size) {
   SheetPlacement placement;
   std::vector<Corner> corners = ByPoint(seen, cameras, size);
-  const std::vector<Corner> placed = Triangulated(corners, cameras, &placement.notes);
-  for (Corner& corner : corners) {
-    for (const Corner& known : placed) {
-      if (known.uv == corner.uv) corner.position = known.position;
-    }
-  }
-  if (placed.size() > 2 && !IsLine(placed)) {
-    placement.flat = ByThree(placed);
-  } else if (placed.size() >= 2) {
-    placement.flat = Hanging(placed.front(), placed.back(), size);
-    placement.notes.emplace_back("it is taken to hang straight down from these corners");
-  } else {
-    std::optional<FlatPlacement> flat;
-    for (const auto& [camera, views] : ByCamera(corners)) {
-      const Camera& one = cameras[static_cast<size_t>(camera)];
-      if (views.size() >= 4 && !flat) flat = ByOneCamera(views, one);
-      if (flat && placement.notes.empty()) {
-        placement.notes.push_back(
-            fmt::format("the sheet is placed by {} corners in '{}' alone", views.size(), one.name));
-      }
-    }
-    if (!flat) {
-      throw InputError(kOption,
-                       "expected three corners that two cameras see, two where the cloth hangs "
-                       "from them, or four in one camera");
-    }
-    placement.flat = *flat;
-  }
+  Triangulate(cameras, &corners, &placement.notes);
+  const FlatPlacement flat = Place(corners, cameras, size, &placement.notes);
+  // Files of short numbers are easier to read, and nobody points to a micrometre.
+  const auto rounded = [](const Eigen::Vector3d& vector, double steps) -> Eigen::Vector3d {
+    return (vector.array() * steps).round() / steps + 0.0;  // no "-0"
+  };
+  placement.flat = {rounded(flat.origin, 1e6), rounded(flat.u_axis, 1e12),
+                    rounded(flat.v_axis, 1e12)};
   NoteErrors(corners, cameras, &placement);
   return placement;
 }
