@@ -26,7 +26,7 @@ std::vector<std::string> NamesOf(const std::vector<const CLI::App*>& commands) {
   return names;
 }
 
-// "clothfit import motive"
+// "clothfit import markers"
 std::string FullName(const CLI::App& command) {
   return command.get_parent() == nullptr
              ? command.get_name()
@@ -48,11 +48,22 @@ std::string Nearest(const std::string& wrong, const std::vector<std::string>& na
   return fmt::format("no {} of '{}'; {} lists them", what, FullName(command), HowToList(command));
 }
 
+// Its name and what else it is called.
+std::vector<std::string> AllNamesOf(const CLI::App& command) {
+  std::vector<std::string> names = command.get_aliases();
+  names.insert(names.begin(), command.get_name());
+  return names;
+}
+
 const CLI::App& FindCommand(const CLI::App& app, const std::string& word) {
   std::vector<const CLI::App*> fitting;
   for (const CLI::App* one : CommandsOf(app)) {
-    if (one->get_name() == word) return *one;
-    if (StartsWith(one->get_name(), word)) fitting.push_back(one);
+    bool fits = false;
+    for (const std::string& name : AllNamesOf(*one)) {
+      if (name == word) return *one;
+      fits = fits || StartsWith(name, word);
+    }
+    if (fits) fitting.push_back(one);
   }
   if (fitting.size() == 1) return *fitting[0];
   if (fitting.size() > 1) {
@@ -61,7 +72,7 @@ const CLI::App& FindCommand(const CLI::App& app, const std::string& word) {
   throw InputError(word, Nearest(word, NamesOf(CommandsOf(app)), "command", app));
 }
 
-// The innermost command that was named: motive for "import motive".
+// The innermost command that was named: markers for "import markers".
 const CLI::App& InnermostCommand(const CLI::App& app) {
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   return parsed.empty() ? app : InnermostCommand(*parsed.front());

@@ -12,7 +12,7 @@ namespace clothfit {
 
 // Description, usage, arguments, options by groups with their defaults, commands by groups, footer;
 // no line longer than 80 characters where words can be broken. `name` is the command as it was
-// called: "clothfit import motive".
+// called: "clothfit import markers".
 std::string HelpText(const CLI::App* command, const std::string& name, CLI::AppFormatMode mode);
 
 // "-o, --output RUN"; of an argument "RECORDING" or "FILE ...".

@@ -31,14 +31,14 @@ struct CamerasOptions {
 };
 
 // Cameras in the world of their calibration, put into the recording's and written.
-int ImportCameras(std::vector<Camera> cameras, const std::vector<std::string>& notes,
+int ImportCameras(std::vector<Camera> cameras, std::vector<std::string> notes,
                   const CamerasOptions& options) {
   const fs::path folder = options.output;
   const WorldChange change = options.transform.empty()
                                  ? TurnUp(options.up, options.scale)
                                  : ParseSimilarity("--transform", options.transform);
   for (Camera& camera : cameras) camera = InWorld(camera, change);
-  const SceneStart start = options.scene.Start();
+  const SceneStart start = options.scene.Start(cameras, &notes);
   if (options.scene.AnyGiven() && fs::exists(folder / "recording.yaml")) {
     throw InputError((folder / "recording.yaml").string(),
                      "exists already; expected no options that describe the scene");

@@ -8,12 +8,15 @@
 #include "apps/config_options.h"
 #include "apps/import_commands.h"
 #include "apps/next_step.h"
+#include "autodiff_sim/base/error.h"
 #include "fitting/jobs/shell.h"
+#include "tracking/import/corner_placement.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
 
-SceneStart SceneOptions::Start() const {
+SceneStart SceneOptions::Start(const std::vector<Camera>& cameras,
+                               std::vector<std::string>* notes) const {
   const auto vector = [](const std::vector<double>& three) {
     return Eigen::Vector3d(three[0], three[1], three[2]);
   };
@@ -25,12 +28,21 @@ SceneStart SceneOptions::Start() const {
   if (!origin.empty()) start.origin = vector(origin);
   if (!u_axis.empty()) start.u_axis = vector(u_axis);
   if (!v_axis.empty()) start.v_axis = vector(v_axis);
+  if (corners.empty()) return start;
+  if (!start.size) throw InputError("--corner", "expected --size too");
+  std::vector<SeenCorner> seen;
+  for (const auto& [camera, u, v, x, y] : corners) seen.push_back({camera, {u, v}, {x, y}});
+  const SheetPlacement placement = PlaceByCorners(seen, cameras, *start.size);
+  start.origin = placement.flat.origin;
+  start.u_axis = placement.flat.u_axis;
+  start.v_axis = placement.flat.v_axis;
+  notes->insert(notes->end(), placement.notes.begin(), placement.notes.end());
   return start;
 }
 
 bool SceneOptions::AnyGiven() const {
   return !size.empty() || !origin.empty() || !u_axis.empty() || !v_axis.empty() || ground || rate ||
-         frames;
+         frames || !corners.empty();
 }
 
 void AddSceneOptions(CLI::App* command, SceneOptions* options) {
@@ -42,15 +54,16 @@ void AddSceneOptions(CLI::App* command, SceneOptions* options) {
       ->add_option("--ground", options->ground,
                    "height of a ground, m; the cloth lies on it unless --origin is given")
       ->type_name("M");
-  command->add_option("--origin", options->origin, "where (0, 0) of the flat cloth is at first, m")
-      ->type_name("X Y Z")
-      ->expected(3);
-  command->add_option("--u-axis", options->u_axis, "direction of u at first; else x")
-      ->type_name("X Y Z")
-      ->expected(3);
-  command->add_option("--v-axis", options->v_axis, "direction of v at first; else y")
-      ->type_name("X Y Z")
-      ->expected(3);
+  CLI::Option* const corner = command->add_option(
+      "--corner", options->corners,
+      "a point of the flat cloth (m) that CAMERA sees at pixel (X, Y) at first; repeat it");
+  corner->type_name("CAMERA U V X Y")->allow_extra_args(false);
+  const auto add_vector = [&](const char* name, std::vector<double>* value, const char* help) {
+    command->add_option(name, *value, help)->type_name("X Y Z")->expected(3)->excludes(corner);
+  };
+  add_vector("--origin", &options->origin, "where (0, 0) of the flat cloth is at first, m");
+  add_vector("--u-axis", &options->u_axis, "direction of u at first; else x");
+  add_vector("--v-axis", &options->v_axis, "direction of v at first; else y");
   command->add_option("--rate", options->rate, "frames a second")->type_name("HZ");
 }
 
@@ -74,10 +87,10 @@ void AddImportCommand(CLI::App* app, Action* action) {
   import->require_subcommand(1);
   import->footer(
       "Examples:\n"
-      "  clothfit import motive take.csv -o take\n"
+      "  clothfit import markers take.csv -o take\n"
       "  clothfit import opencv cam0.yml cam1.yml -o drape --scale 0.001\n"
       "  clothfit import video cam0=a.mp4 cam1=b.mp4 -o drape --size 0.5 0.7 --ground 0");
-  AddImportMotive(import, action);
+  AddImportMarkers(import, action);
   AddImportColmap(import, action);
   AddImportOpencv(import, action);
   AddImportVideo(import, action);

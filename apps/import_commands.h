@@ -5,14 +5,17 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "apps/commands.h"
+#include "tracking/camera/camera.h"
 #include "tracking/recording/start.h"
 
 namespace clothfit {
 
-void AddImportMotive(CLI::App* import, Action* action);
+void AddImportMarkers(CLI::App* import, Action* action);
 void AddImportColmap(CLI::App* import, Action* action);
 void AddImportOpencv(CLI::App* import, Action* action);
 void AddImportVideo(CLI::App* import, Action* action);
@@ -22,12 +25,15 @@ struct SceneOptions {
   std::vector<double> size, origin, u_axis, v_axis;
   std::optional<double> ground, rate;
   std::optional<int> frames;
+  // Of each: camera, u, v (m), x and y (px).
+  std::vector<std::tuple<std::string, double, double, double, double>> corners;
 
-  SceneStart Start() const;
+  // With corners, the sheet is placed by these cameras, and `notes` gets how.
+  SceneStart Start(const std::vector<Camera>& cameras, std::vector<std::string>* notes) const;
   bool AnyGiven() const;
 };
 
-// --size, --ground, --origin, --u-axis, --v-axis and --rate.
+// --size, --ground, --origin, --u-axis, --v-axis, --corner and --rate.
 void AddSceneOptions(CLI::App* command, SceneOptions* options);
 
 // Prints which options are still needed to make a recording, if the folder holds none.

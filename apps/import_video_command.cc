@@ -8,6 +8,8 @@
 
 #include "apps/import_commands.h"
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
+#include "tracking/camera/camera_file.h"
 #include "tracking/import/video.h"
 
 namespace clothfit {
@@ -25,16 +27,27 @@ int RunImportVideo(const VideoOptions& options) {
   for (const std::string& text : options.videos) {
     const size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
-      throw InputError(text, "expected CAMERA=FILE");
+      throw InputError(text, "expected CAMERA=FILE or CAMERA=FOLDER");
     }
     videos.push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
-  SceneStart start = options.scene.Start();
+  std::vector<std::string> notes;
+  std::vector<Camera> cameras;  // are needed for corners alone
+  const std::filesystem::path folder = options.output;
+  if (!options.scene.corners.empty()) {
+    if (IsThere(folder / "recording.yaml")) {
+      throw InputError((folder / "recording.yaml").string(),
+                       "exists already; expected no --corner");
+    }
+    cameras = ReadCameras(folder / "cameras.yaml");
+  }
+  SceneStart start = options.scene.Start(cameras, &notes);
   const ImportedVideos imported =
       ImportVideos(videos, start, options.output, OverwriteIf(options.force));
-  fmt::print("{}: {} videos, {} frames at {:g} Hz\n", options.output, videos.size(),
+  fmt::print("{}: {} cameras, {} frames at {:g} Hz\n", options.output, videos.size(),
              imported.frame_count, imported.frame_rate);
-  for (const std::string& note : imported.notes) fmt::print("{}\n", note);
+  notes.insert(notes.end(), imported.notes.begin(), imported.notes.end());
+  for (const std::string& note : notes) fmt::print("{}\n", note);
   start.frame_count = imported.frame_count;
   start.frame_rate = imported.frame_rate;
   PrintWhatIsMissing(options.output, start);
@@ -45,9 +58,11 @@ int RunImportVideo(const VideoOptions& options) {
 
 void AddImportVideo(CLI::App* import, Action* action) {
   CLI::App* const command =
-      import->add_subcommand("video", "copies of videos, with their frame count and rate");
+      import->add_subcommand("video", "copies of videos or of folders of PNG pictures");
   const auto options = std::make_shared<VideoOptions>();
-  command->add_option("CAMERA=FILE", options->videos, "one a camera, anything OpenCV can open")
+  command
+      ->add_option("CAMERA=FILE", options->videos,
+                   "one a camera: a video, or a folder of pictures such as 000001.png")
       ->required();
   command->add_option("-o,--output", options->output, "folder of the recording, old or new")
       ->type_name("RECORDING")
@@ -55,7 +70,9 @@ void AddImportVideo(CLI::App* import, Action* action) {
   command->add_flag("--force", options->force,
                     "replace imported videos, and set frame count and rate of recording.yaml");
   AddSceneOptions(command, &options->scene);
-  command->footer("Example:\n  clothfit import video left=GX01.MP4 right=GX02.MP4 -o drape");
+  command->footer(
+      "Examples:\n  clothfit import video left=GX01.MP4 right=GX02.MP4 -o drape\n"
+      "  clothfit import video left=frames/left right=frames/right -o drape --rate 30");
   command->callback(
       [options, action] { *action = [options] { return RunImportVideo(*options); }; });
 }

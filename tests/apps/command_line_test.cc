@@ -77,9 +77,10 @@ TEST(CommandLine, HelpsOnEveryCommandWithAnExample) {
   }
   EXPECT_EQ(RunCommand({"help", "fit"}, folder.path()).out,
             RunCommand({"fit", "--help"}, folder.path()).out);
-  const std::string motive = RunCommand({"help", "import", "motive"}, folder.path()).out;
-  EXPECT_THAT(motive, StartsWith("clothfit import motive: "));
-  EXPECT_THAT(motive, HasSubstr("Usage: clothfit import motive -o RECORDING FILE [OPTIONS]\n"));
+  const std::string markers = RunCommand({"help", "import", "markers"}, folder.path()).out;
+  EXPECT_THAT(markers, StartsWith("clothfit import markers: "));
+  EXPECT_THAT(markers, HasSubstr("Usage: clothfit import markers -o RECORDING FILE [OPTIONS]\n"));
+  EXPECT_EQ(RunCommand({"help", "import", "motive"}, folder.path()).out, markers);
 }
 
 TEST(CommandLine, GroupsOptionsAndTellsDefaults) {
@@ -98,7 +99,7 @@ TEST(CommandLine, TakesTheBeginningsOfCommands) {
   EXPECT_EQ(RunCommand({"ch", "--help"}, folder.path()).out, check);
   EXPECT_EQ(RunCommand({"help", "ch"}, folder.path()).out, check);
   EXPECT_EQ(RunCommand({"im", "mo", "--help"}, folder.path()).out,
-            RunCommand({"import", "motive", "--help"}, folder.path()).out);
+            RunCommand({"import", "markers", "--help"}, folder.path()).out);
   EXPECT_THAT(BadInputLine(RunCommand({"s", "rec"}, folder.path())),
               HasSubstr("s: may be synthesize, simulate, study, status"));
   EXPECT_THAT(BadInputLine(RunCommand({"help", "fti"}, folder.path())),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // clothfit import: what is made can be used, and nothing is replaced without being asked to.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
@@ -54,7 +55,7 @@ class ImportCommand : public testing::Test {
 
 TEST_F(ImportCommand, MakesARecordingOfATakeThatCanBeFitted) {
   const CommandResult result =
-      Import({"motive", "take.csv", "-o", "rec/", "--handles", "left=m0,right=m3", "--held-out",
+      Import({"markers", "take.csv", "-o", "rec/", "--handles", "left=m0,right=m3", "--held-out",
               "0.2", "--resolution", "5", "4", "--margin", "0.01"});
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("60 frames at 120 Hz, 10 markers, 2 handles"));
@@ -69,28 +70,52 @@ TEST_F(ImportCommand, MakesARecordingOfATakeThatCanBeFitted) {
   EXPECT_EQ(fit.status, 0) << fit.err;
 }
 
+TEST_F(ImportCommand, GoesByTheContentOfAFile) {
+  std::string table = "time,a_x,a_y,a_z,b_x,b_y,b_z,c_x,c_y,c_z,d_x,d_y,d_z\n";
+  for (int frame = 0; frame < 5; ++frame) {
+    table += fmt::format("{},0,0,0,300,0,0,0,300,{},300,300,0\n", 0.01 * frame, frame);
+  }
+  folder_.Write("take.dat", table);
+  EXPECT_THAT(BadInputLine(Import({"markers", "take.dat", "-o", "rec"})),
+              HasSubstr("take.dat: does not say all that is needed: expected --unit (m, cm or mm), "
+                        "--up (the axis"));
+  EXPECT_THAT(BadInputLine(Import({"markers", "take.dat", "-o", "rec", "--unit", "in"})),
+              HasSubstr("--unit"));
+  const CommandResult result =
+      Import({"motive", "take.dat", "-o", "rec", "--unit", "mm", "--up=-y", "--handle", "none"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("5 frames at 100 Hz, 4 markers, 0 handles"));
+  const Recording recording = ReadRecording(path() / "rec");
+  ASSERT_EQ(recording.markers.size(), 20u);
+  // What was (0, 300, 4) mm at the last frame.
+  EXPECT_NEAR(recording.markers[18].position.z(), -0.3, 1e-9);
+  EXPECT_THAT(BadInputLine(Import(
+                  {"markers", "take.dat", "-o", "rec", "--unit", "mm", "--up", "v", "--force"})),
+              HasSubstr("--up: expected x, y, z, -x, -y or -z, found 'v'"));
+}
+
 TEST_F(ImportCommand, LayoutOfATakeServesOthers) {
-  ASSERT_EQ(Import({"motive", "take.csv", "-o", "a"}).status, 0);
+  ASSERT_EQ(Import({"markers", "take.csv", "-o", "a"}).status, 0);
   const std::string layout = (path() / "a" / "layout.csv").string();
-  ASSERT_EQ(Import({"motive", "take.csv", "-o", "b", "--layout", layout}).status, 0);
+  ASSERT_EQ(Import({"markers", "take.csv", "-o", "b", "--layout", layout}).status, 0);
   EXPECT_EQ(ReadTextFile(path() / "a" / "markers.csv"), ReadTextFile(path() / "b" / "markers.csv"));
 }
 
 TEST_F(ImportCommand, RefusesBadTakes) {
-  EXPECT_THAT(BadInputLine(Import({"motive", "gone.csv", "-o", "rec"})),
+  EXPECT_THAT(BadInputLine(Import({"markers", "gone.csv", "-o", "rec"})),
               HasSubstr("gone.csv: no such file"));
-  EXPECT_THAT(BadInputLine(Import({"motive", "take.csv", "-o", "rec", "--handle", "mo"})),
+  EXPECT_THAT(BadInputLine(Import({"markers", "take.csv", "-o", "rec", "--handle", "mo"})),
               HasSubstr("--handle: 'mo' is no marker of take.csv; did you mean 'm0'?"));
   folder_.Write("layout.csv", "name,u,v\nm0,0,0\n");
-  EXPECT_THAT(BadInputLine(Import({"motive", "take.csv", "-o", "rec", "--layout", "layout.csv"})),
+  EXPECT_THAT(BadInputLine(Import({"markers", "take.csv", "-o", "rec", "--layout", "layout.csv"})),
               HasSubstr("layout.csv: marker 'm1' of take.csv is missing"));
-  EXPECT_THAT(BadInputLine(Import({"motive", "take.csv", "-o", "rec", "--hande", "m0"})),
+  EXPECT_THAT(BadInputLine(Import({"markers", "take.csv", "-o", "rec", "--hande", "m0"})),
               HasSubstr("--hande: did you mean '--handle'?"));
-  EXPECT_THAT(BadInputLine(Import({"motvie", "take.csv", "-o", "rec"})),
-              HasSubstr("motvie: did you mean 'motive'?"));
+  EXPECT_THAT(BadInputLine(Import({"mrakers", "take.csv", "-o", "rec"})),
+              HasSubstr("mrakers: did you mean 'markers'?"));
   EXPECT_FALSE(fs::exists(path() / "rec"));
   folder_.Write("rec/recording.yaml", "mine");
-  EXPECT_THAT(BadInputLine(Import({"motive", "take.csv", "-o", "rec"})),
+  EXPECT_THAT(BadInputLine(Import({"markers", "take.csv", "-o", "rec"})),
               HasSubstr("recording.yaml: exists already and is not replaced"));
   EXPECT_EQ(ReadTextFile(path() / "rec" / "recording.yaml"), "mine");
 }
@@ -103,12 +128,13 @@ TEST_F(ImportCommand, PutsCamerasAndVideosTogether) {
   ASSERT_EQ(cameras.status, 0) << cameras.err;
   EXPECT_THAT(cameras.out, HasSubstr("cameras.yaml: 2 cameras"));
   EXPECT_THAT(cameras.out, HasSubstr("left: 64 x 48 px, at (0.000, -1.000, 0.000) m"));
-  EXPECT_THAT(cameras.out, HasSubstr("it needs --size, --frames, --rate, --ground or --origin"));
+  EXPECT_THAT(cameras.out,
+              HasSubstr("it needs --size, --frames, --rate, --ground, --origin or --corner"));
   const CommandResult videos =
       Import({"video", "left=a.avi", "right=b.avi", "-o", "rec", "--size", "0.4", "0.3", "--origin",
               "-0.2", "-0.1", "1", "--v-axis", "0", "0", "-1"});
   ASSERT_EQ(videos.status, 0) << videos.err;
-  EXPECT_THAT(videos.out, HasSubstr("2 videos, 4 frames at 25 Hz"));
+  EXPECT_THAT(videos.out, HasSubstr("2 cameras, 4 frames at 25 Hz"));
   EXPECT_THAT(videos.out, Not(HasSubstr("not written")));
   const Recording recording = ReadRecording(path() / "rec");
   EXPECT_EQ(recording.frame_count, 4);
@@ -120,6 +146,33 @@ TEST_F(ImportCommand, PutsCamerasAndVideosTogether) {
   EXPECT_THAT(BadInputLine(Import({"colmap", "model", "-o", "rec"})),
               HasSubstr("cameras.yaml: exists already; --force replaces it"));
   EXPECT_EQ(Import({"colmap", "model", "-o", "rec", "--force"}).status, 0);
+}
+
+// The cameras look along y, 0.5 m apart; the sheet hangs 2 m before them.
+TEST_F(ImportCommand, PlacesAClothByItsCornersInPictures) {
+  WriteVideo("a.avi", 3);
+  WriteVideo("b.avi", 3);
+  std::vector<std::string> words = {"video",  "left=a.avi", "right=b.avi", "-o",       "rec",
+                                    "--size", "0.4",        "0.4",         "--corner", "left",
+                                    "0",      "0",          "21.5",        "13.5"};
+  EXPECT_THAT(BadInputLine(Import(words)), HasSubstr("cameras.yaml: no such file"));
+  ASSERT_EQ(Import({"colmap", "model", "-o", "rec", "--up=-y"}).status, 0);
+  EXPECT_THAT(BadInputLine(Import(words)), HasSubstr("--corner: expected three corners that two"));
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--corner", "right", "0", "0", "34", "13.5"},
+        {"--corner", "left", "0.4", "0", "31.5", "13.5"},
+        {"--corner", "right", "0.4", "0", "44", "13.5"}}) {
+    words.insert(words.end(), more.begin(), more.end());
+  }
+  const CommandResult result = Import(words);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("corner (0.4, 0): at ("));
+  EXPECT_THAT(result.out, HasSubstr("taken to hang straight down"));
+  const auto flat = std::get<FlatPlacement>(ReadRecording(path() / "rec").cloth.initial);
+  EXPECT_LT((flat.v_axis + Eigen::Vector3d::UnitZ()).norm(), 1e-6);
+  EXPECT_NEAR(std::abs(flat.u_axis.x()), 1.0, 1e-6);
+  words[1] = "right=a.avi";
+  EXPECT_THAT(BadInputLine(Import(words)), HasSubstr("exists already; expected no --corner"));
 }
 
 TEST_F(ImportCommand, BeginsARecordingOfOpencvCameras) {

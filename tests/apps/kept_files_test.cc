@@ -67,7 +67,7 @@ class KeptFilesOfImports : public KeptFiles {
 TEST_F(KeptFilesOfImports, CamerasStayWhereMarkersFollow) {
   ASSERT_EQ(Run({"import", "opencv", "cam.yml", "-o", "rec"}).status, 0);
   const std::string cameras = Read("rec/cameras.yaml");
-  const Words markers = {"import", "motive", "take.csv", "-o", "rec", "--handles", "a=m0"};
+  const Words markers = {"import", "markers", "take.csv", "-o", "rec", "--handles", "a=m0"};
   const CommandResult added = Run(markers);
   ASSERT_EQ(added.status, 0) << added.err;
   EXPECT_EQ(Read("rec/cameras.yaml"), cameras);
@@ -77,7 +77,8 @@ TEST_F(KeptFilesOfImports, CamerasStayWhereMarkersFollow) {
   // Other markers replace those before, and nothing else.
   WriteMine({"rec/tracks.txt", "rec/handles/mine.csv"});
   ASSERT_EQ(
-      Run({"import", "motive", "take.csv", "-o", "rec", "--handles", "b=m1", "--force"}).status, 0);
+      Run({"import", "markers", "take.csv", "-o", "rec", "--handles", "b=m1", "--force"}).status,
+      0);
   EXPECT_FALSE(Has("rec/handles/a.csv"));
   EXPECT_TRUE(Has("rec/handles/b.csv"));
   EXPECT_EQ(Read("rec/cameras.yaml"), cameras);
@@ -90,7 +91,7 @@ TEST_F(KeptFilesOfImports, TheInputIsNeverTheOutput) {
     const std::string input = std::string("dm/") + name;
     folder_.Write(input, Read("take.csv"));
     for (const Words& more : {Words(), Words{"--force"}})
-      BadInputLine(Run({"import", "motive", input, "-o", "dm"}, more));
+      BadInputLine(Run({"import", "markers", input, "-o", "dm"}, more));
     EXPECT_EQ(Read(input), Read("take.csv"));
     EXPECT_EQ(std::distance(fs::directory_iterator(path() / "dm"), fs::directory_iterator()), 1);
     fs::remove_all(path() / "dm");

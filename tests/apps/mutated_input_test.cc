@@ -22,6 +22,7 @@
 #include "autodiff_sim/base/printable.h"
 #include "fitting/files/npy_file.h"
 #include "tests/apps/command.h"
+#include "tests/support/c3d_file.h"
 #include "tests/support/motive_file.h"
 #include "tests/support/mutation.h"
 #include "tests/support/small_recording.h"
@@ -67,7 +68,8 @@ const std::vector<Target>& Targets() {
       {"opencv", {"cam0.xml"}, {"import", "opencv", "opencv/cam0.xml", "-o", "out"}},
       {"opencv", {"cam0.json"}, {"import", "opencv", "opencv/cam0.json", "-o", "out"}},
       {"colmap", {"cameras.txt", "images.txt"}, {"import", "colmap", "colmap", "-o", "out"}},
-      {"motive", {"take.csv"}, {"import", "motive", "motive/take.csv", "-o", "out"}},
+      {"motive", {"take.csv"}, {"import", "markers", "motive/take.csv", "-o", "out"}},
+      {"c3d", {"take.c3d"}, {"import", "markers", "c3d/take.c3d", "-o", "out", "--up", "z"}},
       {"run", kRun, {"predict", "run", "--at", "run/points.csv", "-o", "out.csv"}, true},
       {"run", {"points.csv"}, {"predict", "run", "--at", "run/points.csv", "-o", "out.csv"}},
       {"run", kRun, {"report", "run", "-o", "out.html"}},
@@ -141,6 +143,7 @@ class Folders {
     WriteMeshes(recording);
     WriteCalibrations();
     folder_.Write("motive/take.csv", MotiveCsv(TakeOfRecording(recording)));
+    folder_.Write("c3d/take.c3d", C3dFile().Bytes(TakeOfRecording(recording)));
   }
   const fs::path& path() const { return folder_.path(); }
 

@@ -19,8 +19,8 @@
 #include "tracking/camera/camera_file.h"
 #include "tracking/files/manifest.h"
 #include "tracking/import/colmap.h"
-#include "tracking/import/motive.h"
 #include "tracking/import/opencv.h"
+#include "tracking/import/take_file.h"
 #include "tracking/recording/cloud_file.h"
 #include "tracking/recording/images.h"
 #include "tracking/recording/recording.h"
@@ -126,11 +126,13 @@ Recording PlainRecording() {
                       bytes.substr(std::min<std::size_t>(1, bytes.size()))));
 }
 
-[[maybe_unused]] void ReadMotive(const std::string& bytes) {
+// Of any format of motion capture, which goes by the content.
+[[maybe_unused]] void ReadTakes(const std::string& bytes) {
   std::vector<std::string> notes;
-  MotiveFileOptions options;
+  TakeFileOptions options;
   options.skip_bad_rows = bytes.size() % 2 == 0;
-  ReadMotiveTake(Write("take.csv", bytes), options, &notes);
+  if (bytes.size() % 3 != 0) options.facts = {120.0, 1.0, "y"};
+  ReadTake(Write("take", bytes), options, &notes);
 }
 
 [[maybe_unused]] void ReadOpencv(const std::string& bytes) {

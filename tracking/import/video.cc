@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <limits>
+#include <map>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -14,6 +14,7 @@
 #include "autodiff_sim/base/error.h"
 #include "tracking/camera/camera_file.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/import/picture_folder.h"
 #include "tracking/recording/images.h"
 #include "tracking/recording/limits.h"
 #include "tracking/text/text.h"
@@ -99,33 +100,84 @@ std::string UpdatedScene(const fs::path& file, const ImportedVideos& found, Over
 
 std::string PlaceOf(const fs::path& file) { return "videos/" + file.filename().string(); }
 
-// One file, or a copy of it.
-bool IsSameVideo(const fs::path& copy, const fs::path& file) {
-  std::error_code ignored;
-  if (fs::equivalent(copy, file, ignored)) return true;
-  if (!fs::is_regular_file(copy) || fs::file_size(copy) != fs::file_size(file)) return false;
-  std::ifstream one(copy, std::ios::binary), other(file, std::ios::binary);
-  return std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other));
-}
-
-// Whole or not at all.
 void CopyVideo(const NamedVideo& video, OutputFolder* folder) {
   const std::string name = "videos/" + video.camera + video.file.extension().string();
-  const fs::path copy = folder->path() / name;
-  if (IsSameVideo(copy, video.file)) return;
-  std::error_code error;
+  if (IsSameFile(folder->path() / name, video.file)) return;
   folder->Add({name});
-  PartFile part(copy);
-  fs::copy_file(video.file, part.path(), fs::copy_options::overwrite_existing, error);
-  if (error) throw InputError(copy.string(), "cannot be written: " + error.message());
-  part.MoveToPlace();
+  CopyInto(video.file, name, *folder);
   for (const fs::path& there : VideosThere(folder->path(), video.camera)) {
     if (PlaceOf(there) != name) folder->Remove({PlaceOf(there)});
   }
 }
 
+using FoldersByCamera = std::map<std::string, PictureFolder>;  // by camera
+
+// The number of frame 0 in all folders, since they are synchronous.
+int FirstNumber(const FoldersByCamera& folders) {
+  int first = std::numeric_limits<int>::max();
+  for (const auto& [camera, folder] : folders) first = std::min(first, folder.first());
+  return first;
+}
+
+// Pictures of the camera that an earlier import wrote and this one does not are removed.
+void CopyPictures(const std::string& camera, const PictureFolder& folder, int first,
+                  OutputFolder* output) {
+  const std::map<std::string, fs::path> places = PlacesOfPictures(folder, camera, first);
+  const fs::path there = output->path() / "images" / camera;
+  std::vector<std::string> added, old;
+  for (const auto& [name, file] : places) {
+    if (!IsSameFile(output->path() / name, file)) added.push_back(name);
+  }
+  if (fs::is_directory(there)) {
+    for (const fs::path& file : ListInputFolder(there)) {
+      const std::string name = "images/" + camera + "/" + file.filename().string();
+      if (places.count(name) == 0 && output->Lists(name)) old.push_back(name);
+    }
+  }
+  output->Remove(old);
+  output->Add(added);
+  for (const std::string& name : added) CopyInto(places.at(name), name, *output);
+}
+
+VideoFacts FactsOf(const PictureFolder& folder, int first) {
+  return {folder.width, folder.height, folder.last() - first + 1, 0.0};
+}
+
+// Where something of this camera's would have to be replaced, throws unless it may be.
+void CheckPlaces(const NamedVideo& video, const FoldersByCamera& folders, const fs::path& folder,
+                 const OutputFolder& output) {
+  const auto pictures = folders.find(video.camera);
+  if (pictures != folders.end()) {
+    for (const auto& [name, file] :
+         PlacesOfPictures(pictures->second, video.camera, FirstNumber(folders))) {
+      if (!IsSameFile(folder / name, file)) output.CheckMayWrite(name);
+    }
+    return;
+  }
+  for (const fs::path& there : VideosThere(folder, video.camera)) {
+    if (!IsSameFile(there, video.file)) output.CheckMayWrite(PlaceOf(there));
+  }
+}
+
+std::string DescribeFacts(const std::string& camera, const VideoFacts& facts) {
+  const std::string rate =
+      facts.frame_rate > 0.0 ? fmt::format(" at {:g} Hz", facts.frame_rate) : "";
+  return fmt::format("{}: {} frames of {} x {} px{}", camera, facts.frame_count, facts.width,
+                     facts.height, rate);
+}
+
+FoldersByCamera InspectFolders(const std::vector<NamedVideo>& videos) {
+  FoldersByCamera folders;
+  for (const NamedVideo& video : videos) {
+    CheckName(video);
+    if (fs::is_directory(video.file)) folders[video.camera] = InspectPictures(video.file);
+  }
+  return folders;
+}
+
 // What all videos have in common; each is checked against the cameras.
-ImportedVideos InspectAll(const std::vector<NamedVideo>& videos, const OutputFolder& output) {
+ImportedVideos InspectAll(const std::vector<NamedVideo>& videos, const FoldersByCamera& folders,
+                          const OutputFolder& output) {
   ImportedVideos result;
   const fs::path& folder = output.path();
   const fs::path cameras_file = folder / "cameras.yaml";
@@ -133,27 +185,29 @@ ImportedVideos InspectAll(const std::vector<NamedVideo>& videos, const OutputFol
   if (IsThere(cameras_file)) cameras = ReadCameras(cameras_file);
   for (size_t i = 0; i < videos.size(); ++i) {
     const NamedVideo& video = videos[i];
-    CheckName(video);
-    const VideoFacts facts = InspectVideo(video.file);
-    for (const fs::path& there : VideosThere(folder, video.camera)) {
-      if (!IsSameVideo(there, video.file)) output.CheckMayWrite(PlaceOf(there));
-    }
+    const auto pictures = folders.find(video.camera);
+    const VideoFacts facts = pictures == folders.end()
+                                 ? InspectVideo(video.file)
+                                 : FactsOf(pictures->second, FirstNumber(folders));
+    CheckPlaces(video, folders, folder, output);
     if (fs::exists(cameras_file)) CheckCamera(video, facts, cameras);
     for (size_t j = 0; j < i; ++j) {
       if (videos[j].camera != video.camera) continue;
       throw InputError(video.file.string(), "'" + video.camera + "' has two videos");
     }
-    if (i > 0 && !SameRate(facts.frame_rate, result.frame_rate)) {
+    const bool has_rates = facts.frame_rate > 0.0 && result.frame_rate > 0.0;
+    if (has_rates && !SameRate(facts.frame_rate, result.frame_rate)) {
       throw InputError(video.file.string(),
                        fmt::format("expected {} Hz as in {}, found {}", result.frame_rate,
                                    videos.front().file.string(), facts.frame_rate));
     }
-    if (i == 0) result.frame_rate = facts.frame_rate;
+    if (facts.frame_rate > 0.0) result.frame_rate = facts.frame_rate;
     result.frame_count = std::max(result.frame_count, facts.frame_count);
-    result.notes.push_back(fmt::format("{}: {} frames of {} x {} px at {:g} Hz", video.camera,
-                                       facts.frame_count, facts.width, facts.height,
-                                       facts.frame_rate));
-    if (fs::exists(folder / "images" / video.camera)) {
+    result.notes.push_back(DescribeFacts(video.camera, facts));
+    if (pictures != folders.end()) {
+      result.notes.push_back(fmt::format("{}: {} pictures; number {} is frame 0", video.camera,
+                                         pictures->second.pictures.size(), FirstNumber(folders)));
+    } else if (fs::exists(folder / "images" / video.camera)) {
       result.notes.push_back(
           fmt::format("{}: its video is not looked at as long as there is images/{}", video.camera,
                       video.camera));
@@ -187,13 +241,17 @@ VideoFacts InspectVideo(const fs::path& file) {
 ImportedVideos ImportVideos(const std::vector<NamedVideo>& videos, SceneStart start,
                             const fs::path& folder, Overwrite overwrite) {
   OutputFolder output = OpenRecording(folder, "import video", overwrite);
-  ImportedVideos result = InspectAll(videos, output);
+  const FoldersByCamera folders = InspectFolders(videos);
+  ImportedVideos result = InspectAll(videos, folders, output);
   if (start.frame_rate) result.frame_rate = *start.frame_rate;
+  const fs::path scene = folder / "recording.yaml";
+  const bool has_scene = fs::exists(scene);
+  if (has_scene && result.frame_rate == 0.0) {  // as a folder of pictures has it
+    result.frame_rate = YamlValue::Load(scene).Require("frame_rate").Number();
+  }
   if (!(result.frame_rate > 0.0)) {
     throw InputError(videos.front().file.string(), "does not say its frame rate; expected --rate");
   }
-  const fs::path scene = folder / "recording.yaml";
-  const bool has_scene = fs::exists(scene);
   const std::string updated = has_scene ? UpdatedScene(scene, result, overwrite) : "";
   if (!updated.empty()) CheckMayWrite(scene, overwrite);
   if (!has_scene) {
@@ -201,7 +259,13 @@ ImportedVideos ImportVideos(const std::vector<NamedVideo>& videos, SceneStart st
     start.frame_count = result.frame_count;
     if (MissingOptions(start).empty()) WriteStart(start, &output);
   }
-  for (const NamedVideo& video : videos) CopyVideo(video, &output);
+  for (const NamedVideo& video : videos) {
+    const auto pictures = folders.find(video.camera);
+    if (pictures == folders.end())
+      CopyVideo(video, &output);
+    else
+      CopyPictures(video.camera, pictures->second, FirstNumber(folders), &output);
+  }
   if (!updated.empty()) WriteWholeFile(scene, updated);
   return result;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Videos that are put into a recording.
+// Videos, and folders of pictures, that are put into a recording.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace clothfit {
 
 struct NamedVideo {
   std::string camera;
-  std::filesystem::path file;
+  std::filesystem::path file;  // or a folder of numbered PNGs
 };
 
 struct VideoFacts {
@@ -34,7 +34,9 @@ struct ImportedVideos {
   std::vector<std::string> notes;
 };
 
-// Copies the videos to FOLDER/videos/CAMERA.*, each with its own extension, and never moves one.
+// Copies the videos to FOLDER/videos/CAMERA.*, each with its own extension, and never moves one;
+// and pictures to FOLDER/images/CAMERA/. The smallest number of all folders is frame 0; they say no
+// rate.
 //
 // Where cameras.yaml is there, cameras and sizes have to agree with it. Where recording.yaml is
 // there, its frame rate has to be that of the videos and its frame count no less than theirs, or

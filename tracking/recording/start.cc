@@ -44,7 +44,7 @@ std::vector<std::string> MissingOptions(const SceneStart& start) {
   if (!start.size) missing.emplace_back("--size");
   if (!start.frame_count) missing.emplace_back("--frames");
   if (!start.frame_rate) missing.emplace_back("--rate");
-  if (!start.ground_height && !start.origin) missing.emplace_back("--ground or --origin");
+  if (!start.ground_height && !start.origin) missing.emplace_back("--ground, --origin or --corner");
   return missing;
 }
 

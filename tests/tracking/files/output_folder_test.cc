@@ -189,12 +189,12 @@ TEST(RecordingFolder, TakesMoreFilesAndReplacesImportedOnesOnly) {
   WriteFolder(place, kKind, Existing::kAdd, {{"cameras.yaml", "1"}}, "import cameras");
   test.Write("rec/images/cam0/000000.png", "mine");
   const Files markers = {{"markers.csv", "1"}, {"handles/a.csv", "1"}};
-  WriteFolder(place, kKind, Existing::kAdd, markers, "import motive");
+  WriteFolder(place, kKind, Existing::kAdd, markers, "import markers");
   EXPECT_EQ(ReadTextFile(place / "cameras.yaml"), "1");
-  EXPECT_THAT(ErrorOf(place, kKind, Existing::kAdd, markers, "import motive"),
+  EXPECT_THAT(ErrorOf(place, kKind, Existing::kAdd, markers, "import markers"),
               HasSubstr("exists already; --force replaces it"));
 
-  WriteFolder(place, kKind, Existing::kAddAndReplace, {{"markers.csv", "2"}}, "import motive");
+  WriteFolder(place, kKind, Existing::kAddAndReplace, {{"markers.csv", "2"}}, "import markers");
   EXPECT_EQ(ReadTextFile(place / "markers.csv"), "2");
   EXPECT_FALSE(fs::exists(place / "handles"));  // of the markers before
   EXPECT_EQ(ReadTextFile(place / "cameras.yaml"), "1");

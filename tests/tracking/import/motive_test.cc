@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tracking/import/motive.h"
-
 #include <gtest/gtest.h>
 
 #include "tests/support/motive_file.h"
 #include "tests/support/test_folder.h"
+#include "tracking/import/take_file.h"
 
 namespace clothfit {
 namespace {
@@ -33,9 +32,9 @@ const char* const kExport =
 
 class MotiveFile : public testing::Test {
  protected:
-  MarkerTake Read(const std::string& text, const MotiveFileOptions& options = {}) {
+  MarkerTake Read(const std::string& text, const TakeFileOptions& options = {}) {
     notes_.clear();
-    return ReadMotiveTake(folder_.Write("take.csv", text), options, &notes_);
+    return ReadTake(folder_.Write("take.csv", text), options, &notes_);
   }
 
   // The error after one replacement in the file above.
@@ -71,8 +70,8 @@ TEST_F(MotiveFile, GivesItsMarkersInMetresWithZUp) {
 }
 
 TEST_F(MotiveFile, MayHaveZUp) {
-  MotiveFileOptions options;
-  options.up = UpAxis::kZ;
+  TakeFileOptions options;
+  options.facts.up = "z";
   const MarkerTake take = Read(kExport, options);
   EXPECT_LT((*take.markers[0].positions[0] - Eigen::Vector3d(0.1, 0.2, 0.3)).norm(), 1e-15);
 }
@@ -89,8 +88,7 @@ TEST_F(MotiveFile, UnitsAreHonoured) {
   }
   EXPECT_EQ(checked, 3);
   EXPECT_THAT(ErrorWith("Millimeters", "Furlongs"),
-              HasSubstr("take.csv: line 1: Length Units: expected Meters, Centimeters or "
-                        "Millimeters, found 'Furlongs'"));
+              HasSubstr("take.csv: line 1: Length Units: expected m, cm or mm, found 'Furlongs'"));
   EXPECT_THAT(ErrorWith("Length Units", "Units"), HasSubstr("'Length Units' is missing"));
 }
 
@@ -105,20 +103,21 @@ TEST_F(MotiveFile, MarkersOfRigidBodiesAreNoCloth) {
 }
 
 TEST_F(MotiveFile, BadRowsAreSkippedWhereThatIsAskedFor) {
-  MotiveFileOptions options;
+  TakeFileOptions options;
   options.skip_bad_rows = true;
   const MarkerTake take = Read(With(",-1001,1501,21", ",-1001,15`1,21"), options);
   EXPECT_EQ(take.num_frames(), 2u);
-  ASSERT_EQ(notes_.size(), 1u);
-  EXPECT_THAT(notes_[0], HasSubstr("1 rows are skipped, the first: "));
-  EXPECT_THAT(notes_[0], HasSubstr("take.csv: line 11, column 14: Unlabeled 1020 Y: expected"));
+  ASSERT_EQ(notes_.size(), 2u);
+  EXPECT_THAT(notes_[0], HasSubstr("y is taken for up"));
+  EXPECT_THAT(notes_[1], HasSubstr("1 rows are skipped, the first: "));
+  EXPECT_THAT(notes_[1], HasSubstr("take.csv: line 11, column 14: Unlabeled 1020 Y: expected"));
 }
 
 TEST_F(MotiveFile, RefusesWrongHeaders) {
-  EXPECT_THAT(InputErrorOf([&] { Read("frame,x,y,z\n"); }),
-              HasSubstr("expected 'Format Version,...' as Motive exports it"));
+  EXPECT_THAT(InputErrorOf([&] { Read("frame,a,b,c\n"); }),
+              HasSubstr("expected C3D, TRC, an export of OptiTrack Motive"));
   EXPECT_THAT(InputErrorOf([&] { Read(""); }), HasSubstr("take.csv"));
-  EXPECT_THAT(InputErrorOf([&] { ReadMotiveTake("gone.csv", {}, &notes_); }),
+  EXPECT_THAT(InputErrorOf([&] { ReadTake("gone.csv", {}, &notes_); }),
               HasSubstr("gone.csv: no such"));
   EXPECT_THAT(ErrorWith("Export Frame Rate,120.000000", "Export Frame Rate,fast"),
               HasSubstr("Export Frame Rate: expected a number above 0, found 'fast'"));
@@ -134,21 +133,21 @@ TEST_F(MotiveFile, RefusesFilesWithoutMarkers) {
     text.replace(at, 7, ",Bone");
   }
   EXPECT_THAT(InputErrorOf([&] { Read(text); }),
-              HasSubstr("expected columns of type Marker, found Bone, Rigid Body"));
+              HasSubstr("expected columns of markers, found Bone, Rigid Body"));
 }
 
 TEST_F(MotiveFile, RefusesWrongRows) {
   EXPECT_THAT(ErrorWith(",-1001,1501,21", ",-1001,1501"),
               HasSubstr("take.csv: line 11: expected 15 fields, found 14"));
   EXPECT_THAT(
-      ErrorWith(",201,301", ",nan,301"),
-      HasSubstr("line 10, column 11: Cloth:a Y: expected a finite number or nothing, found 'nan'"));
+      ErrorWith(",201,301", ",inf,301"),
+      HasSubstr("line 10, column 11: Cloth:a Y: expected a finite number or nothing, found 'inf'"));
   EXPECT_THAT(ErrorWith(",201,301", ",,301"),
               HasSubstr("line 10: Cloth:a: expected X, Y and Z or none of them"));
   EXPECT_THAT(ErrorWith("\n12,", "\n10,"), HasSubstr("Frame: expected more than 10, found 10"));
   EXPECT_THAT(ErrorWith("\n12,", "\nx,"), HasSubstr("Frame: expected an integer, found 'x'"));
   EXPECT_THAT(ErrorWith("16,0.108333", "16,0.208333"),
-              HasSubstr("Time (Seconds): expected 0.108 after 3 frames at 120 Hz, found 0.208"));
+              HasSubstr("Time: expected 0.108 after 3 frames at 120 Hz, found 0.208"));
 }
 
 }  // namespace

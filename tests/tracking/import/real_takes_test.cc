@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include "tracking/import/motive.h"
 #include "tracking/import/rigid_body.h"
+#include "tracking/import/take_file.h"
 #include "tracking/import/take_recording.h"
 
 namespace clothfit {
@@ -72,7 +72,7 @@ void CheckTake(const YAML::Node& known) {
   SCOPED_TRACE(name);
   std::vector<std::string> notes;
   const ImportedTake take =
-      MakeTakeRecording(ReadMotiveTake(TakesFolder() / name, {}, &notes), TakeOptions());
+      MakeTakeRecording(ReadTake(TakesFolder() / name, {}, &notes), TakeOptions());
   // Ten markers on each cloth. In this take one is away from its place for a while.
   const size_t expected = name == "textured_hang/textured_hang_exp_4.csv" ? 9 : 10;
   EXPECT_EQ(take.uv.size(), expected);

@@ -8,7 +8,7 @@
 
 #include "tests/support/motive_file.h"
 #include "tests/support/test_folder.h"
-#include "tracking/import/motive.h"
+#include "tracking/import/take_file.h"
 
 namespace clothfit {
 namespace {
@@ -231,7 +231,7 @@ TEST_P(RealTake, IsLaidOutAsItWas) {
   options.handles = {recording.handles[0].name, recording.handles[1].name};
   std::vector<std::string> notes;
   const ImportedTake imported = MakeTakeRecording(
-      ReadMotiveTake(folder.Write("take.csv", MotiveCsv(take, "Millimeters", 1e-3)), {}, &notes),
+      ReadTake(folder.Write("take.csv", MotiveCsv(take, "Millimeters", 1e-3)), {}, &notes),
       options);
   std::cout << AllNotes(imported);
   Points known;  // by the names of the take

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "tests/support/test_folder.h"
@@ -86,8 +87,64 @@ TEST_F(VideoImport, BeginsARecording) {
   EXPECT_EQ(ReadTextFile(recording() / "videos" / "left.avi"), ReadTextFile(left));
 }
 
+TEST_F(VideoImport, TakesFoldersOfPictures) {
+  WriteCamerasOf({"left", "right"});
+  const auto write = [&](const std::string& name, int grey, int width = 64) {
+    const fs::path file = folder_.path() / name;
+    fs::create_directories(file.parent_path());
+    cv::imwrite(file.string(), cv::Mat(48, width, CV_8UC3, cv::Scalar::all(grey)));
+    return file;
+  };
+  for (int i = 1; i <= 4; ++i) write("l/" + std::to_string(i) + ".png", 10 * i);
+  for (const int i : {2, 3, 5}) write("r/shot_00" + std::to_string(i) + ".PNG", 20 * i);
+  folder_.Write("l/notes.txt", "mine");
+  const std::vector<NamedVideo> both = {{"left", folder_.path() / "l"},
+                                        {"right", folder_.path() / "r"}};
+  EXPECT_THAT(ErrorOf(both), HasSubstr("l: does not say its frame rate; expected --rate"));
+  SceneStart start = LyingCloth();
+  start.frame_rate = 30.0;
+  const ImportedVideos imported = ImportVideos(both, start, recording(), Overwrite::kRefuse);
+  EXPECT_EQ(imported.frame_count, 5);
+  EXPECT_THAT(imported.notes, testing::Contains("right: 3 pictures; number 1 is frame 0"));
+  const Recording read = ReadRecording(recording());
+  EXPECT_EQ(read.frame_count, 5);
+  EXPECT_EQ(LoadImage(read, 0, 3).at<cv::Vec3b>(5, 5)[0], 40);
+  EXPECT_EQ(LoadImage(read, 1, 4).at<cv::Vec3b>(5, 5)[0], 100);
+  EXPECT_TRUE(LoadImage(read, 1, 0).empty());
+  ImportVideos(both, {}, recording(), Overwrite::kRefuse);  // the same again
+
+  write("l/2.png", 200);
+  fs::remove(folder_.path() / "l" / "4.png");
+  EXPECT_THAT(ErrorOf(both), HasSubstr("000001.png: exists already; --force replaces it"));
+  ImportVideos(both, {}, recording(), Overwrite::kAllow);
+  EXPECT_EQ(LoadImage(ReadRecording(recording()), 0, 1).at<cv::Vec3b>(5, 5)[0], 200);
+  EXPECT_FALSE(fs::exists(recording() / "images" / "left" / "000003.png"));
+}
+
+TEST_F(VideoImport, RefusesBrokenFoldersOfPictures) {
+  const auto error_of = [&](const std::map<std::string, std::string>& files) {
+    fs::remove_all(folder_.path() / "l");
+    fs::create_directories(folder_.path() / "l");
+    for (const auto& [name, bytes] : files) folder_.Write("l/" + name, bytes);
+    return ErrorOf({{"left", folder_.path() / "l"}});
+  };
+  std::vector<unsigned char> small, large;
+  cv::imencode(".png", cv::Mat(48, 64, CV_8UC3), small);
+  cv::imencode(".png", cv::Mat(48, 65, CV_8UC3), large);
+  const std::string png(small.begin(), small.end()), other(large.begin(), large.end());
+  EXPECT_THAT(error_of({{"a.jpg", "x"}}),
+              HasSubstr("l: expected pictures such as 000001.png, found none"));
+  EXPECT_THAT(error_of({{"one.png", png}}), HasSubstr("one.png: expected a name that ends in a"));
+  EXPECT_THAT(error_of({{"1.png", png.substr(0, 40)}}), HasSubstr("cannot be read as a PNG"));
+  EXPECT_THAT(error_of({{"01.png", png}, {"1.png", png}}), HasSubstr("has the number of 01.png"));
+  EXPECT_THAT(error_of({{"1.png", png}, {"2.png", other}}),
+              HasSubstr("2.png: expected 64 x 48 px as the first one, found 65 x 48"));
+  EXPECT_FALSE(fs::exists(recording()));
+}
+
 TEST_F(VideoImport, SaysWhatARecordingStillNeeds) {
-  EXPECT_EQ(JoinNames(MissingOptions({})), "--size, --frames, --rate, --ground or --origin");
+  EXPECT_EQ(JoinNames(MissingOptions({})),
+            "--size, --frames, --rate, --ground, --origin or --corner");
   SceneStart start = LyingCloth();
   EXPECT_EQ(JoinNames(MissingOptions(start)), "--frames, --rate");
   ImportVideos({{"left", WriteVideo("a.avi", 3)}}, {}, recording(), Overwrite::kRefuse);

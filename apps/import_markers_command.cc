@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// clothfit import motive: a recording of motion capture.
+// clothfit import markers: a recording of motion capture.
 #include <memory>
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include "apps/import_commands.h"
 #include "apps/next_step.h"
 #include "fitting/jobs/shell.h"
-#include "tracking/import/motive.h"
+#include "tracking/import/take_file.h"
 #include "tracking/import/take_recording.h"
 #include "tracking/recording/start.h"
 #include "tracking/text/text.h"
@@ -19,16 +19,17 @@
 namespace clothfit {
 namespace {
 
-struct MotiveOptions {
+struct MarkersOptions {
   std::string file, output, layout;
-  std::string up = "y";
+  std::string unit;
   std::vector<double> size;
   std::vector<int> resolution;
+  TakeFileOptions reading;
   TakeOptions take;
-  bool no_grid = false, skip_bad_rows = false, force = false;
+  bool no_grid = false, force = false;
 };
 
-TakeOptions TakeOptionsOf(const MotiveOptions& options) {
+TakeOptions TakeOptionsOf(const MarkersOptions& options) {
   TakeOptions take = options.take;
   if (!options.size.empty()) take.size = Eigen::Vector2d(options.size[0], options.size[1]);
   if (!options.resolution.empty()) {
@@ -42,15 +43,18 @@ TakeOptions TakeOptionsOf(const MotiveOptions& options) {
   return take;
 }
 
-int RunImportMotive(const MotiveOptions& options) {
+TakeFileOptions ReadingOptionsOf(const MarkersOptions& options) {
+  TakeFileOptions reading = options.reading;
+  if (!options.unit.empty()) reading.facts.metres_per_unit = MetresPerUnit(options.unit);
+  return reading;
+}
+
+int RunImportMarkers(const MarkersOptions& options) {
   const Overwrite overwrite = OverwriteIf(options.force);
-  OutputFolder output = OpenRecording(options.output, "import motive", overwrite);
+  OutputFolder output = OpenRecording(options.output, "import markers", overwrite);
   output.CheckMayWrite("recording.yaml");
-  MotiveFileOptions reading;
-  reading.up = options.up == "y" ? UpAxis::kY : UpAxis::kZ;
-  reading.skip_bad_rows = options.skip_bad_rows;
   std::vector<std::string> notes;
-  const MarkerTake take = ReadMotiveTake(options.file, reading, &notes);
+  const MarkerTake take = ReadTake(options.file, ReadingOptionsOf(options), &notes);
   ImportedTake imported = MakeTakeRecording(take, TakeOptionsOf(options));
   notes.insert(notes.end(), imported.notes.begin(), imported.notes.end());
   Recording& recording = imported.recording;
@@ -70,7 +74,7 @@ int RunImportMotive(const MotiveOptions& options) {
   return kExitSuccess;
 }
 
-void AddClothOptions(CLI::App* command, MotiveOptions* options) {
+void AddClothOptions(CLI::App* command, MarkersOptions* options) {
   BeginGroup(command, "The scene");
   TakeOptions& take = options->take;
   command
@@ -96,7 +100,7 @@ void AddClothOptions(CLI::App* command, MotiveOptions* options) {
   command->add_option("--ground", take.ground_height, "height of a ground, m")->type_name("M");
 }
 
-void AddMarkerOptions(CLI::App* command, MotiveOptions* options) {
+void AddMarkerOptions(CLI::App* command, MarkersOptions* options) {
   BeginGroup(command, "The markers");
   TakeOptions& take = options->take;
   command
@@ -130,34 +134,46 @@ void AddMarkerOptions(CLI::App* command, MotiveOptions* options) {
       ->type_name("SHARE");
 }
 
-}  // namespace
-
-void AddImportMotive(CLI::App* import, Action* action) {
-  CLI::App* const command =
-      import->add_subcommand("motive", "markers that OptiTrack Motive exported as CSV");
-  const auto options = std::make_shared<MotiveOptions>();
-  command->add_option("FILE", options->file, "exported by Motive with its header")->required();
+void AddFileOptions(CLI::App* command, MarkersOptions* options) {
   BeginGroup(command, "The file, and the recording");
+  TakeFacts& facts = options->reading.facts;
   command->add_option("-o,--output", options->output, "folder of the recording")
       ->type_name("RECORDING")
       ->required();
-  command->add_option("--up", options->up, "axis of FILE that points up: y or z")
-      ->type_name("AXIS")
-      ->check(CLI::IsMember({"y", "z"}))
-      ->capture_default_str();
-  command->add_flag("--skip-bad-rows", options->skip_bad_rows,
+  command
+      ->add_option("--up", facts.up,
+                   "axis of FILE that points up, as in z or -y; else as FILE says")
+      ->type_name("AXIS");
+  command->add_option("--unit", options->unit, "of lengths in FILE; else as FILE says")
+      ->type_name("m|cm|mm")
+      ->check(CLI::IsMember({"m", "cm", "mm"}));
+  command->add_option("--rate", facts.frame_rate, "frames a second of FILE; else as FILE says")
+      ->type_name("HZ");
+  command->add_flag("--skip-bad-rows", options->reading.skip_bad_rows,
                     "leave out rows that cannot be read");
   command->add_flag("--force", options->force,
                     "replace what was imported before; cameras and videos stay");
+}
+
+}  // namespace
+
+void AddImportMarkers(CLI::App* import, Action* action) {
+  CLI::App* const command = import->add_subcommand(
+      "markers", "motion capture: C3D, TRC, OptiTrack Motive, Vicon, Qualisys or plain tables");
+  command->alias("motive");  // what it was called when it read no other
+  const auto options = std::make_shared<MarkersOptions>();
+  command->add_option("FILE", options->file, "read by what is in it, whatever its name")
+      ->required();
+  AddFileOptions(command, options.get());
   AddMarkerOptions(command, options.get());
   AddClothOptions(command, options.get());
   command->footer(
       "Examples:\n"
-      "  clothfit import motive take.csv -o take --every 4 --held-out 0.33\n"
-      "  clothfit import motive take.csv -o take --handle 'left=Unlabeled 1022' "
+      "  clothfit import markers take.csv -o take --every 4 --held-out 0.33\n"
+      "  clothfit import markers take.trc -o take --up z --handle left=M1,right=M4 "
       "--obstacle Bar=capsule:radius=0.02");
   command->callback(
-      [options, action] { *action = [options] { return RunImportMotive(*options); }; });
+      [options, action] { *action = [options] { return RunImportMarkers(*options); }; });
 }
 
 }  // namespace clothfit
