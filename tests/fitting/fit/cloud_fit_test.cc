@@ -64,7 +64,9 @@ TEST_F(CloudFitTest, FindsTheWind) {
     const double margin = 0.4 * (estimate.upper95 - estimate.lower95);
     EXPECT_GT(truth, estimate.lower95 - margin) << estimate.name;
     EXPECT_LT(truth, estimate.upper95 + margin) << estimate.name;
-    if (truth != 0.0) EXPECT_GT(estimate.lower95, 0.5 * truth) << estimate.name;
+    if (truth != 0.0) {
+      EXPECT_GT(estimate.lower95, 0.5 * truth) << estimate.name;
+    }
   }
   // The noise across the surface is one coordinate's; along it nothing is seen.
   EXPECT_NEAR(*fit.after.cloud_rms, kSigma, 0.25 * kSigma);

@@ -14,12 +14,12 @@ namespace clothfit {
 namespace {
 
 using Eigen::Vector3d;
-using Points = std::vector<Vector3d>;
+using CloudPoints = std::vector<Vector3d>;
 using testing::HasSubstr;
 
-const Points kPoints = {{0.5, -0.25, 1.0}, {2.0, 0.125, -4.0}};  // exact in single precision
+const CloudPoints kPoints = {{0.5, -0.25, 1.0}, {2.0, 0.125, -4.0}};  // exact in single precision
 
-Points Read(const std::string& name, const std::string& text) {
+CloudPoints Read(const std::string& name, const std::string& text) {
   const TestFolder folder;
   return ReadCloudFile(folder.Write(name, text));
 }

@@ -16,7 +16,7 @@ namespace clothfit {
 namespace {
 
 using Eigen::Vector3d;
-using Points = std::vector<Vector3d>;
+using CloudPoints = std::vector<Vector3d>;
 using testing::HasSubstr;
 
 // A cloth that is seen by a camera 2 m above it, which has clouds of its own.
@@ -46,7 +46,7 @@ TEST(Clouds, AreRead) {
   EXPECT_EQ(recording.clouds.camera, "above");
   EXPECT_EQ(recording.noise.cloud, 0.004);
   EXPECT_EQ(recording.noise.cloud_spacing, 0.02);
-  EXPECT_EQ(LoadCloud(recording, 1), (Points{{0.5, 0.5, 0.0}, {0.25, 0.5, 0.1}}));
+  EXPECT_EQ(LoadCloud(recording, 1), (CloudPoints{{0.5, 0.5, 0.0}, {0.25, 0.5, 0.1}}));
   EXPECT_TRUE(LoadCloud(recording, 0).empty());
   EXPECT_THAT(DescribeRecording(recording), HasSubstr("1 of 3 frames (1..1), seen by above"));
   EXPECT_EQ(FilesOf(recording).at("recording.yaml"),
@@ -70,11 +70,11 @@ TEST(Clouds, AreMadeOfDepthPictures) {
   WritePicture(folder, "masks/above/000002.png", mask);
   Recording recording = ReadRecording(folder.path());
   EXPECT_EQ(recording.files[0].depth.size(), 2u);
-  const Points points = LoadDepth(recording, 0, 0);
+  const CloudPoints points = LoadDepth(recording, 0, 0);
   ASSERT_EQ(points.size(), 2u);
   // (6 - 3.5) / 4 and (1 - 2.5) / 4 of 1.9 m; y and z are turned about.
   EXPECT_LT((points[0] - Vector3d(1.1875, 0.7125, 0.1)).norm(), 1e-12);
-  EXPECT_EQ(LoadDepth(recording, 0, 2), Points{points[0]});
+  EXPECT_EQ(LoadDepth(recording, 0, 2), CloudPoints{points[0]});
   EXPECT_TRUE(LoadDepth(recording, 0, 1).empty());
   recording.cameras[0].distortion = {-0.1, 0.02, 0.001, -0.001, 0.0};
   for (const Vector3d& point : LoadDepth(recording, 0, 0)) {
@@ -126,7 +126,7 @@ TEST(Clouds, DepthHasSixteenBits) {
 TEST(ThinPoints, KeepsOneOfEachCellAndNoMoreThanWanted) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  Points points;
+  CloudPoints points;
   for (int i = 0; i < 20000; ++i) points.emplace_back(uniform(random), uniform(random), 0.0);
   const ThinnedPoints fine = ThinPoints(points, 0.05, 1000);
   EXPECT_EQ(fine.spacing, 0.05);
@@ -151,7 +151,7 @@ TEST(ThinPoints, KnowsNothingOfErrors) {
   std::mt19937 random(6);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  Points points;
+  CloudPoints points;
   for (int i = 0; i < 200000; ++i)
     points.emplace_back(uniform(random), uniform(random), 0.012 + 0.002 * normal(random));
   const ThinnedPoints thinned = ThinPoints(points, 0.02, 10000);
