@@ -44,6 +44,8 @@ FitConfig AwkwardConfig() {
   config.leave_out_outliers = false;
   config.alpha = 1.0 / 3.0;
   config.beta = 1e-17;
+  config.cloud_points = 77;
+  config.cloud_coverage = 1.0 / 7.0;
   config.loss = LossKind::kCauchy;
   config.loss_scale = 2.0 / 3.0;
   config.frames = std::array<int, 2>{3, 88};

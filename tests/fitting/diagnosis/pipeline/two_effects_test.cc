@@ -150,7 +150,7 @@ TEST(TwoEffects, MayBeACamerasFaultAndWind) {
 // looked for, so much of it that mesh and step do not make as much.
 TEST(TwoEffects, AreNotAllThatIsMissing) {
   const Recording recording =
-      SeenAskew({{"wind.x", 3.0}, {"added_mass.normal", 0.6}}, {0.06, -0.04, 0.0});
+      SeenAskew({{"wind.x", 3.0}, {"added_mass.normal", 0.45}}, {0.06, -0.04, 0.0});
   const Diagnosis diagnosis = Diagnose(recording, Told(recording), OnlyAmong({"wind"}));
   ASSERT_THAT(diagnosis.effects, ElementsAre(kPose, "wind"));
   ExpectToldAlike(diagnosis);
