@@ -171,9 +171,7 @@ void ForecastScreening::AddBarThroughBall(const FittedScene& base, const Ranking
   const Eigen::VectorXd stiffness =
       Eigen::VectorXd::Constant(1, fitted("obstacle_sphere.stiffness"));
   through.other_starts.clear();
-  const Scene& scene = base.scene;
-  for (const Probe& probe :
-       BarsThroughBall(shape, scene.world.gravity, scene.recording.cloth.size.maxCoeff()))
+  for (const Probe& probe : BarsThroughBall(shape, base.scene.world.gravity))
     through.other_starts.push_back({probe, stiffness});
   through.probe = through.other_starts.back().probe;
   through.amounts = stiffness;

@@ -352,18 +352,18 @@ class ContactSearch {
 
 }  // namespace
 
-std::vector<Probe> BarsThroughBall(const Probe& ball, const Eigen::Vector3d& gravity,
-                                   double length) {
+std::vector<Probe> BarsThroughBall(const Probe& ball, const Eigen::Vector3d& gravity) {
   constexpr int kDirections = 4;
   const DownFrame frame = MakeDownFrame(gravity);
   const Eigen::Vector3d middle(ball.at("obstacle_sphere.x"), ball.at("obstacle_sphere.y"),
                                ball.at("obstacle_sphere.z"));
+  const double radius = ball.at("obstacle_sphere.radius");
   std::vector<Probe> bars;
   for (int i = 0; i < kDirections; ++i) {
     const double angle = M_PI * i / kDirections;
     const Eigen::Vector3d half =
-        0.5 * length * (std::cos(angle) * frame.axis_1 + std::sin(angle) * frame.axis_2);
-    bars.push_back(CapsuleProbe(middle - half, middle + half, ball.at("obstacle_sphere.radius")));
+        0.5 * radius * (std::cos(angle) * frame.axis_1 + std::sin(angle) * frame.axis_2);
+    bars.push_back(CapsuleProbe(middle - half, middle + half, radius));
   }
   return bars;
 }
