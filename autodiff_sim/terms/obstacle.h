@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Obstacles that no picture shows: a plane, a table with an edge, a sphere, a capsule (a bar with
-// round ends). Each
-// pushes the particles that are inside along its surface's normal, without friction, with a
-// pressure that grows with the depth d and whose slope is continuous where contact begins,
+// round ends). Each pushes the particles that are inside along its surface's normal, without
+// friction, with a pressure that grows with the depth d and whose slope is continuous where contact
+// begins,
 //   pressure = stiffness d^2 / (2 s) for d < s, stiffness (d - s / 2) beyond,  s = 5 mm.
 // Inside of a sphere or capsule of radius R, r from its middle or axis, the depth is taken for
 // (R^2 - r^2) / (2 R) and the normal for r / R: to first order the same at the surface, and smooth
