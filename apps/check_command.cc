@@ -14,6 +14,7 @@
 #include "fitting/runs/fit_run.h"
 #include "fitting/runs/workload.h"
 #include "tracking/outliers/outliers.h"
+#include "tracking/outliers/swapped_markers.h"
 #include "tracking/recording/images.h"
 #include "tracking/recording/summary.h"
 #include "tracking/text/text.h"
@@ -34,6 +35,9 @@ int RunCheckCommand(const std::string& folder) {
   PrintWarnings(recording);
   Recording without = recording;
   LeaveOutOutliers(&without);
+  const std::string swaps = DescribeSwaps(without);
+  if (!swaps.empty())
+    fmt::print(Terminal(), "clothfit: warning: wrong labels, which fits put right: {}\n", swaps);
   const std::string outliers = DescribeOutliers(without);
   if (!outliers.empty())
     fmt::print(Terminal(), "clothfit: warning: gross errors, which fits leave out: {}\n", outliers);

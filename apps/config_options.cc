@@ -12,6 +12,7 @@
 #include "autodiff_sim/base/printable.h"
 #include "fitting/config/keys.h"
 #include "tracking/outliers/outliers.h"
+#include "tracking/outliers/swapped_markers.h"
 #include "tracking/recording/summary.h"
 
 namespace clothfit {
@@ -155,6 +156,9 @@ void LeaveOutOutliers(const FitConfig& config, Recording* recording) {
 }
 
 void PrintOutliers(const Recording& recording, const std::string& name) {
+  const std::string swaps = DescribeSwaps(recording);
+  if (!swaps.empty())
+    std::fprintf(Terminal(), "clothfit: %sput right: %s\n", Prefix(name).c_str(), swaps.c_str());
   const std::string outliers = DescribeOutliers(recording);
   if (!outliers.empty())
     std::fprintf(Terminal(), "clothfit: %sleft out as gross errors: %s\n", Prefix(name).c_str(),

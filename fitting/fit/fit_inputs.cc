@@ -149,7 +149,7 @@ class InputBytes {
   void Put(const Recording& recording) {
     [[maybe_unused]] const auto& [path, name, frame_rate, frame_count, gravity, ground_height,
                                   cloth, handles, obstacles, noise, splits, cameras, files, clouds,
-                                  markers, tracks, left_out] = recording;
+                                  markers, tracks, put_right, left_out] = recording;
     PutAll(frame_rate, frame_count, gravity, ground_height, cloth, handles, obstacles, noise,
            splits, cameras, files, markers, tracks);
   }

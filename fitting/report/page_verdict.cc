@@ -244,6 +244,8 @@ PageVerdict JudgeFit(const VerdictFacts& facts) {
   } else if (facts.noise_factor) {
     verdict.sentences.push_back(NoiseSentence(*facts.noise_factor));
   }
+  if (!facts.put_right.empty())
+    verdict.sentences.push_back("Wrong labels were put right: " + facts.put_right + ".");
   if (!facts.left_out.empty())
     verdict.sentences.push_back("Left out as gross errors: " + facts.left_out + ".");
   verdict.sentences.push_back(ParameterSentence(facts));

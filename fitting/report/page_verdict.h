@@ -28,7 +28,8 @@ struct VerdictFacts {
   std::vector<std::string> undetermined, at_bound;  // names among them
   int recorded_frames = 0, simulated_frames = 0;
   std::optional<Misfit> misfit;              // of markers and tracks
-  std::string left_out;                      // gross errors, in words; empty where there were none
+  std::string put_right;                     // wrong labels, in words; empty where there were none
+  std::string left_out;                      // gross errors, likewise
   std::vector<std::string> unknown_handles;  // in held-out frames
   std::string recording;                     // as the command line names it
   bool is_predicted = false;                 // nothing of the recording was fitted

@@ -120,6 +120,7 @@ VerdictFacts FactsOf(const RunRecord& record) {
   facts.recorded_frames = summary.at("frames").value("recorded", 0);
   facts.misfit = MisfitOf(summary);
   const Json none = Json::object();
+  facts.put_right = summary.value("put_right", "");
   facts.left_out = summary.value("left_out", none).value("in_words", "");
   facts.unknown_handles = summary.value("unknown_in_held_out_frames", std::vector<std::string>());
   facts.recording = summary.value("recording", none).value("path", "");

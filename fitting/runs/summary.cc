@@ -11,6 +11,7 @@
 #include "fitting/runs/run_folder.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/outliers/outliers.h"
+#include "tracking/outliers/swapped_markers.h"
 
 namespace clothfit {
 namespace {
@@ -127,6 +128,7 @@ Json SummaryAsJson(const Scene& scene, const FitConfig& config, const FitResult&
   json["halvings"] = result.steps.halvings;
   json["noise_factor"] = OrNull(result.noise_factor);
   json["misfit"] = MisfitAsJson(result.misfit);
+  json["put_right"] = DescribeSwaps(scene.recording);
   json["left_out"] = LeftOutAsJson(scene.recording);
   json["unknown_in_held_out_frames"] = HandlesUnknownInHeldOutFrames(scene);
   json["statements"] = result.statements;

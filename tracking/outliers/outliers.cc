@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "tracking/outliers/swapped_markers.h"
 #include "tracking/outliers/unexplained.h"
 #include "tracking/recording/point_warnings.h"
 
@@ -132,6 +133,7 @@ void MoveOut(const Errors& errors, std::vector<Point>* all, std::vector<Outlier>
 }  // namespace
 
 void LeaveOutOutliers(Recording* recording) {
+  PutLabelsRight(recording);
   std::vector<Outlier>& out = recording->left_out;
   std::vector<ObservedPoint> points;
   for (const Marker& m : recording->markers) points.push_back({m.frame, m.id, m.uv, m.position});

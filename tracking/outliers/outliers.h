@@ -11,8 +11,8 @@
 
 namespace clothfit {
 
-// Moves them from a recording's markers and tracks to what it left out; markers first, of each kind
-// the worst first.
+// Puts labels right first (swapped_markers.h), then moves gross errors from a recording's markers
+// and tracks to what it left out; markers first, of each kind the worst first.
 //  - A marker that is farther from half of its nearest neighbours than cloth lets it be (a tenth
 //    more than on the cloth, and 6 sigmas). Neighbours that half of their own neighbours contradict
 //    do not count, so that cloth that is stretched as a whole is no error.

@@ -171,6 +171,13 @@ struct Outlier {
   bool IsMarker() const { return std::holds_alternative<Marker>(point); }
 };
 
+// Markers that changed places for good from a frame on: what is labelled ids[k] is the marker that
+// was labelled ids[k + 1] before, the last one the first.
+struct SwappedMarkers {
+  std::vector<int> ids;  // two, or more that changed places in turn
+  int from_frame = 0;
+};
+
 struct Recording {
   std::filesystem::path path;  // the folder
   std::string name;
@@ -186,9 +193,11 @@ struct Recording {
   std::vector<Camera> cameras;
   std::vector<CameraFiles> files;  // one a camera, in the same order; or none at all
   CloudFiles clouds;
-  std::vector<Marker> markers;    // in file order
-  std::vector<Track> tracks;      // in file order
-  std::vector<Outlier> left_out;  // of markers and tracks, by LeaveOutOutliers; not in files
+  std::vector<Marker> markers;  // in file order
+  std::vector<Track> tracks;    // in file order
+  // Not in files: what PutLabelsRight and LeaveOutOutliers have done.
+  std::vector<SwappedMarkers> put_right;
+  std::vector<Outlier> left_out;  // of markers and tracks
 };
 
 // Reads the folder (recording-format version 1) and checks it as CheckRecording does. Rows of

@@ -70,15 +70,4 @@ RowMajorMatrix FaultColumns(const Scene& scene, const FitConfig& config,
 Recording WithoutFaults(const Recording& recording, const std::vector<Fault>& faults,
                         const Eigen::VectorXd& amounts);
 
-// Two markers that changed places for good from a frame on.
-struct SwappedMarkers {
-  int first_id, second_id, from_frame;
-  double gain;  // decrease of the sum of squares (in sigmas) when they are swapped back
-};
-// Those that explain the simulated frames better when they are swapped back, the clearest first.
-// positions[frame]: 3N, m.
-std::vector<SwappedMarkers> FindSwappedMarkers(const Scene& scene,
-                                               const std::vector<Eigen::VectorXd>& positions);
-Recording SwapBack(const Recording& recording, const SwappedMarkers& swap);
-
 }  // namespace clothfit

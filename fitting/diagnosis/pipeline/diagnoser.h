@@ -44,7 +44,7 @@ class Diagnoser {
     bool IsPhysics() const { return candidate.faults.empty(); }
   };
 
-  FittedScene UndoSwaps(FittedScene fitted);
+  void UndoSwaps();
   BothMeshes FitBaselineOnBoth(const FittedScene& coarse) const;
   // A model of the coarse mesh on the deciding one.
   std::optional<BothMeshes> RefineModel(const FittedModel& model) const;

@@ -116,38 +116,6 @@ TEST(Faults, OnlyTheOwnObservationsMove) {
   }
 }
 
-TEST(Faults, SwappedMarkersAreFoundFromTheirFrameOn) {
-  Recording recording = MakeSyntheticRecording(SmallSwing()).recording;
-  const Recording truth = recording;
-  SwappedMarkers swap{recording.markers[3].id, recording.markers[9].id, 9, 0.0};
-  recording = SwapBack(recording, swap);  // swapping is its own inverse
-  const FitConfig config = PlainConfig(recording);
-  const Scene scene = MakeScene(recording, config);
-  std::vector<Eigen::VectorXd> positions;
-  for (const State& state : Simulate(scene, config)) positions.push_back(state.x);
-  const std::vector<SwappedMarkers> found = FindSwappedMarkers(scene, positions);
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(std::min(found[0].first_id, found[0].second_id),
-            std::min(swap.first_id, swap.second_id));
-  EXPECT_EQ(std::max(found[0].first_id, found[0].second_id),
-            std::max(swap.first_id, swap.second_id));
-  EXPECT_EQ(found[0].from_frame, 9);
-  const Recording back = SwapBack(recording, found[0]);
-  for (std::size_t i = 0; i < back.markers.size(); ++i) {
-    EXPECT_EQ(back.markers[i].id, truth.markers[i].id);
-    EXPECT_EQ(back.markers[i].uv, truth.markers[i].uv);
-  }
-}
-
-TEST(Faults, NoMarkersAreSwappedWhereNoneAre) {
-  const Recording recording = MakeSyntheticRecording(SmallSwing()).recording;
-  const FitConfig config = PlainConfig(recording);
-  const Scene scene = MakeScene(recording, config);
-  std::vector<Eigen::VectorXd> positions;
-  for (const State& state : Simulate(scene, config)) positions.push_back(state.x);
-  EXPECT_TRUE(FindSwappedMarkers(scene, positions).empty());
-}
-
 TEST(Faults, OfMasksArePutRightWhereTheyAreLoaded) {
   Recording recording = WithCameras();  // 60 Hz
   recording.files.resize(2);
