@@ -32,7 +32,9 @@ FittedScene FitBaseline(const Recording& recording, const FitConfig& baseline,
   Scene scene = MakeScene(recording, config);
   FitConfig quick = config;
   quick.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
-  quick.max_iterations = std::min(config.max_iterations, kBaselineIterations);
+  // Outlines are not led to their motion by windows, and all that follows goes on from here.
+  const int most = HasPoints(scene) ? kBaselineIterations : 4 * kBaselineIterations;
+  quick.max_iterations = std::min(config.max_iterations, most);
   FitCallbacks callbacks;
   callbacks.log = options.log;
   callbacks.progress = [&options](const FitProgress& p) {

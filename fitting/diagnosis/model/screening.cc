@@ -84,19 +84,15 @@ std::optional<FittedScene> ModelScreening::FirstFit(const FittedScene& current,
 }
 
 // Physics by its score, whatever the null does as well: mesh and step are the deciding mesh's
-// business. (Of outlines alone, whose residuals hang together along them, what is short-listed.)
-// Faults that are larger than in well-made recordings beside it. Far off, where a linear score says
-// little, default terms too, each by itself and all of it together.
-std::vector<RankedCandidate> ModelScreening::Entrants(const FittedScene& current,
-                                                      const Ranking& ranking) const {
+// business. Faults that are larger than in well-made recordings beside it. Far off, where a linear
+// score says little, default terms too, each by itself and all of it together.
+std::vector<RankedCandidate> ModelScreening::Entrants(const Ranking& ranking) const {
   std::vector<RankedCandidate> entrants;
   int num_physics = 0, num_faults = 0;
-  const bool by_score = HasPoints(current.scene);
   for (const RankedCandidate& candidate : ranking.candidates) {
     const Candidate& c = candidate.summary;
     const bool is_physics = c.kind == CandidateKind::kPhysics;
-    const bool is_worth_it =
-        c.is_short_listed || (is_physics && by_score && c.share >= options_.least_share);
+    const bool is_worth_it = c.is_short_listed || (is_physics && c.share >= options_.least_share);
     int& count = is_physics ? num_physics : num_faults;
     if (!is_worth_it || count >= (is_physics ? options_.max_models : kMostFaults)) continue;
     ++count;
@@ -146,7 +142,7 @@ std::vector<FittedModel> ModelScreening::Screen(
 
 std::vector<FittedModel> ModelScreening::Run(const FittedScene& current,
                                              const Ranking& ranking) const {
-  std::vector<FittedModel> models = Screen(current, ranking, Entrants(current, ranking));
+  std::vector<FittedModel> models = Screen(current, ranking, Entrants(ranking));
   if (!models.empty() && models.front().candidate.faults.empty())
     Merge(FitCompetitors(current, ranking, models), &models);
   for (const FittedModel& model : models) {
@@ -159,7 +155,7 @@ std::vector<FittedModel> ModelScreening::Run(const FittedScene& current,
 
 std::vector<FittedModel> ModelScreening::FitFaults(const FittedScene& current,
                                                    const Ranking& ranking) const {
-  std::vector<RankedCandidate> faults = Entrants(current, ranking);
+  std::vector<RankedCandidate> faults = Entrants(ranking);
   faults.erase(std::remove_if(faults.begin(), faults.end(),
                               [](const RankedCandidate& one) { return one.faults.empty(); }),
                faults.end());

@@ -23,6 +23,7 @@
 #include "fitting/diagnosis/locate/discrepancy_pictures.h"
 #include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/diagnosis/pipeline/diagnoser.h"
+#include "tracking/outliers/swapped_markers.h"
 
 namespace clothfit {
 namespace {
@@ -46,32 +47,13 @@ void Diagnoser::Spend(const std::string& stage) {
   mark_ = now;
 }
 
-// Swapped markers are put right at once: nothing else can be said before.
-FittedScene Diagnoser::UndoSwaps(FittedScene fitted) {
-  constexpr int kMost = 8;
-  for (int k = 0; k < kMost && !Stopped(); ++k) {
-    std::vector<Eigen::VectorXd> positions;
-    const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
-    SimulateFrames(fitted.scene, fitted.config, free, fitted.fit.theta,
-                   fitted.scene.last_fitted_frame,
-                   [&](int, const State& state) { positions.push_back(state.x); });
-    const std::vector<SwappedMarkers> swaps = FindSwappedMarkers(fitted.scene, positions);
-    if (swaps.empty()) break;
-    const SwappedMarkers& swap = swaps.front();
-    const std::string name = fmt::format("markers {} and {} swapped from frame {} on",
-                                         swap.first_id, swap.second_id, swap.from_frame);
-    ModelStart start = GoOn(fitted);
-    start.recording = SwapBack(fitted.scene.recording, swap);
-    std::optional<FittedScene> again = FitModel(fitted, start, kModelIterations, runner_);
-    if (!again || !(again->fit.cost_after < fitted.fit.cost_after)) {
-      Log(name + ": the fit is no better without");
-      break;
-    }
-    Log(name);
-    swaps_.push_back(name);
-    fitted = std::move(*again);
+// Nothing else can be said before.
+void Diagnoser::UndoSwaps() {
+  PutLabelsRight(&recording_);
+  for (const SwappedMarkers& swap : recording_.put_right) {
+    swaps_.push_back(ToString(swap));
+    Log(swaps_.back());
   }
-  return fitted;
 }
 
 // Where the cloth may be somewhere else than the recorded one, no force leads it there: then along
@@ -164,10 +146,15 @@ void Diagnoser::TellCandidates(const Ranking& of_physics, const Ranking& of_faul
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
 }
 
-// Of points, on the deciding mesh; outlines alone are held to simulated recordings of the baseline.
+// Outlines alone are held to simulated recordings of the baseline, too, on the coarse mesh. Where
+// that makes as much itself, the deciding mesh may leave little all the same. A fault has to stand
+// out by itself: the sum of what is left takes it for granted.
 bool Diagnoser::IsExplained(const Ranking& ranking) const {
   if (quality_->result.misfit) return quality_->is_explained;
-  return ranking.gate_p_value >= kGate;
+  const bool is_a_fault = std::any_of(
+      ranking.candidates.begin(), ranking.candidates.end(),
+      [](const auto& one) { return !one.faults.empty() && one.summary.is_short_listed; });
+  return ranking.gate_p_value >= kGate && quality_->Unexplained() < kTooLittle && !is_a_fault;
 }
 
 // The coarse mesh is looked at while the deciding one is fitted and held to its noise: a
@@ -232,7 +219,8 @@ BothMeshes Diagnoser::FitBaselineOnBoth(const FittedScene& coarse) const {
 
 Diagnosis Diagnoser::Run() {
   Say("fitting the baseline", 0.0);
-  now_.coarse = UndoSwaps(FitBaseline(recording_, baseline_, options_));
+  UndoSwaps();
+  now_.coarse = FitBaseline(recording_, baseline_, options_);
   now_.fine = now_.coarse;
   Spend("baseline");
   meshes_.Set(now_.coarse, DecidingSide(recording_, baseline_, options_.finest_side));
