@@ -75,12 +75,12 @@ class ClothOfMarkers {
   // Are the markers of a swap mostly where cloth cannot have them by the labels that they have
   // after `before`, and hardly any once it is undone?
   bool Confirms(const SwappedMarkers& swap, const std::vector<SwappedMarkers>& before) const {
-    constexpr int kFrames = 10;
     int seen = 0, wrong = 0, wrong_after = 0;
     for (auto f = frames_.lower_bound(swap.from_frame);
          f != frames_.end() && f->first < swap.from_frame + kFrames; ++f) {
       Sightings own = f->second;
-      for (const SwappedMarkers& one : before) own = Relabelled(one, std::move(own));
+      for (const SwappedMarkers& one : before)
+        if (one.from_frame <= f->first) own = Relabelled(one, own);
       const Sightings after = Relabelled(swap, own);
       for (const int id : swap.ids) {
         seen += own.count(id) > 0 ? 1 : 0;
@@ -91,7 +91,29 @@ class ClothOfMarkers {
     return 2 * wrong >= seen && 4 * wrong_after <= wrong && wrong > 0;
   }
 
+  // By id, the frame from which on cloth cannot have a marker where most of its next sightings are.
+  std::map<int, int> WrongSince(const std::vector<SwappedMarkers>& before) const {
+    std::map<int, std::vector<std::pair<int, bool>>> sightings;  // by id: frame, and whether wrong
+    for (const auto& [frame, raw] : frames_) {
+      Sightings seen = raw;
+      for (const SwappedMarkers& one : before)
+        if (one.from_frame <= frame) seen = Relabelled(one, seen);
+      for (const auto& [id, position] : seen)
+        sightings[id].emplace_back(frame, IsImpossible(id, seen, {}));
+    }
+    std::map<int, int> since;
+    for (const auto& [id, all] : sightings) {
+      for (auto first = all.begin(); first != all.end() && since.count(id) == 0; ++first) {
+        const auto last = first + std::min<std::ptrdiff_t>(kFrames, all.end() - first);
+        const auto wrong = std::count_if(first, last, [](const auto& one) { return one.second; });
+        if (first->second && 2 * wrong > last - first && last - first > 1) since[id] = first->first;
+      }
+    }
+    return since;
+  }
+
  private:
+  static constexpr int kFrames = 10;  // that are looked at after labels may have changed
   static constexpr double kDistanceSigmas = 6.0;
 
   // Too far from half of the nearest markers that have not swapped.
@@ -127,7 +149,7 @@ class Follower {
   const std::vector<SwappedMarkers>& found() const { return found_; }
 
   void Next(int frame, Sightings seen) {
-    for (const SwappedMarkers& swap : found_) seen = Relabelled(swap, std::move(seen));
+    for (const SwappedMarkers& swap : found_) seen = Relabelled(swap, seen);
     usual_ = UsualDistance(frame, seen);
     std::map<int, int> places;  // of those that are at another one's, by id
     for (const auto& [id, position] : seen) {
@@ -146,7 +168,7 @@ class Follower {
       for (const int id : round) places.erase(id);
       if (round.empty() || !cloth_.Confirms(Swapped(frame, round), found_)) continue;
       found_.push_back(Swapped(frame, round));
-      seen = Relabelled(found_.back(), std::move(seen));
+      seen = Relabelled(found_.back(), seen);
     }
     for (const auto& [id, position] : seen) Follow(frame, id, position);
   }
@@ -257,7 +279,22 @@ std::vector<SwappedMarkers> FindSwappedMarkers(const Recording& recording) {
   const ClothOfMarkers cloth(recording);
   Follower follower(cloth);
   for (const auto& [frame, seen] : cloth.frames()) follower.Next(frame, seen);
-  return follower.found();
+  std::vector<SwappedMarkers> found = follower.found();
+  // One that is hidden while labels change comes back where no course leads to.
+  std::map<int, int> since = cloth.WrongSince(found);
+  for (auto a = since.begin(); a != since.end(); ++a) {
+    for (auto b = std::next(a); b != since.end(); ++b) {
+      const SwappedMarkers swap{{a->first, b->first}, std::min(a->second, b->second)};
+      if (!cloth.Confirms(swap, found)) continue;
+      found.push_back(swap);
+      since.erase(b);
+      break;
+    }
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& one, const auto& other) {
+    return one.from_frame < other.from_frame;
+  });
+  return found;
 }
 
 void SwapBack(const SwappedMarkers& swap, Recording* recording) {

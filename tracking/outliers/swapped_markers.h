@@ -14,11 +14,11 @@ namespace clothfit {
 
 // In the order of their frames. Each marker is led on along its last two sightings; it is at
 // another one's place where that one's continuation is nearer by half than its own, which is four
-// times as far away as is usual at that frame. Markers that are so in turn are swapped, if cloth
-// says so too: labels as they are put them where it cannot have them, labels that are put right do
-// not. One of them may be hidden at first, if the others stay for another frame: a gross error
-// comes back. Neighbours that are thrown about together are never at each other's places, whatever
-// moves them.
+// times as far away as is usual at that frame. Markers that are so in turn are swapped. One of them
+// may be hidden at first, if the others stay for another frame: a gross error comes back. Two of
+// which one is hidden for longer are found by the cloth alone. Whatever is found the cloth has to
+// confirm: labels as they are put markers where it cannot have them, labels that are put right do
+// not.
 std::vector<SwappedMarkers> FindSwappedMarkers(const Recording& recording);
 
 // Puts the labels right.

@@ -106,6 +106,14 @@ TEST(SwappedMarkers, AreFoundInTurnAndWithOneThatIsHidden) {
   EXPECT_THAT(SwapsFound(recording), IsEmpty());
 }
 
+TEST(SwappedMarkers, AreFoundWhereOneIsHiddenForLong) {
+  Recording recording = MakeFlag();
+  SwapBack({{20, 77}, 25}, &recording);
+  for (int frame = 19; frame < 36; ++frame) HideMarkers({{77, frame}}, &recording);
+  EXPECT_THAT(SwapsFound(recording),
+              testing::ElementsAre("markers 20 and 77 swapped from frame 25 on"));
+}
+
 // A third one is nearer to where the swapped ones were going than to its own place.
 TEST(SwappedMarkers, AreFoundBesideAGrossErrorAtTheirPlace) {
   Recording recording = MakeFlag();
