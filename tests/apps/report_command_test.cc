@@ -86,6 +86,9 @@ TEST_F(ReportCommand, ExportsAndRefusesToOverwrite) {
               HasSubstr("--force replaces it"));
   EXPECT_THAT(BadInputLine(Run({"export", "run", "--format", "glft", "-o", "b.glb"})),
               HasSubstr("did you mean 'gltf'?"));
+  EXPECT_THAT(BadInputLine(Run({"export", "run", "-o", "cloth.py"})),
+              HasSubstr("--format: is missing: .py may be newton, blender"));
+  EXPECT_EQ(Run({"export", "run", "-o", "cloth.xml"}).status, 0);
   EXPECT_EQ(Run({"export", "run", "--format", "obj", "-o", "frames"}).status, 0);
   EXPECT_TRUE(fs::exists(folder_.path() / "frames" / "000011.obj"));
 }
