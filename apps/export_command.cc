@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// clothfit export: a run's motion in the files of other programs.
+// clothfit export: a run's motion, or its cloth, in the files of other programs.
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -26,11 +26,18 @@ struct ExportOptions {
 
 // The format that is named, else the one whose files end as the output's name does.
 const ExportFormat& FindFormat(const std::string& name, const std::string& output) {
-  std::vector<std::string> names;
+  std::vector<std::string> names, alike;
+  const ExportFormat* found = nullptr;
   const std::string extension = std::filesystem::path(output).extension().string();
   for (const ExportFormat& format : ExportFormats()) {
-    if (format.name == name || (name.empty() && format.extension == extension)) return format;
     names.push_back(format.name);
+    if (format.name != name && (!name.empty() || format.extension != extension)) continue;
+    found = &format;
+    alike.push_back(format.name);
+  }
+  if (alike.size() == 1) return *found;
+  if (alike.size() > 1) {
+    throw InputError("--format", "is missing: " + extension + " may be " + JoinNames(alike));
   }
   if (name.empty()) throw InputError("--format", "is missing: expected one of " + JoinNames(names));
   throw InputError("--format", "'" + name + "': " + Suggestion(name, names));
@@ -54,7 +61,7 @@ int RunExportCommand(const ExportOptions& options) {
 std::string FormatsInWords() {
   std::string text = "Formats:\n";
   for (const ExportFormat& format : ExportFormats()) {
-    text += fmt::format("  {:<6} {}: {}\n", format.name, format.extension, format.doc);
+    text += fmt::format("  {:<7} {}: {}\n", format.name, format.extension, format.doc);
   }
   return text;
 }
@@ -63,7 +70,7 @@ std::string FormatsInWords() {
 
 void AddExportCommand(CLI::App* app, Action* action) {
   CLI::App* const command =
-      app->add_subcommand("export", "a run's motion in the files of other programs");
+      app->add_subcommand("export", "a run's motion, or its cloth, in the files of other programs");
   const auto options = std::make_shared<ExportOptions>();
   command->add_option("RUN", options->run, "folder of the run")->required();
   command->add_option("--format", options->format, "see below; else as OUT ends")

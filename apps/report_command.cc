@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// clothfit report: a recording, a run, a diagnosis, a comparison or a study as one page to open in
-// a browser.
+// clothfit report: a recording, a run, two runs, a diagnosis, a comparison or a study as one page
+// to open in a browser.
 #include <filesystem>
 #include <memory>
 
@@ -19,18 +19,23 @@ namespace clothfit {
 namespace {
 
 struct ReportCommandOptions {
-  std::string folder, output;  // output empty: FOLDER/report.html
+  std::string folder, other, output;  // output empty: FOLDER/report.html
   ReportOptions report;
   bool force = false;
 };
 
-// A recording is somebody's own: its page comes to where the command is run.
-std::filesystem::path PageOf(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder / "recording.yaml")) return folder / "report.html";
+std::string NameOf(const std::filesystem::path& folder) {
   const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
-  const std::filesystem::path name =
-      whole.has_filename() ? whole.filename() : whole.parent_path().filename();
-  return name.string() + ".html";
+  return (whole.has_filename() ? whole.filename() : whole.parent_path().filename()).string();
+}
+
+// A recording is somebody's own: its page comes to where the command is run. So does that of two
+// runs, which is neither's.
+std::filesystem::path PageOf(const ReportCommandOptions& options) {
+  const std::filesystem::path folder = options.folder;
+  if (!options.other.empty()) return NameOf(folder) + "-" + NameOf(options.other) + ".html";
+  if (!std::filesystem::exists(folder / "recording.yaml")) return folder / "report.html";
+  return NameOf(folder) + ".html";
 }
 
 // Of a fit of several recordings each run's page, in the run: the whole one leads there.
@@ -44,15 +49,18 @@ std::vector<std::filesystem::path> PagesOfRecordings(const std::filesystem::path
 
 int RunReportCommand(const ReportCommandOptions& options) {
   const std::filesystem::path folder = options.folder;
+  const bool is_pair = !options.other.empty();
   const std::filesystem::path file =
-      options.output.empty() ? PageOf(folder) : std::filesystem::path(options.output);
+      options.output.empty() ? PageOf(options) : std::filesystem::path(options.output);
   const Overwrite overwrite = OverwriteIf(options.force);
   CheckMayWrite(file, overwrite);
-  const std::vector<std::filesystem::path> of_recordings = PagesOfRecordings(folder);
+  std::vector<std::filesystem::path> of_recordings;
+  if (!is_pair) of_recordings = PagesOfRecordings(folder);
   for (const std::filesystem::path& one : of_recordings) CheckMayWrite(one, overwrite);
   ReportOptions whole = options.report;
   whole.page = file;
-  const ReportPage page = MakeReport(folder, PageAssets(), whole);
+  const ReportPage page = is_pair ? MakePairReport(folder, options.other, PageAssets(), whole)
+                                  : MakeReport(folder, PageAssets(), whole);
   for (const std::filesystem::path& one : of_recordings)
     WriteOutputFile(one, MakeReport(one.parent_path(), PageAssets(), options.report).html,
                     overwrite);
@@ -73,15 +81,25 @@ int RunReportCommand(const ReportCommandOptions& options) {
 
 void AddReportCommand(CLI::App* app, Action* action) {
   CLI::App* const command = app->add_subcommand(
-      "report", "a recording, run, diagnosis, comparison or study as a page to open in a browser");
+      "report",
+      "a recording, run, diagnosis, comparison or study as a page to open in a browser, "
+      "or two runs side by side");
   const auto options = std::make_shared<ReportCommandOptions>();
   command
       ->add_option("FOLDER", options->folder,
                    "a recording, or what fit, diagnose, compare, study or trials wrote")
       ->required();
   command
-      ->add_option("-o,--output", options->output,
-                   "page to write; FOLDER/report.html if left out, of a recording NAME.html")
+      ->add_option(
+          "OTHER", options->other,
+          "a run to compare with FOLDER, which is a run too: of fit, or what diagnose wrote")
+      ->check(CLI::Validator(
+          [](const std::string& name) { return name.empty() ? "is empty" : std::string(); }, ""));
+  command
+      ->add_option(
+          "-o,--output", options->output,
+          "page to write; if left out FOLDER/report.html, of a recording NAME.html, of two "
+          "runs FOLDER-OTHER.html where you are")
       ->type_name("FILE.html");
   command
       ->add_option("--pictures", options->report.pictures,
@@ -102,8 +120,9 @@ void AddReportCommand(CLI::App* app, Action* action) {
   command->add_flag("--force", options->force, "replace the page that is there");
   command->footer(
       "The page holds everything it shows and asks no network: it can be sent as it is.\n\n"
-      "Example:\n"
-      "  clothfit report runs/demo -o demo.html");
+      "Examples:\n"
+      "  clothfit report runs/demo -o demo.html\n"
+      "  clothfit report runs/demo runs/finer -o both.html");
   command->callback(
       [options, action] { *action = [options] { return RunReportCommand(*options); }; });
 }

@@ -134,6 +134,14 @@ std::string ReadConfigRecording(const std::filesystem::path& file);
 // The complete config as YAML that reads back the same.
 std::string ConfigToYaml(const FitConfig& config);
 
+// One key in which two configs differ, with its values as YAML.
+struct ConfigDifference {
+  std::string key, doc;  // "strategy.window", "parameters.bending.stiffness.free"
+  std::string value, other;
+};
+// In the order of the file; of parameters number by number. The recording counts too.
+std::vector<ConfigDifference> CompareConfigs(const FitConfig& config, const FitConfig& other);
+
 // One line a key in which they differ: "strategy.window (1, not 0.5)". Empty where they are equal.
 std::vector<std::string> ConfigDifferences(const FitConfig& config, const FitConfig& other);
 

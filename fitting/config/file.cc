@@ -146,6 +146,28 @@ std::string ConfigToYaml(const FitConfig& config) {
   return text + "\n" + ParametersAsYaml(config);
 }
 
+std::vector<ConfigDifference> CompareConfigs(const FitConfig& config, const FitConfig& other) {
+  std::vector<ConfigDifference> differences;
+  const auto compare = [&](const std::string& key, const std::string& doc, const std::string& a,
+                           const std::string& b) {
+    if (a != b) differences.push_back({key, doc, a, b});
+  };
+  compare("recording", "the folder", config.recording, other.recording);
+  for (const ConfigKey& key : ConfigKeys())
+    compare(key.full_name(), key.doc, key.write(config), key.write(other));
+  for (const NamedParameter& named : MakeParameterTable()) {
+    const auto a = config.parameters.find(named.name), b = other.parameters.find(named.name);
+    if (a == config.parameters.end() || b == other.parameters.end()) continue;
+    const std::string place = "parameters." + named.name + ".";
+    const std::string doc = named.parameter.doc;
+    compare(place + "free", doc, fmt::to_string(a->second.free), fmt::to_string(b->second.free));
+    for (const SettingKey& key : kSettingKeys)
+      compare(place + key.name, doc, FormatNumber(a->second.*key.member),
+              FormatNumber(b->second.*key.member));
+  }
+  return differences;
+}
+
 std::vector<std::string> ConfigDifferences(const FitConfig& config, const FitConfig& other) {
   std::vector<std::string> differences;
   const auto compare = [&](const std::string& name, const std::string& a, const std::string& b) {

@@ -4,8 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "fitting/export/blender.h"
 #include "fitting/export/gltf.h"
 #include "fitting/export/mesh_files.h"
+#include "fitting/export/mjcf.h"
+#include "fitting/export/newton.h"
 #include "fitting/export/point_cache.h"
 #include "fitting/export/usd.h"
 #include "fitting/files/npy_file.h"
@@ -16,6 +19,16 @@ namespace clothfit {
 namespace {
 
 namespace fs = std::filesystem;
+
+// A cloth to be simulated there, rather than the motion.
+bool IsOfCloth(const std::string& format) {
+  return format == "mjcf" || format == "newton" || format == "blender";
+}
+
+std::string ClothAsFile(const RunCloth& cloth, const std::string& format) {
+  if (format == "mjcf") return ClothAsMjcf(cloth);
+  return format == "newton" ? ClothAsNewtonScript(cloth) : ClothAsBlenderScript(cloth);
+}
 
 std::string AsOneFile(const RunMotion& motion, const std::string& format) {
   if (format == "gltf") return MotionAsGlb(motion);
@@ -50,7 +63,10 @@ const std::vector<ExportFormat>& ExportFormats() {
       {"ply", ".ply", true, "binary PLY with normals and (u, v), a file a frame"},
       {"csv", ".csv", false, "table: frame, time, particle, u, v, x, y, z"},
       {"npy", ".npy", false, "NumPy array, frames x particles x 3"},
-      {"video", ".mp4", false, "pictures of a camera with the simulated outline"}};
+      {"video", ".mp4", false, "pictures of a camera with the simulated outline"},
+      {"mjcf", ".xml", false, "the cloth as a flex of MuJoCo, to be simulated there"},
+      {"newton", ".py", false, "the cloth as a script for Newton and Warp"},
+      {"blender", ".py", false, "the cloth as a script for Blender, with its cloth modifier"}};
   return kFormats;
 }
 
@@ -58,6 +74,11 @@ int ExportRun(const RunFolder& run, const std::string& format, const OverlayOpti
               const fs::path& output, Overwrite overwrite) {
   const bool is_sequence = format == "obj" || format == "ply";
   if (!is_sequence) CheckMayWrite(output, overwrite);
+  if (IsOfCloth(format)) {
+    const RunCloth cloth = ReadRunCloth(run);
+    WriteOutputFile(output, ClothAsFile(cloth, format), overwrite);
+    return static_cast<int>(cloth.motion.frames.size());
+  }
   const RunMotion motion = ReadRunMotion(run);
   if (is_sequence) {
     WriteSequence(motion, format, output, overwrite);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A run's motion in the files of other programs.
+// A run's motion, or its cloth, in the files of other programs.
 #pragma once
 
 #include <filesystem>

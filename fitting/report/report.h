@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A run, a diagnosis, a comparison or a study as one page that any browser opens from disk, without
-// a network.
+// A run, two of them, a diagnosis, a comparison or a study as one page that any browser opens from
+// disk, without a network.
 #pragma once
 
 #include <filesystem>
@@ -37,6 +37,10 @@ struct ReportPage {
 // is incomplete, damaged or of another version.
 ReportPage MakeReport(const std::filesystem::path& folder, const ReportAssets& assets,
                       const ReportOptions& options = {});
+// The page of two fits side by side, each a run or what 'clothfit diagnose' wrote; of one recording
+// with both cloths in 3D. Throws InputError as above, and where both are the same.
+ReportPage MakePairReport(const std::filesystem::path& folder, const std::filesystem::path& other,
+                          const ReportAssets& assets, const ReportOptions& options = {});
 // The page of a fit. Throws InputError where the run is incomplete or damaged, or its recording
 // cannot be read.
 ReportPage MakeReport(const RunFolder& run, const ReportAssets& assets,

@@ -51,18 +51,6 @@ Json ObstaclesAsJson(const std::vector<ObstacleSurface>& obstacles, ReportBlobs*
   return json;
 }
 
-Json ErrorsAsJson(const std::vector<ErrorChange>& changes) {
-  Json errors = Json::array();
-  for (const ErrorChange& error : changes) {
-    errors.push_back({{"kind", error.kind},
-                      {"held_out", error.held_out},
-                      {"unit", error.unit},
-                      {"before", error.before ? Json(*error.before) : Json()},
-                      {"after", error.after ? Json(*error.after) : Json()}});
-  }
-  return errors;
-}
-
 // The range that colours span: to the 98th of 100 values, so that one outlier does not bleach all;
 // of the fit, whose errors are to be seen, rather than of the start, which may be far out.
 std::array<double, 2> ColourRange(const ScalarField& field, const std::string& last_motion) {
@@ -131,6 +119,18 @@ void AddPicturesThatFit(const ReportScene& report, const ReportAssets& assets,
 
 }  // namespace
 
+Json ErrorsAsJson(const std::vector<ErrorChange>& changes) {
+  Json errors = Json::array();
+  for (const ErrorChange& error : changes) {
+    errors.push_back({{"kind", error.kind},
+                      {"held_out", error.held_out},
+                      {"unit", error.unit},
+                      {"before", error.before ? Json(*error.before) : Json()},
+                      {"after", error.after ? Json(*error.after) : Json()}});
+  }
+  return errors;
+}
+
 ReportPage AsReportPage(ReportJson json, const PageVerdict& verdict, const ReportBlobs& blobs,
                         const ReportAssets& assets) {
   json["format"] = "clothfit-report/1";
@@ -149,6 +149,7 @@ ReportPage MakeScenePage(const ScenePage& content, const ReportAssets& assets,
   json["title"] = content.title;
   json["errors_title"] = content.errors_title;
   json["errors"] = ErrorsAsJson(content.errors);
+  if (content.shows_both) json["shows_both"] = true;
   json["obstacles"] = ObstaclesAsJson(content.obstacles, &blobs);
   json["mesh"] = MeshAsJson(scene.mesh, &blobs);
   json["motions"] = MotionsAsJson(report, &blobs);

@@ -22,9 +22,13 @@ struct ScenePage {
   std::vector<ObstacleSurface> obstacles;
   std::vector<ReportJson> sections;  // those without blocks are left out
   ReportBlobs blobs;                 // that the sections name
+  bool shows_both = false;           // the 3D view begins with both motions over each other
 };
 ReportPage MakeScenePage(const ScenePage& content, const ReportAssets& assets,
                          const ReportOptions& options);
+
+// As the table beside the verdict shows them.
+ReportJson ErrorsAsJson(const std::vector<ErrorChange>& changes);
 
 // A page of any data. `json`: title, sections and what else docs/report.md lists.
 ReportPage AsReportPage(ReportJson json, const PageVerdict& verdict, const ReportBlobs& blobs,

@@ -46,6 +46,29 @@ TEST_F(ReportCommand, ShowsARecordingBeforeItIsFitted) {
   EXPECT_FALSE(fs::exists(folder_.path() / "rec" / "report.html"));
 }
 
+TEST_F(ReportCommand, ComparesTwoRuns) {
+  fs::copy(folder_.path() / "run", folder_.path() / "again", fs::copy_options::recursive);
+  const CommandResult result = Run({"report", "run", "again"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("run and again predict the held-out frames equally"));
+  EXPECT_THAT(result.out, HasSubstr("All settings are the same."));
+  EXPECT_THAT(result.out, HasSubstr("report: run-again.html ("));
+  EXPECT_TRUE(fs::exists(folder_.path() / "run-again.html"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "run" / "report.html"));
+  EXPECT_THAT(BadInputLine(Run({"report", "run", "again"})), HasSubstr("--force replaces it"));
+  EXPECT_EQ(Run({"report", "run", "again", "-o", "both.html"}).status, 0);
+  EXPECT_THAT(BadInputLine(Run({"report", "run", "run", "-o", "a.html"})),
+              HasSubstr("is the same run as run"));
+  EXPECT_THAT(BadInputLine(Run({"report", "run", "rec", "-o", "a.html"})),
+              HasSubstr("rec: is not the folder of a run"));
+  EXPECT_THAT(BadInputLine(Run({"report", "run", "none", "-o", "a.html"})),
+              HasSubstr("none: no such folder"));
+  EXPECT_THAT(BadInputLine(Run({"report", "run", "", "-o", "a.html"})), HasSubstr("OTHER"));
+  fs::remove(folder_.path() / "again" / "trajectory.npy");
+  EXPECT_THAT(BadInputLine(Run({"report", "run", "again", "-o", "a.html"})),
+              HasSubstr("again/trajectory.npy: is missing"));
+}
+
 TEST_F(ReportCommand, SaysInOneLineWhatIsWrong) {
   EXPECT_THAT(BadInputLine(Run({"report", "run", "--pictures", "none"})), HasSubstr("none"));
   EXPECT_THAT(BadInputLine(Run({"report", "run", "-o", "none/a.html"})),
@@ -63,6 +86,9 @@ TEST_F(ReportCommand, ExportsAndRefusesToOverwrite) {
               HasSubstr("--force replaces it"));
   EXPECT_THAT(BadInputLine(Run({"export", "run", "--format", "glft", "-o", "b.glb"})),
               HasSubstr("did you mean 'gltf'?"));
+  EXPECT_THAT(BadInputLine(Run({"export", "run", "-o", "cloth.py"})),
+              HasSubstr("--format: is missing: .py may be newton, blender"));
+  EXPECT_EQ(Run({"export", "run", "-o", "cloth.xml"}).status, 0);
   EXPECT_EQ(Run({"export", "run", "--format", "obj", "-o", "frames"}).status, 0);
   EXPECT_TRUE(fs::exists(folder_.path() / "frames" / "000011.obj"));
 }

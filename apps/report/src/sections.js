@@ -5,6 +5,7 @@
 // kinds below. Unknown kinds say so and harm nothing.
 import { barsBlock } from './blocks/bars.js';
 import { heatmapBlock } from './blocks/heatmap.js';
+import { intervalPairsBlock } from './blocks/interval_pairs.js';
 import { intervalsBlock } from './blocks/intervals.js';
 import { linesBlock } from './blocks/lines.js';
 import { pictureBlock } from './blocks/picture.js';
@@ -22,6 +23,7 @@ const kBlocks = {
   lines: linesBlock,
   bars: barsBlock,
   intervals: intervalsBlock,
+  interval_pairs: intervalPairsBlock,
   heatmap: heatmapBlock,
   cameras: (_, { pictures, player, picturePanel }) => cameraGrid(pictures, player, picturePanel),
 };

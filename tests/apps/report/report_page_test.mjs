@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// node report_page_test.mjs MODULES CHROMIUM OUT: opens the pages OUT/run.html, diagnosis.html,
-// comparison.html and study.html from disk and uses them as a person does. Leaves a picture of every
+// node report_page_test.mjs MODULES CHROMIUM OUT: opens the pages OUT/run.html, pair.html,
+// diagnosis.html, comparison.html and study.html from disk and uses them as a person does. Leaves a picture of every
 // section, by day, by night and at the width of a phone.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
@@ -152,6 +152,44 @@ async function testDiagnosis() {
   await close();
 }
 
+// Two runs: both cloths in one view, or apart; both intervals on one axis; both errors in one chart.
+async function testPair() {
+  const { page, close } = await open('pair', kDesk, 'light', { reducedMotion: 'reduce' });
+  const view = () => page.evaluate(() => {
+    const { viewer } = clothfit.viewPanel;
+    return [viewer.shown.length, viewer.columns(), viewer.panes.map(({ cloth }) => cloth.tint)];
+  });
+  assert.deepEqual(await view(), [2, 1, ['--before', '--after']], 'over each other at first');
+  assert.equal(await page.locator('.legend').isVisible(), false);
+  // A frame in which they differ: each alone, and both together, are three pictures.
+  const pictures = [];
+  for (const title of ['run', 'other', 'Over each other']) {
+    await page.locator('.view-panel .segmented').getByText(title, { exact: true }).click();
+    await page.evaluate(() => clothfit.player.seek(20));
+    await page.waitForTimeout(300);
+    pictures.push(await page.evaluate(() => {
+      clothfit.viewPanel.viewer.draw();
+      return clothfit.viewPanel.viewer.canvas.toDataURL();
+    }));
+  }
+  assert.equal(new Set(pictures).size, 3);
+  await page.getByText('Side by side').click();
+  assert.deepEqual(await view(), [2, 2, [null, null]]);
+  await page.getByLabel('Colour by').selectOption('apart');
+  await page.waitForFunction(() => document.querySelector('.legend').innerText.includes('Distance'));
+  const rows = page.locator('#parameters .interval-row');
+  assert.ok(await rows.count() >= 5);
+  for (let i = 0; i < await rows.count(); ++i) {
+    assert.equal(await rows.nth(i).locator('.axis-line').count(), 2);
+    assert.equal(await rows.nth(i).locator('.pair-side').count(), 2);
+  }
+  await page.locator('#errors').scrollIntoViewIfNeeded();
+  await page.waitForSelector('#errors .u-over');
+  const series = await page.locator('#errors .chart').first().locator('.u-series').allInnerTexts();
+  assert.ok(series.some((text) => /run/.test(text)) && series.some((text) => /other/.test(text)));
+  await close();
+}
+
 // What is on paper, by day though the screen is dark, without having been scrolled to; and that the
 // screen is as before.
 async function testPaper(kind) {
@@ -235,9 +273,10 @@ await testPicking();
 await testParameters();
 await testSorting();
 await testDiagnosis();
+await testPair();
 await testPhone();
-for (const kind of ['run', 'diagnosis', 'comparison', 'study']) await testPaper(kind);
-for (const kind of ['run', 'diagnosis', 'comparison', 'study']) {
+for (const kind of ['run', 'pair', 'diagnosis', 'comparison', 'study']) await testPaper(kind);
+for (const kind of ['run', 'pair', 'diagnosis', 'comparison', 'study']) {
   await takePictures(kind, 'light', kDesk, 'light');
   await takePictures(kind, 'dark', kDesk, 'dark');
   await takePictures(kind, 'phone', kPhone, 'light');

@@ -183,21 +183,20 @@ TEST(Export, WritesEveryFormatOfARun) {
   int checked = 0;
   for (const ExportFormat& format : ExportFormats()) {
     const fs::path output =
-        folder.path() / (format.is_sequence ? format.name : "motion" + format.extension);
+        folder.path() / (format.is_sequence ? format.name : format.name + format.extension);
     EXPECT_EQ(ExportRun(run, format.name, {}, output), 12) << format.name;
     EXPECT_TRUE(fs::exists(format.is_sequence ? output / ("000011" + format.extension) : output));
     ++checked;
   }
-  EXPECT_EQ(checked, 9);
-  EXPECT_EQ(ReadTextFile(folder.path() / "motion.npy"),
-            ReadTextFile(run.path() / "trajectory.npy"));
+  EXPECT_EQ(checked, 12);
+  EXPECT_EQ(ReadTextFile(folder.path() / "npy.npy"), ReadTextFile(run.path() / "trajectory.npy"));
   // The recording begins flat, at x = u and y = v: triangles and places belong together.
   const ObjCloth first = ReadObj((folder.path() / "obj" / "000000.obj").string());
   ASSERT_EQ(first.mesh.num_particles(), 25);
   for (int i = 0; i < 25; ++i) {
     EXPECT_LT((first.positions[i].head<2>() - first.mesh.uv[i]).norm(), 1e-9);
   }
-  cv::VideoCapture video((folder.path() / "motion.mp4").string());
+  cv::VideoCapture video((folder.path() / "video.mp4").string());
   ASSERT_TRUE(video.isOpened());
   EXPECT_EQ(video.get(cv::CAP_PROP_FRAME_COUNT), 12.0);
   EXPECT_EQ(video.get(cv::CAP_PROP_FRAME_WIDTH), 160.0);

@@ -6,16 +6,14 @@
 import { h } from '../dom.js';
 import { number, unitText } from '../format.js';
 
-// Maps a value to a share of the row's axis, which holds all that is to be seen and little more.
-function axisOf(item) {
+// Maps a value to a share of the row's axis, which holds `shown` and little more. `item`: its scale
+// and bounds.
+export function axisOf(item, shown) {
   const isLog = item.scale === 'log';
   const to = (value) => (isLog ? Math.log(value) : value);
   const from = (value) => (isLog ? Math.exp(value) : value);
   const isUsable = (value) => Number.isFinite(value) && (!isLog || value > 0);
-  const clip = (value) => (value === null ? null
-    : Math.min(item.bounds[1], Math.max(item.bounds[0], value)));
-  const values = [...(item.prior ?? []).map(clip), ...(item.interval ?? []).map(clip),
-    item.value, item.start, item.truth].filter(isUsable).map(to);
+  const values = shown.filter(isUsable).map(to);
   const [low, high] = [Math.min(...values), Math.max(...values)];
   const margin = 0.04 * (high - low) || 1;
   const share = (value) => {
@@ -26,7 +24,12 @@ function axisOf(item) {
   return { share, ends: [from(low), from(high)] };
 }
 
-function span(axis, [lower, upper], kind, item) {
+// An end of an interval that is not beyond what is possible.
+export function clipped(item, value) {
+  return value === null ? null : Math.min(item.bounds[1], Math.max(item.bounds[0], value));
+}
+
+export function span(axis, [lower, upper], kind, item) {
   const [left, right] = [axis.share(Math.max(lower ?? -Infinity, item.bounds[0])),
     axis.share(Math.min(upper ?? Infinity, item.bounds[1]))];
   if (left === null || right === null) return null;
@@ -35,14 +38,21 @@ function span(axis, [lower, upper], kind, item) {
   return h('span', { class: kind, style: `left: ${from}%; width: ${width}%` });
 }
 
-function mark(axis, value, kind, title) {
+export function mark(axis, value, kind, title) {
   const place = axis.share(value);
   return place === null || value === null ? null
     : h('span', { class: kind, style: `left: ${place}%`, title: `${title}: ${number(value)}` });
 }
 
+export function axisEnds(axis, item) {
+  return h('span', { class: 'axis-ends' }, h('span', {}, number(axis.ends[0], 2)),
+    h('span', {}, item.scale === 'log' ? 'log' : ''), h('span', {}, number(axis.ends[1], 2)));
+}
+
 function row(item) {
-  const axis = axisOf(item);
+  const axis = axisOf(item, [
+    ...[...(item.prior ?? []), ...(item.interval ?? [])].map((value) => clipped(item, value)),
+    item.value, item.start, item.truth]);
   const [lower, upper] = item.interval ?? [null, null];
   return h('div', { class: `interval-row ${item.muted ? 'muted' : ''}`, role: 'listitem' },
     h('span', { class: 'interval-name' }, h('code', {}, item.name),
@@ -53,8 +63,7 @@ function row(item) {
         item.interval ? span(axis, item.interval, 'posterior', item) : null,
         mark(axis, item.start, 'start', 'start'), mark(axis, item.truth, 'truth', 'truth'),
         mark(axis, item.value, 'value', 'value')),
-      h('span', { class: 'axis-ends' }, h('span', {}, number(axis.ends[0], 2)),
-        h('span', {}, item.scale === 'log' ? 'log' : ''), h('span', {}, number(axis.ends[1], 2)))),
+      axisEnds(axis, item)),
     h('span', { class: 'interval-value' },
       h('strong', {}, number(item.value)), ` ${item.unit === '1' ? '' : unitText(item.unit)}`,
       item.interval ? h('small', {}, `${number(lower)} … ${number(upper)}`) : null,

@@ -102,7 +102,7 @@ function optionsOf(block, clock, width) {
         label: series.name,
         stroke: () => seriesColour(series, index),
         width: 2,
-        spanGaps: Boolean(series.steps),
+        spanGaps: Boolean(series.steps || series.joined),
         paths: series.steps ? uPlot.paths.stepped({ align: 1 }) : undefined,
         dash: series.role === 'before' ? [6, 4] : undefined,
         points: { show: Boolean(series.points), size: 6, fill: () => seriesColour(series, index) },

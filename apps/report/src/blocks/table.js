@@ -16,7 +16,7 @@ function cell(value, column) {
   if (value?.href) return h('td', {}, link(value));
   const text = typeof value === 'number' ? number(value) : value ?? '–';
   const content = column.code ? h('code', {}, text) : String(text);
-  return h('td', { class: column.number ? 'number' : null }, content);
+  return h('td', { class: column.number ? 'number' : column.wide ? 'wide-cell' : null }, content);
 }
 
 function titleOf(column) {

@@ -60,6 +60,9 @@ export class Cloth {
     this.coloured = new MeshLambertMaterial({ side: DoubleSide, vertexColors: true, ...offset });
     this.front = new MeshLambertMaterial({ side: FrontSide, ...offset });
     this.back = new MeshLambertMaterial({ side: BackSide, ...offset });
+    this.tinted = new MeshLambertMaterial({
+      side: DoubleSide, transparent: true, opacity: 0.72, ...offset,
+    });
     this.surface = new Mesh(this.geometry, this.coloured);
     this.reverse = new Mesh(this.geometry, this.back);
     const lines = new BufferGeometry();
@@ -78,6 +81,19 @@ export class Cloth {
     this.front.color.set(colour('--cloth-front'));
     this.back.color.set(colour('--cloth-back'));
     this.threads.material.color.set(colour('--thread'));
+    if (this.tint) this.tinted.color.set(colour(this.tint));
+  }
+
+  // One colour for all of it, by its name in the style; null: that of the field or the sides.
+  setTint(name) {
+    this.tint = name;
+    this.chooseMaterial();
+    this.applyTheme();
+  }
+
+  chooseMaterial() {
+    this.surface.material = this.tint ? this.tinted : this.field ? this.coloured : this.front;
+    this.reverse.visible = !this.field && !this.tint;
   }
 
   // `values`: frames x particles; null: the two sides in colours of their own.
@@ -85,8 +101,7 @@ export class Cloth {
     this.field = field;
     this.values = values;
     this.shades = field ? shadesOf(field) : null;
-    this.surface.material = field ? this.coloured : this.front;
-    this.reverse.visible = !field;
+    this.chooseMaterial();
     if (this.frame !== undefined) this.colour();
   }
 

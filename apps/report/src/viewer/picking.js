@@ -8,8 +8,9 @@ const kClick = 5;  // px that a pointer may move between down and up
 
 // The particle nearest to where the pane's cloth is hit; null where it is not.
 export function pick(viewer, x, y) {
-  const index = Math.min(viewer.shown.length - 1,
-    Math.floor((x / viewer.container.clientWidth) * viewer.shown.length));
+  const columns = viewer.columns();
+  const index = Math.min(columns - 1,
+    Math.floor((x / viewer.container.clientWidth) * columns));
   const { left, width, height } = viewer.rectangle(index);
   viewer.eye.aspect = width / height;
   viewer.eye.updateProjectionMatrix();

@@ -57,6 +57,8 @@ async function makePane(report, motion, observations, up, box) {
   return pane;
 }
 
+const kOver = '*over';  // no motion's name
+
 export class ViewPanel {
   static async make(report, observations, player) {
     const up = new Vector3(...report.gravity).negate();
@@ -78,6 +80,7 @@ export class ViewPanel {
     // Where no picture stands beside it, and there is room, the start does.
     const isAlone = report.cameras.length > 0 || matchMedia('(max-width: 480px)').matches;
     this.first = isAlone ? panes[panes.length - 1].motion.name : '';
+    if (report.shows_both && panes.length > 1) this.first = kOver;
     this.legend = h('div', { class: 'legend' });
     this.titles = h('div', { class: 'pane-titles', 'aria-hidden': 'true' });
     this.divider = h('div', { class: 'pane-divider' });
@@ -104,7 +107,8 @@ export class ViewPanel {
     const names = this.panes.map((pane) => pane.motion);
     const motions = segmented('Which motion',
       [...names.map(({ name, title }) => ({ value: name, title })),
-        ...(names.length > 1 ? [{ value: '', title: 'Side by side' }] : [])],
+        ...(names.length > 1 ? [{ value: '', title: 'Side by side' }] : []),
+        ...(this.report.shows_both ? [{ value: kOver, title: 'Over each other' }] : [])],
       this.first, (name) => this.showMotions(name));
     const fields = select('Colour by',
       [...this.report.fields.map(({ name, title }) => ({ value: name, title })),
@@ -126,11 +130,15 @@ export class ViewPanel {
   }
 
   showMotions(name) {
-    const shown = name ? [name] : this.panes.map((pane) => pane.motion.name);
-    this.viewer.show(shown);
+    const isOver = name === kOver;
+    const shown = name && !isOver ? [name] : this.panes.map((pane) => pane.motion.name);
+    // Two cloths in one place are told apart by a colour each.
+    for (const pane of this.panes) pane.cloth.setTint(isOver ? `--${pane.motion.name}` : null);
+    this.legend.hidden = isOver;
+    this.viewer.show(shown, isOver);
     this.titles.replaceChildren(...this.viewer.shown.map((pane) =>
       h('span', { class: `is-${pane.motion.name}` }, pane.motion.title)));
-    this.divider.hidden = this.viewer.shown.length < 2;
+    this.divider.hidden = this.viewer.columns() < 2;
     this.updateProbe();
   }
 

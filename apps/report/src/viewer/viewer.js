@@ -65,6 +65,7 @@ export class Viewer {
     this.container = container;
     this.panes = panes;
     this.shown = panes.slice(-1);
+    this.isOver = false;  // the shown ones over each other rather than side by side
     this.mostPixels = isSoftware() ? 1 : 2;  // per CSS pixel
     this.pace = new Pace(this.mostPixels > 1 ? 1 : 0.75);
     this.canvas = document.createElement('canvas');
@@ -131,12 +132,17 @@ export class Viewer {
 
   aspect() {
     const { clientWidth, clientHeight } = this.container;
-    return clientWidth && clientHeight ? clientWidth / this.shown.length / clientHeight : 1.3;
+    return clientWidth && clientHeight ? clientWidth / this.columns() / clientHeight : 1.3;
   }
 
-  show(names) {
+  columns() {
+    return this.isOver ? 1 : this.shown.length;
+  }
+
+  show(names, isOver = false) {
     const before = this.closeness();
     this.shown = this.panes.filter((pane) => names.includes(pane.motion.name));
+    this.isOver = isOver && this.shown.length > 1;
     for (const pane of this.shown) pane.setFrame(this.frame ?? 0);
     const { target } = this.controls;
     this.eye.position.sub(target).multiplyScalar(this.closeness() / before).add(target);
@@ -196,8 +202,8 @@ export class Viewer {
 
   // The rectangle of a pane, in CSS pixels of the canvas.
   rectangle(index) {
-    const width = this.container.clientWidth / this.shown.length;
-    return { left: index * width, width, height: this.container.clientHeight };
+    const width = this.container.clientWidth / this.columns();
+    return { left: this.isOver ? 0 : index * width, width, height: this.container.clientHeight };
   }
 
   draw() {
@@ -211,6 +217,7 @@ export class Viewer {
       this.light.position.copy(this.eye.position).sub(this.controls.target)
         .addScaledVector(this.eye.up, 0.8 * this.distance);
       pane.scene.add(this.light);
+      this.renderer.autoClear = !this.isOver || index === 0;
       this.renderer.render(pane.scene, this.eye);
     });
     ++this.frames;
