@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -138,6 +139,23 @@ TEST(SwappedMarkers, AreNoGrossErrors) {
     if (m.frame >= 30 && m.id == 9) m.position.z() += 0.3;
   }
   EXPECT_THAT(SwapsFound(recording), IsEmpty());
+}
+
+// Recordings of another program, thrown about and with gross errors: in one of them six pairs of
+// labels were exchanged at frame 40, two of which share markers.
+TEST(SwappedMarkers, OfAnotherProgramAreAllFoundAndNoOthers) {
+  const std::filesystem::path folder =
+      std::filesystem::path(CLOTHFIT_SOURCE_DIR) / ".." / "shared/independent";
+  if (!std::filesystem::exists(folder))
+    GTEST_SKIP() << folder << " is not there; recordings of other programs are not shipped";
+  for (const char* name : {"d01", "d03", "d06", "d09", "d11"})
+    EXPECT_THAT(SwapsFound(ReadRecording(folder / name)), IsEmpty()) << name;
+  EXPECT_THAT(SwapsFound(ReadRecording(folder / "d08")),
+              testing::UnorderedElementsAre("markers 1 and 145 swapped from frame 40 on",
+                                            "markers 12 and 42 swapped from frame 40 on",
+                                            "markers 25 and 31 swapped from frame 40 on",
+                                            "markers 51, 80 and 57 swapped from frame 40 on",
+                                            "markers 59 and 143 swapped from frame 40 on"));
 }
 
 }  // namespace
