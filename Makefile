@@ -7,9 +7,11 @@ PRESET ?= release
 # Compilers at once. One takes up to 2 GB of memory.
 JOBS ?= $(shell nproc)
 BUILD := build/$(PRESET)
-# Where make install puts everything, and the Debian that make test-deb makes.
+# Where make install puts everything; the Debian that make test-deb and test-debian make, and what the
+# latter makes in it.
 PREFIX ?= /usr/local
 SUITE ?= bookworm
+TARGET ?= demo
 
 # The tests and the fit run threads of their own; those of the BLAS would only get in their way.
 export OPENBLAS_NUM_THREADS ?= 1
@@ -17,7 +19,7 @@ export OPENBLAS_NUM_THREADS ?= 1
 .DEFAULT_GOAL := help
 .PHONY: help demo portable test test-browser test-deep build docs bench format format-check tidy clean \
         packages test-packages configure report-modules report-assets fuzz soak \
-        install uninstall deb test-library test-deb library-packages
+        install uninstall deb test-library test-deb test-debian library-packages
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -51,8 +53,11 @@ test-library: test-packages packages library-packages ## The tests of libclothfi
 	  ctest --test-dir build/library/tests/$$folder --output-on-failure --no-tests=error -j 2 || exit; \
 	done
 
-test-deb: library-packages ## Install and use the packages of make deb in a fresh Debian; needs root
+test-deb: library-packages test-packages ## Install and use the packages of make deb in a fresh Debian; needs root
 	tests/clothfit/deb_test build/deb/packages build/deb/$(SUITE) $(SUITE)
+
+test-debian: test-packages ## make TARGET=demo of the current commit in another Debian, SUITE=bookworm; needs root
+	JOBS=$(JOBS) tools/test_on_debian $(SUITE) $(TARGET)
 
 library-packages:
 	@tools/install_packages library-packages.txt

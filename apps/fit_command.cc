@@ -3,6 +3,7 @@
 //
 // clothfit fit: from a recording to a run, or from several of one cloth.
 #include <cstdio>
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>

@@ -149,7 +149,8 @@ std::string Footer(const std::string& footer) {
 std::string OptionLabel(const CLI::Option& option) {
   if (option.get_positional()) {
     const bool is_many = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
-    return option.get_name(true, false) + (is_many ? " ..." : "");
+    const std::string& text = option.get_option_text();
+    return (text.empty() ? option.get_name(true, false) : text) + (is_many ? " ..." : "");
   }
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);

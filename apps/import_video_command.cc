@@ -61,8 +61,9 @@ void AddImportVideo(CLI::App* import, Action* action) {
       import->add_subcommand("video", "copies of videos or of folders of PNG pictures");
   const auto options = std::make_shared<VideoOptions>();
   command
-      ->add_option("CAMERA=FILE", options->videos,
+      ->add_option("VIDEO", options->videos,
                    "one a camera: a video, or a folder of pictures such as 000001.png")
+      ->option_text("CAMERA=FILE")  // a name of CLI11 2.4 has no =
       ->required();
   command->add_option("-o,--output", options->output, "folder of the recording, old or new")
       ->type_name("RECORDING")

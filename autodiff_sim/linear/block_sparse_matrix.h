@@ -4,6 +4,7 @@
 // A square sparse matrix of 3 x 3 blocks, one block row a particle, with a symmetric pattern.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include <Eigen/Core>

@@ -4,6 +4,7 @@
 // Grids, validation, and the springs and hinges of a mesh.
 #include "autodiff_sim/mesh/cloth_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>

@@ -3,6 +3,7 @@
 //
 // From a recording to a run, and from a run to predictions.
 #include <cmath>
+#include <cstring>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>

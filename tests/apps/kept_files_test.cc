@@ -4,6 +4,7 @@
 // No command replaces, removes or writes through what is not clothfit's own.
 #include <chrono>
 #include <csignal>
+#include <iterator>
 #include <thread>
 
 #include <fmt/format.h>

@@ -7,6 +7,8 @@
 //   forces
 //               and Jacobians of contact, patterns and matrices made anew. The rest is solving.
 // What the hard scenes cost tells clothfit study contact.
+#include <cstdint>
+
 #include <benchmark/benchmark.h>
 
 #include "autodiff_sim/contact/contact_clock.h"

@@ -3,6 +3,7 @@
 //
 // Force terms that a program adds: they move the cloth as the library's own do, with derivatives
 // that agree with those and with differences.
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>

@@ -4,6 +4,7 @@
 // Every reader of files that a stranger may have written, one program each for libFuzzer. An
 // InputError is the right answer to most of what comes; anything else that is thrown ends the
 // program, as a crash does.
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>

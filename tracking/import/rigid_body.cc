@@ -3,6 +3,7 @@
 #include "tracking/import/rigid_body.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>

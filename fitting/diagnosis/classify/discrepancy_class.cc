@@ -128,8 +128,9 @@ class Balance {
     Eigen::VectorXd largest = Eigen::VectorXd::Zero(num_knots_);
     for (int k = 0; k < num_knots_; ++k) {
       const int frame = FrameOfKnot(missing_, k);
-      const Eigen::MatrixXd forces = TriangleForces(scene_.mesh, missing_.layout, missing_.force,
-                                                    missing_.layout.KnotTime(k), missing_.x[frame]);
+      const Eigen::Matrix3Xd forces =
+          TriangleForces(scene_.mesh, missing_.layout, missing_.force, missing_.layout.KnotTime(k),
+                         missing_.x[frame]);
       for (std::size_t t = 0; t < scene_.mesh.triangles.size(); ++t) {
         largest[k] += forces.col(static_cast<Eigen::Index>(t)).norm() *
                       KnotSums::Middle(scene_.mesh.triangles[t], missing_.v[frame]).norm();
@@ -201,8 +202,8 @@ class Balance {
       Eigen::Vector3d origin;
       const Eigen::MatrixXd combinations = FreeOfKnot(k, &origin);
       const Eigen::VectorXd& x = missing_.x[FrameOfKnot(missing_, k)];
-      const Eigen::MatrixXd forces = TriangleForces(scene_.mesh, missing_.layout, missing_.force,
-                                                    missing_.layout.KnotTime(k), x);
+      const Eigen::Matrix3Xd forces = TriangleForces(scene_.mesh, missing_.layout, missing_.force,
+                                                     missing_.layout.KnotTime(k), x);
       for (std::size_t t = 0; t < scene_.mesh.triangles.size(); ++t) {
         const Eigen::Vector3d f = forces.col(static_cast<Eigen::Index>(t));
         Eigen::Matrix<double, 6, 1> wrench;

@@ -3,6 +3,7 @@
 #include "fitting/diagnosis/fitted/fit_runner.h"
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 #include <string>
 

@@ -130,10 +130,10 @@ std::vector<NodeShare> NodeShares(const ClothMesh& mesh, const ForceLayout& layo
   return shares;
 }
 
-Eigen::MatrixXd TriangleForces(const ClothMesh& mesh, const ForceLayout& layout,
-                               const Eigen::VectorXd& force, double time,
-                               const Eigen::VectorXd& x) {
-  Eigen::MatrixXd forces(3, static_cast<Eigen::Index>(mesh.triangles.size()));
+Eigen::Matrix3Xd TriangleForces(const ClothMesh& mesh, const ForceLayout& layout,
+                                const Eigen::VectorXd& force, double time,
+                                const Eigen::VectorXd& x) {
+  Eigen::Matrix3Xd forces(3, static_cast<Eigen::Index>(mesh.triangles.size()));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::array<int, 3>& nodes = mesh.triangles[t];
     const Eigen::Vector2d middle =

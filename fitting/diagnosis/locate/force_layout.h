@@ -66,7 +66,8 @@ struct NodeShare {
 std::vector<NodeShare> NodeShares(const ClothMesh& mesh, const ForceLayout& layout);
 
 // The force of each triangle (N, world, 3 x triangles) at a time, with the cloth at x.
-Eigen::MatrixXd TriangleForces(const ClothMesh& mesh, const ForceLayout& layout,
-                               const Eigen::VectorXd& force, double time, const Eigen::VectorXd& x);
+Eigen::Matrix3Xd TriangleForces(const ClothMesh& mesh, const ForceLayout& layout,
+                                const Eigen::VectorXd& force, double time,
+                                const Eigen::VectorXd& x);
 
 }  // namespace clothfit

@@ -122,8 +122,8 @@ Eigen::Vector3d MeanDirection(const Scene& scene, const MissingForce& missing,
                               const Discrepancy& discrepancy) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int frame = discrepancy.first_frame; frame <= discrepancy.last_frame; ++frame) {
-    const Eigen::MatrixXd forces = TriangleForces(scene.mesh, missing.layout, missing.force,
-                                                  scene.FrameTime(frame), missing.x[frame]);
+    const Eigen::Matrix3Xd forces = TriangleForces(scene.mesh, missing.layout, missing.force,
+                                                   scene.FrameTime(frame), missing.x[frame]);
     for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
       const std::array<int, 3>& nodes = scene.mesh.triangles[t];
       const std::vector<Eigen::Vector2d>& uv = scene.mesh.uv;

@@ -65,13 +65,12 @@ void Diagnoser::ForgetPhysics() {
   diagnosis_.separating.reset();
 }
 
-// A name has to explain some of what mesh and step do not make; where less than noise is left beyond
-// noise, most of it.
+// A name has to explain some of what mesh and step do not make; where less than noise is left
+// beyond noise, most of it.
 void Diagnoser::TakeBackWhatIsTooLittle() {
   const double left = UnexplainedWithoutPhysics(), explained = ExplainedByAnswer();
-  const bool stands =
-      explained >= options_.least_share &&
-      (quality_->is_explained || left >= kTooLittle || explained >= MostOfAnswer());
+  const bool stands = explained >= options_.least_share &&
+                      (quality_->is_explained || left >= kTooLittle || explained >= MostOfAnswer());
   if (stands || !HasPhysics()) return;
   Log(
       fmt::format("{} is not kept: without it {:.2g} sigmas are left beyond noise, of which it "

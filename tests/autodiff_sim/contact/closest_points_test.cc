@@ -6,6 +6,7 @@
 #include "autodiff_sim/contact/closest_points.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include "autodiff_sim/contact/edge_triangle_intersection.h"
 
 #include <algorithm>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 // Grids and triangle meshes: areas, springs, hinges, and what is refused.
 #include "autodiff_sim/mesh/cloth_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>

@@ -80,7 +80,8 @@ TEST(HandleConstraints, HoldAPointInsideATriangle) {
 TEST(HandleConstraints, ReductionIsTheTransposeOfExpansion) {
   const ClothMesh mesh = MakeGrid({0.6, 0.3}, {7, 4});
   const std::vector<SurfacePoint> points = LocateOnCloth(mesh, {{0.23, 0.14}, {0.6, 0.3}});
-  const HandleConstraints constraints({{points[0], {}}, {points[1], {}}});
+  const HandleConstraints constraints(
+      {{points[0], Eigen::Vector3d::Zero()}, {points[1], Eigen::Vector3d::Zero()}});
   std::mt19937 random(5);
   std::uniform_real_distribution<double> one(-1.0, 1.0);
   Lanes<1> r(84), free(84);

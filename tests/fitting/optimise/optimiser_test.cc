@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/optimise/optimiser.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>

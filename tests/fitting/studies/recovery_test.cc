@@ -4,6 +4,7 @@
 // Fits recordings whose truth is known. Smaller cloths than in the study, so that all take seconds.
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ FitResult Fit(const Recording& recording, const FitConfig& config) {
   return RunFit(MakeScene(recording, config), config);
 }
 
-const ParameterEstimate& Find(const FitResult& fit, const std::string& name) {
+const ParameterEstimate& Find(const FitResult& fit, std::string_view name) {
   const auto found = std::find_if(fit.estimates.begin(), fit.estimates.end(),
                                   [&](const ParameterEstimate& e) { return e.name == name; });
   EXPECT_NE(found, fit.estimates.end()) << name;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/studies/roughness.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

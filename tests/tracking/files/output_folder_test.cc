@@ -5,6 +5,7 @@
 #include "tracking/files/output_folder.h"
 
 #include <csignal>
+#include <iterator>
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>

@@ -3,6 +3,7 @@
 #include "tracking/files/whole_file.h"
 
 #include <csignal>
+#include <iterator>
 #include <thread>
 #include <vector>
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/import/corner_placement.h"
 
+#include <algorithm>
 #include <random>
 
 #include <Eigen/Geometry>

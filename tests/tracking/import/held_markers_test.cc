@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/import/held_markers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

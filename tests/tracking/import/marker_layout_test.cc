@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/import/marker_layout.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/motive_file.h"

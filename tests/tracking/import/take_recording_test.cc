@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/import/take_recording.h"
 
+#include <cmath>
 #include <iostream>
 
 #include <gtest/gtest.h>

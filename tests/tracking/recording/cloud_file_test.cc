@@ -3,6 +3,7 @@
 #include "tracking/recording/cloud_file.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 #include <gmock/gmock.h>

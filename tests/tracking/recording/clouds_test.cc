@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/recording/clouds.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <random>
 #include <set>
 

@@ -3,6 +3,7 @@
 #include "tracking/recording/signed_distance.h"
 
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include <gtest/gtest.h>

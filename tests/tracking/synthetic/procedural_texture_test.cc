@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/synthetic/procedural_texture.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/test_folder.h"

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <random>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ FittedScene Fitted(const Recording& recording) {
   return std::move(*fitted);
 }
 
-const RankedCandidate& Named(const Ranking& ranking, const std::string& name) {
+const RankedCandidate& Named(const Ranking& ranking, std::string_view name) {
   const auto found = std::find_if(ranking.candidates.begin(), ranking.candidates.end(),
                                   [&](const auto& c) { return c.summary.name == name; });
   EXPECT_NE(found, ranking.candidates.end()) << name;
