@@ -147,14 +147,16 @@ void Diagnoser::TellCandidates(const Ranking& of_physics, const Ranking& of_faul
 }
 
 // Outlines alone are held to simulated recordings of the baseline, too, on the coarse mesh. Where
-// that makes as much itself, the deciding mesh may leave little all the same. A fault has to stand
-// out by itself: the sum of what is left takes it for granted.
+// that makes as much itself, the deciding mesh may leave little all the same. A fault stands out by
+// itself, where more than noise is left: the sum of what is left takes it for granted.
 bool Diagnoser::IsExplained(const Ranking& ranking) const {
   if (quality_->result.misfit) return quality_->is_explained;
   const bool is_a_fault = std::any_of(
       ranking.candidates.begin(), ranking.candidates.end(),
       [](const auto& one) { return !one.faults.empty() && one.summary.is_short_listed; });
-  return ranking.gate_p_value >= kGate && quality_->Unexplained() < kTooLittle && !is_a_fault;
+  const double left = quality_->Unexplained();
+  const bool may_be_noise = left == 0.0 || (left < kTooLittle && !is_a_fault);
+  return ranking.gate_p_value >= kGate && may_be_noise;
 }
 
 // The coarse mesh is looked at while the deciding one is fitted and held to its noise: a
