@@ -119,8 +119,8 @@ class Diagnoser {
   // Where the physics begins: the fit without any, faults put right.
   const BothMeshes& WithoutPhysics() const;
   const Ranking& RankingWithoutPhysics() const;
-  // Share of what a fit without physics leaves beyond noise and mesh that is gone now.
-  double Explained(const FittedScene& fine) const;
+  // Share of what a fit leaves beyond noise and mesh that is gone in another one.
+  double Explained(const BothMeshes& before, const FittedScene& fine) const;
   bool IsLost() const;
   double ExplainedByAnswer() const;
   double MostOfAnswer() const;  // that has to be

@@ -31,11 +31,10 @@ const Ranking& Diagnoser::RankingWithoutPhysics() const {
   return last_ranking_;
 }
 
-double Diagnoser::Explained(const FittedScene& fine) const {
+double Diagnoser::Explained(const BothMeshes& before, const FittedScene& fine) const {
   const double rows = baseline_quality_->scale.rows;
   const double mesh = std::min(baseline_quality_->mesh, quality_ ? quality_->mesh : HUGE_VAL);
-  return ShareExplained(WithoutPhysics().Cost(), fine.fit.cost_after,
-                        0.5 * rows * (1 + mesh * mesh), 0.0);
+  return ShareExplained(before.Cost(), fine.fit.cost_after, 0.5 * rows * (1 + mesh * mesh), 0.0);
 }
 
 // What has lost the recorded motion is told of by forecasts.
@@ -46,7 +45,8 @@ bool Diagnoser::IsLost() const {
 }
 
 double Diagnoser::ExplainedByAnswer() const {
-  return IsLost() ? std::max(0.0, 1.0 - forecasts_left_ / forecasts_lack_) : Explained(now_.fine);
+  return IsLost() ? std::max(0.0, 1.0 - forecasts_left_ / forecasts_lack_)
+                  : Explained(WithoutPhysics(), now_.fine);
 }
 
 double Diagnoser::MostOfAnswer() const { return MostOfIt(quality_->Unexplained(), IsLost()); }
@@ -89,7 +89,8 @@ void Diagnoser::SetAnswer(const BothMeshes& before) {
   answer.effects = EffectsSoFar();
   answer.config = fine.values;
   answer.cost = now_.Cost();
-  answer.explained = ExplainedByAnswer();
+  answer.explained =
+      HasPhysics() ? ExplainedByAnswer() : Explained(kept_.front().before, now_.fine);
   // A fault's own amounts are in no config.
   std::vector<EffectParameter> of_faults;
   for (const Kept& kept : kept_) {
@@ -141,7 +142,7 @@ void Diagnoser::LearnInstead() {
   learned.model.config = both->fine.values;
   learned.model.cost = both->Cost();
   learned.model.log_evidence = evidence;
-  learned.model.explained = Explained(both->fine);
+  learned.model.explained = Explained(WithoutPhysics(), both->fine);
   learned.model.parameters = EstimatesOf(quality.result, both->fine.config, law->names);
   learned.model.validation = ValidateOn(both->fine, without.fine, {}, last_ranking_);
   learned.model.is_kept = evidence >= kStrongEvidence;

@@ -140,7 +140,8 @@ Model Diagnoser::Describe(const JudgedModel& one, const FittedScene& before) con
   described.config = fine.values;
   described.cost = fine.fit.cost_after;
   described.log_evidence = one.log_evidence;
-  described.explained = fine.of_forecasts ? ShareOfForecasts(before, fine) : Explained(fine);
+  described.explained =
+      fine.of_forecasts ? ShareOfForecasts(before, fine) : Explained(WithoutPhysics(), fine);
   std::vector<std::string> names = ParametersSoFar();
   if (one.candidate.faults.empty()) {
     names.insert(names.end(), one.candidate.names.begin(), one.candidate.names.end());
