@@ -63,10 +63,12 @@ class Course {
 class ClothOfMarkers {
  public:
   explicit ClothOfMarkers(const Recording& recording) {
+    std::map<int, Eigen::Vector2d> uv;
     for (const Marker& m : recording.markers) {
       frames_[m.frame].emplace(m.id, m.position);
-      uv_.emplace(m.id, m.uv);
+      uv.emplace(m.id, m.uv);
     }
+    FindNearest(uv);
     slack_ = kDistanceSigmas * recording.noise.marker.value_or(kDefaultMarkerSigma);
   }
 
@@ -116,30 +118,40 @@ class ClothOfMarkers {
   static constexpr int kFrames = 10;  // that are looked at after labels may have changed
   static constexpr double kDistanceSigmas = 6.0;
 
-  // Too far from half of the nearest markers that have not swapped.
+  // Too far from half of the nearest markers that are seen and have not swapped.
   bool IsImpossible(int id, const Sightings& seen, const SwappedMarkers& swap) const {
-    constexpr std::size_t kNeighbours = 8;
+    constexpr int kNeighbours = 8;
     const auto own = seen.find(id);
     if (own == seen.end()) return false;
-    std::vector<std::pair<double, bool>> others;  // distance on the cloth, and whether too far
-    for (const auto& [other, position] : seen) {
+    int looked_at = 0, too_far = 0;
+    for (const auto& [on_cloth, other] : nearest_.at(id)) {
+      const auto neighbour = seen.find(other);
+      if (neighbour == seen.end()) continue;
       if (std::count(swap.ids.begin(), swap.ids.end(), other) > 0) continue;
-      const double on_cloth = (uv_.at(other) - uv_.at(id)).norm();
-      const double apart = (position - own->second).norm();
-      others.emplace_back(on_cloth, apart > kUnlikelyStretch * on_cloth + slack_);
+      const double apart = (neighbour->second - own->second).norm();
+      too_far += apart > kUnlikelyStretch * on_cloth + slack_ ? 1 : 0;
+      if (++looked_at == kNeighbours) break;
     }
-    const std::size_t count = std::min(kNeighbours, others.size());
-    std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count),
-                      others.end());
-    const auto too_far =
-        std::count_if(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count),
-                      [](const auto& other) { return other.second; });
-    return 2 * too_far > static_cast<std::ptrdiff_t>(count);
+    return 2 * too_far > looked_at;
+  }
+
+  void FindNearest(const std::map<int, Eigen::Vector2d>& uv) {
+    constexpr std::size_t kMost = 64;  // of which some are hidden
+    for (const auto& [id, own] : uv) {
+      std::vector<std::pair<double, int>>& others = nearest_[id];
+      for (const auto& [other, place] : uv)
+        if (other != id) others.emplace_back((place - own).norm(), other);
+      const std::size_t count = std::min(kMost, others.size());
+      std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count),
+                        others.end());
+      others.resize(count);
+      others.shrink_to_fit();
+    }
   }
 
   std::map<int, Sightings> frames_;
-  std::map<int, Eigen::Vector2d> uv_;
-  double slack_ = 0.0;  // m
+  std::map<int, std::vector<std::pair<double, int>>> nearest_;  // by id: distance (m) and id
+  double slack_ = 0.0;                                          // m
 };
 
 // Follows all markers from frame to frame. One that is at another's place waits.
