@@ -44,11 +44,12 @@ std::string NameEffects(const Diagnosis& diagnosis) {
 std::string SayValidation(const Model& answer) {
   const HeldOutValidation& validation = answer.validation;
   const bool is_px = validation.is_in_pixels;
-  std::string words = "With it, the error on the held-out frames falls";
+  std::string words = "With it, the error on the held-out frames";
   if (validation.is_against_others)
-    words = "With it put right, how far it is on the held-out frames from what all else saw falls";
-  words += fmt::format(" from {} to {}", Length(validation.before, is_px),
-                       Length(validation.after, is_px));
+    words = "With it put right, how far it is on the held-out frames from what all else saw";
+  words +=
+      fmt::format(" {} from {} to {}", validation.after < validation.before ? "falls" : "rises",
+                  Length(validation.before, is_px), Length(validation.after, is_px));
   words +=
       validation.noise > 0.0 ? fmt::format("; noise is {}.", Length(validation.noise, is_px)) : ".";
   const double by_mesh =
