@@ -38,11 +38,18 @@ Sightings Relabelled(const SwappedMarkers& swap, const Sightings& seen) {
   return all;
 }
 
+// Labels of a frame as they are once all swaps until then have been put right.
+Sightings Relabelled(const std::vector<SwappedMarkers>& swaps, int frame, Sightings seen) {
+  for (const SwappedMarkers& swap : swaps)
+    if (swap.from_frame <= frame) seen = Relabelled(swap, seen);
+  return seen;
+}
+
 // The course of one marker.
 class Course {
  public:
   explicit Course(int frame, const Eigen::Vector3d& position) : frame_(frame), last_(position) {}
-  // Where it should be. At its second sighting nothing is known of its velocity.
+  // Where it should be. After one sighting nothing is known of its velocity.
   Eigen::Vector3d At(int frame) const { return last_ + (frame - frame_) * velocity_; }
   bool IsKnown() const { return is_moving_; }
   bool IsLost(int frame) const { return frame - frame_ > kLongestGap; }
@@ -80,9 +87,7 @@ class ClothOfMarkers {
     int seen = 0, wrong = 0, wrong_after = 0;
     for (auto f = frames_.lower_bound(swap.from_frame);
          f != frames_.end() && f->first < swap.from_frame + kFrames; ++f) {
-      Sightings own = f->second;
-      for (const SwappedMarkers& one : before)
-        if (one.from_frame <= f->first) own = Relabelled(one, own);
+      const Sightings own = Relabelled(before, f->first, f->second);
       const Sightings after = Relabelled(swap, own);
       for (const int id : swap.ids) {
         seen += own.count(id) > 0 ? 1 : 0;
@@ -97,9 +102,7 @@ class ClothOfMarkers {
   std::map<int, int> WrongSince(const std::vector<SwappedMarkers>& before) const {
     std::map<int, std::vector<std::pair<int, bool>>> sightings;  // by id: frame, and whether wrong
     for (const auto& [frame, raw] : frames_) {
-      Sightings seen = raw;
-      for (const SwappedMarkers& one : before)
-        if (one.from_frame <= frame) seen = Relabelled(one, seen);
+      const Sightings seen = Relabelled(before, frame, raw);
       for (const auto& [id, position] : seen)
         sightings[id].emplace_back(frame, IsImpossible(id, seen, {}));
     }
@@ -161,7 +164,7 @@ class Follower {
   const std::vector<SwappedMarkers>& found() const { return found_; }
 
   void Next(int frame, Sightings seen) {
-    for (const SwappedMarkers& swap : found_) seen = Relabelled(swap, seen);
+    seen = Relabelled(found_, frame, std::move(seen));
     usual_ = UsualDistance(frame, seen);
     std::map<int, int> places;  // of those that are at another one's, by id
     for (const auto& [id, position] : seen) {
@@ -178,9 +181,11 @@ class Follower {
       const std::vector<int> round = RoundOf(places.begin()->first, places);
       if (round.empty()) places.erase(places.begin());
       for (const int id : round) places.erase(id);
-      if (round.empty() || !cloth_.Confirms(Swapped(frame, round), found_)) continue;
-      found_.push_back(Swapped(frame, round));
-      seen = Relabelled(found_.back(), seen);
+      if (round.empty()) continue;
+      const SwappedMarkers swap = Swapped(frame, round);
+      if (!cloth_.Confirms(swap, found_)) continue;
+      found_.push_back(swap);
+      seen = Relabelled(swap, seen);
     }
     for (const auto& [id, position] : seen) Follow(frame, id, position);
   }
