@@ -6,17 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "fitting/export/script_text.h"
-#include "fitting/files/version.h"
 
 namespace clothfit {
 namespace {
 
 constexpr const char* kBlenderScript =
-    R"py(# The cloth of @NAME_IN_COMMENT@, fitted by clothfit @VERSION@, for Blender:
+    R"py(# The cloth of @NAME@, fitted by clothfit @VERSION@, for Blender:
 #   blender --python THIS_FILE                  to look at it
 #   blender -b --python THIS_FILE -- OUT.npy    to simulate it; OUT.npy: frames x vertices x 3, m
 # docs/material-elsewhere.md of clothfit derives each number and says what it is worth.
@@ -221,37 +222,23 @@ BlenderCloth ClothForBlender(const RunCloth& cloth) {
 std::string ClothAsBlenderScript(const RunCloth& cloth) {
   const BlenderCloth blender = ClothForBlender(cloth);
   const ClothMaterial& material = cloth.material;
-  const Eigen::Vector3d& g = cloth.gravity;
-  return FillIn(kBlenderScript,
-                {{"NAME_IN_COMMENT", AsPythonText(cloth.motion.name)},
-                 {"NAME", AsPythonText(cloth.motion.name)},
-                 {"VERSION", Version()},
-                 {"DRAG_NORMAL", Digits(material.drag_normal)},
-                 {"FRICTION", Digits(cloth.ground_friction)},
-                 {"GROUND_FRICTION", Digits(blender.friction)},
-                 {"LEFT_OUT", AsComments(cloth.left_out, "# - ")},
-                 {"RATE", Digits(cloth.motion.frame_rate)},
-                 {"FRAMES", std::to_string(cloth.motion.frames.size())},
-                 {"GRAVITY", fmt::format("{:.7g}, {:.7g}, {:.7g}", g.x(), g.y(), g.z())},
+  std::map<std::string, std::string> values = ValuesOfCloth(cloth);
+  values.insert({{"GROUND_FRICTION", Digits(blender.friction)},
                  {"GROUND", cloth.ground_height ? Digits(*cloth.ground_height) : "None"},
                  {"DISTANCE", Digits(cloth.ground_distance)},
-                 {"START", AsTuples(cloth.motion.frames[0])},
-                 {"REST", AsTuples(cloth.rest)},
                  {"FACES", FacesInPython(cloth.motion.mesh)},
-                 {"PINS", PathsInPython(cloth)},
                  {"MASS", Digits(blender.mass)},
                  {"TENSION", Digits(blender.tension)},
-                 {"STRETCH", Digits(material.stretch)},
                  {"TENSION_DAMPING", Digits(blender.tension_damping)},
                  {"STRETCH_DAMPING", Digits(material.stretch_damping)},
                  {"SHEAR", Digits(blender.shear)},
                  {"SHEAR_MODULUS", Digits(material.shear)},
                  {"SHEAR_DAMPING", Digits(blender.shear_damping)},
                  {"BENDING", Digits(blender.bending)},
-                 {"PLATE", Digits(material.bending)},
                  {"BENDING_DAMPING", Digits(blender.bending_damping)},
                  {"AIR_DAMPING", Digits(blender.air_damping)},
                  {"TIME_SCALE", Digits(blender.time_scale)}});
+  return FillIn(kBlenderScript, values);
 }
 
 }  // namespace clothfit

@@ -4,10 +4,12 @@
 // Reference: Newton, ModelBuilder.add_cloth_mesh, SolverVBD.
 #include "fitting/export/newton.h"
 
+#include <map>
+#include <string>
+
 #include <fmt/format.h>
 
 #include "fitting/export/script_text.h"
-#include "fitting/files/version.h"
 
 namespace clothfit {
 namespace {
@@ -176,33 +178,20 @@ NewtonCloth ClothForNewton(const RunCloth& cloth) {
 std::string ClothAsNewtonScript(const RunCloth& cloth) {
   const NewtonCloth newton = ClothForNewton(cloth);
   const ClothMaterial& material = cloth.material;
-  const Eigen::Vector3d& g = cloth.gravity;
-  return FillIn(kNewtonScript,
-                {{"NAME", AsPythonText(cloth.motion.name)},
-                 {"VERSION", Version()},
-                 {"SHEAR", Digits(material.shear)},
+  std::map<std::string, std::string> values = ValuesOfCloth(cloth);
+  values.insert({{"SHEAR", Digits(material.shear)},
                  {"HALF", Digits(0.5 * material.stretch)},
                  {"SHEAR_DAMPING", Digits(material.shear_damping)},
-                 {"DRAG_NORMAL", Digits(material.drag_normal)},
-                 {"FRICTION", Digits(cloth.ground_friction)},
-                 {"LEFT_OUT", AsComments(cloth.left_out, "# - ")},
                  {"DENSITY", Digits(newton.density)},
                  {"TRI_KE", Digits(newton.tri_ke)},
-                 {"STRETCH", Digits(material.stretch)},
                  {"TRI_KA", Digits(newton.tri_ka)},
                  {"TRI_KD", Digits(newton.tri_kd)},
                  {"EDGE_KE", Digits(newton.edge_ke)},
-                 {"PLATE", Digits(material.bending)},
                  {"EDGE_KD", Digits(newton.edge_kd)},
                  {"DRAG", Digits(material.drag_linear)},
-                 {"RATE", Digits(cloth.motion.frame_rate)},
-                 {"FRAMES", std::to_string(cloth.motion.frames.size())},
-                 {"GRAVITY", fmt::format("{:.7g}, {:.7g}, {:.7g}", g.x(), g.y(), g.z())},
-                 {"REST", AsTuples(cloth.rest)},
-                 {"START", AsTuples(cloth.motion.frames[0])},
                  {"TRIANGLES", TrianglesInPython(cloth.motion.mesh)},
-                 {"PINS", PathsInPython(cloth)},
                  {"SPRINGS", SpringsInPython(cloth)}});
+  return FillIn(kNewtonScript, values);
 }
 
 }  // namespace clothfit

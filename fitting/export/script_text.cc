@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/base/printable.h"
+#include "fitting/files/version.h"
 
 namespace clothfit {
 
@@ -63,6 +64,24 @@ std::string AsComments(const std::vector<std::string>& sentences, const std::str
   for (const std::string& sentence : sentences)
     text += begin + Printable(sentence, sentence.size() * 8 + 1) + "\n";
   return text.empty() ? begin + "nothing\n" : text;
+}
+
+std::map<std::string, std::string> ValuesOfCloth(const RunCloth& cloth) {
+  const ClothMaterial& material = cloth.material;
+  const Eigen::Vector3d& g = cloth.gravity;
+  return {{"NAME", AsPythonText(cloth.motion.name)},
+          {"VERSION", Version()},
+          {"RATE", Digits(cloth.motion.frame_rate)},
+          {"FRAMES", std::to_string(cloth.motion.frames.size())},
+          {"GRAVITY", fmt::format("{:.7g}, {:.7g}, {:.7g}", g.x(), g.y(), g.z())},
+          {"START", AsTuples(cloth.motion.frames[0])},
+          {"REST", AsTuples(cloth.rest)},
+          {"PINS", PathsInPython(cloth)},
+          {"LEFT_OUT", AsComments(cloth.left_out, "# - ")},
+          {"STRETCH", Digits(material.stretch)},
+          {"PLATE", Digits(material.bending)},
+          {"DRAG_NORMAL", Digits(material.drag_normal)},
+          {"FRICTION", Digits(cloth.ground_friction)}};
 }
 
 }  // namespace clothfit

@@ -27,6 +27,10 @@ std::string AsTuples(const std::vector<Eigen::Vector3d>& points);
 // "    12: [(1, 2, 3), ...],", a line a particle that is held: where it is in each frame, m.
 std::string PathsInPython(const RunCloth& cloth);
 
+// What every script says of a cloth, by the keys of FillIn: NAME, VERSION, RATE, FRAMES, GRAVITY,
+// START, REST, PINS, LEFT_OUT, STRETCH, PLATE (bending), DRAG_NORMAL and FRICTION.
+std::map<std::string, std::string> ValuesOfCloth(const RunCloth& cloth);
+
 // To seven digits.
 std::string Digits(double value);
 
