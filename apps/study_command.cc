@@ -16,6 +16,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/studies/chaos_study.h"
+#include "fitting/studies/mesh_study.h"
 #include "fitting/studies/recovery_study.h"
 #include "fitting/trials/finite_elements/generator.h"
 #include "tracking/features/tracking_evaluation.h"
@@ -202,6 +203,59 @@ void AddChaosStudy(CLI::App* study, Action* action) {
   chaos->callback([options, action] { *action = [options] { return RunChaosCommand(*options); }; });
 }
 
+struct MeshCommandOptions {
+  MeshStudyOptions study;
+  std::string output;
+  bool no_fit = false, force = false;
+};
+
+int RunMeshCommand(MeshCommandOptions options) {
+  for (const int particles : options.study.particles) {
+    if (particles < 4 || particles > 200)
+      throw InputError("--particles", fmt::format("{}; expected 4 to 200", particles));
+  }
+  if (options.study.num_threads < 1) {
+    throw InputError("--threads", fmt::format("{}; expected 1 or more", options.study.num_threads));
+  }
+  options.study.fit = !options.no_fit;
+  options.study.generator = FiniteElementGenerator({}, {}, nullptr);
+  OutputFolder output(options.output, FolderKind::kStudyTables, "study mesh",
+                      ExistingIf(options.force));
+  output.Begin({"mesh.csv", "mesh.md", "mesh.svg", "report.html"});
+  const std::vector<MeshCase> cases = RunMeshStudy(options.study, [](const MeshCase& one) {
+    fmt::print(Terminal(), "{}, {} springs, {} particles: {:.1f} mm, fitted {:.1f} mm\n",
+               one.motion, one.buckles ? "buckling" : "plain", one.particles,
+               1e3 * one.at_truth.fitted, 1e3 * one.after_fit.fitted);
+  });
+  const std::string table = MeshStudyAsMarkdown(cases);
+  output.WriteAll({{"mesh.csv", MeshStudyAsCsv(cases)},
+                   {"mesh.md", table},
+                   {"mesh.svg", MeshStudyAsSvg(cases)}});
+  fmt::print("{}", table);
+  PrintNext("clothfit report " + ShellWord(options.output));
+  return kExitSuccess;
+}
+
+void AddMeshStudy(CLI::App* study, Action* action) {
+  CLI::App* const mesh = study->add_subcommand(
+      "mesh", "how far is cloth on coarse meshes from finite elements on a fine one?");
+  const auto options = std::make_shared<MeshCommandOptions>();
+  mesh->add_option("-o,--output", options->output, "folder of tables and charts")
+      ->type_name("FOLDER")
+      ->required();
+  mesh->add_option("--particles", options->study.particles, "particles a side of the meshes")
+      ->type_name("N")
+      ->capture_default_str();
+  mesh->add_option("--threads", options->study.num_threads,
+                   "cases at the same time; no influence on the result")
+      ->type_name("N")
+      ->capture_default_str();
+  mesh->add_flag("--no-fit", options->no_fit, "at the true parameters alone");
+  mesh->add_flag("--force", options->force, "replace what is there");
+  mesh->footer("Example:\n  clothfit study mesh -o studies/mesh");
+  mesh->callback([options, action] { *action = [options] { return RunMeshCommand(*options); }; });
+}
+
 }  // namespace
 
 void AddStudyCommand(CLI::App* app, Action* action) {
@@ -211,6 +265,7 @@ void AddStudyCommand(CLI::App* app, Action* action) {
   AddRecoveryStudy(study, action);
   AddTrackingStudy(study, action);
   AddChaosStudy(study, action);
+  AddMeshStudy(study, action);
   AddJobStudies(study, action);
 }
 

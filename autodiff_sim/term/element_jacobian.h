@@ -8,8 +8,7 @@
 //   static void AddJacobian(const Element&, const ElementInput<Term, double>&,
 //                           const JacobianWeights&, const Sink& sink);
 // that calls sink(a, b, p, row): row is of component p of the force on node a, by the place and
-// velocity of node b, weighted and added up. Where that is so for some elements only, the static
-// member WritesJacobian(const Element&) says for which.
+// velocity of node b, weighted and added up.
 #pragma once
 
 #include <type_traits>
@@ -67,7 +66,7 @@ class JacobianRow {
   Part part_[kParts] = {};
 };
 
-// Whether a term writes down its derivatives, and whether it does so for an element.
+// Whether a term writes down its derivatives.
 struct NoSink {
   void operator()(int, int, int, const JacobianRow&) const {}
 };
@@ -76,15 +75,6 @@ constexpr bool kWritesJacobian = false;
 template <class Term>
 constexpr bool kWritesJacobian<Term, std::void_t<decltype(Term::template AddJacobian<NoSink>)>> =
     true;
-template <class Term, class = void>
-constexpr bool kPicksElements = false;
-template <class Term>
-constexpr bool kPicksElements<Term, std::void_t<decltype(Term::WritesJacobian)>> = true;
-template <class Term>
-bool WritesJacobian(const typename Term::Element& element) {
-  if constexpr (kPicksElements<Term>) return Term::WritesJacobian(element);
-  return kWritesJacobian<Term>;
-}
 
 // The derivatives of two nodes that push each other apart with opposite forces: row of component p
 // of the force on node a, by the place of node b relative to that of a.

@@ -92,9 +92,11 @@ class TermBatch final : public ForceBatch {
 
   void AddJacobian(const BatchPoint& point, const JacobianWeights& weights,
                    BlockSparseMatrix* matrix) const override {
-    if constexpr (kWritesJacobian<Term>) AddWrittenJacobian(point, weights, matrix);
-    if constexpr (!kWritesJacobian<Term> || kPicksElements<Term>)
+    if constexpr (kWritesJacobian<Term>) {
+      AddWrittenJacobian(point, weights, matrix);
+    } else {
       AddDualJacobian(point, weights, matrix);
+    }
   }
 
   [[gnu::flatten]] void AddDerivatives(const BatchPoint& point, const BatchDirections& directions,
@@ -149,14 +151,13 @@ class TermBatch final : public ForceBatch {
                                            BlockSparseMatrix* matrix) const {
     ElementInput<Term, double> in = MakeInput<double>(point);
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      if (!WritesJacobian<Term>(elements_[e])) continue;
       LoadNodes(point, elements_[e], &in);
       const RowSink sink = {&blocks_[e * kNodes * kNodes], matrix};
       Term::template AddJacobian<RowSink>(elements_[e], in, weights, sink);
     }
   }
 
-  // By automatic differentiation, of the elements that the term does not write down.
+  // By automatic differentiation.
   [[gnu::flatten]] void AddDualJacobian(const BatchPoint& point, const JacobianWeights& weights,
                                         BlockSparseMatrix* matrix) const {
     using T = Dual<WholeRegisters(3 * kNodes)>;
@@ -169,7 +170,6 @@ class TermBatch final : public ForceBatch {
       }
     }
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      if (WritesJacobian<Term>(elements_[e])) continue;
       LoadNodes(point, elements_[e], &in);
       LoadInputs(elements_[e], &in);
       ElementOutput<Term, T> out = EmptyOutput<T>(point, e);

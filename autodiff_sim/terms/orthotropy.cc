@@ -18,7 +18,6 @@ std::vector<ShearOrthotropy::Element> ShearOrthotropy::Elements(const TermContex
         context.mesh.uv[spring.nodes[1]] - context.mesh.uv[spring.nodes[0]];
     // Half the sine of twice the angle to the warp: 1/2 on one bias and -1/2 on the other.
     elements.push_back({spring.nodes, spring, along.x() * along.y() / along.squaredNorm()});
-    elements.back().elastic.buckling_length = 0.0;  // a difference of two is linear
   }
   return elements;
 }

@@ -65,7 +65,7 @@ struct ShearOrthotropy : TermDefaults {
   static constexpr std::array<Parameter, 1> kParameters = {
       {{"ratio", "1", "stiffness along the bias u = v over that along u = -v", 1.0, 1.0, 0.02, 50.0,
         Scale::kLog, 2.0}}};
-  static constexpr std::array<const char*, 1> kReads = {"shear.stiffness"};
+  static constexpr std::array<const char*, 2> kReads = {"shear.stiffness", "bending.stiffness"};
   using Element = Directed<Spring>;
   static std::vector<Element> Elements(const TermContext& context);
 
@@ -73,8 +73,8 @@ struct ShearOrthotropy : TermDefaults {
   static void AddForce(const Element& element, const ElementInput<ShearOrthotropy, T>& in,
                        ElementOutput<ShearOrthotropy, T>* out) {
     AddExtraSpringForce<T>(element.elastic, in.read[0],
-                           ExtraShare<T>(in.parameter[0], element.exponent), T(0.0), in.shrinkage,
-                           in.x, &out->force);
+                           ExtraShare<T>(in.parameter[0], element.exponent), in.read[1],
+                           in.shrinkage, in.x, &out->force);
   }
 };
 

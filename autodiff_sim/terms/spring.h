@@ -53,7 +53,7 @@ T SpringPull(const Spring& spring, const SpringLaw<T>& law, const std::array<T, 
   }
   const T load = BucklingLoad<T>(law.bending, law.stiffness, spring.buckling_length);
   const T viscous = law.damping * rate / (length * rest_length);
-  const T tension = BuckledTension<T>(law.stiffness, load, length / rest_length - 1.0, viscous);
+  const T tension = BuckledTension<T>(law.stiffness * (length / rest_length - 1.0) + viscous, load);
   return tension * (rest_length * spring.weight) / length;
 }
 

@@ -49,7 +49,7 @@ struct FitConfig {
 
   // cloth
   std::array<int, 2> resolution = {0, 0};  // particles along u and v; 0 = as the recording says
-  bool buckling = false;                   // below the mesh, see ClothMesh
+  bool buckling = true;                    // below the mesh, see ClothMesh
 
   // simulation
   double max_step = 1.0 / 120.0;  // s; a frame is divided into equal steps no longer than this

@@ -3,7 +3,7 @@
 //
 // How far cloth on a coarse mesh is from the same cloth on a fine one, with springs and with a
 // membrane that buckles below the mesh, and what a step costs: the table of
-// docs/adr/0007-compression-is-limited-by-buckling.md.
+// docs/adr/0022-each-spring-buckles-by-itself.md.
 #include <chrono>
 #include <cmath>
 #include <cstdio>

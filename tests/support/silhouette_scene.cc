@@ -39,6 +39,7 @@ SilhouetteScene MakeSilhouetteScene(bool hidden) {
                        LookAt({0.2, 1.2, 1.1}, {0.2, 0.2, 0.9})};
   SilhouetteScene result;
   result.config = DefaultConfig(recording);
+  result.config.buckling = false;  // searches take a third of the time
   result.config.use_silhouettes = true;
   result.config.loss = LossKind::kHuber;
   FitConfig true_config = result.config;

@@ -39,6 +39,7 @@ class Generator {
         generator_(generator),
         mesh_(MakeGrid(options.size, {options.refinement * (options.resolution.x() - 1) + 1,
                                       options.refinement * (options.resolution.y() - 1) + 1})) {
+    mesh_.buckles = options.buckling;
     std::vector<Vector2d> uv;
     for (const SyntheticHandle& handle : motion.handles) uv.push_back(handle.uv);
     handles_ = LocateOnCloth(mesh_, uv);

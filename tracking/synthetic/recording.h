@@ -28,8 +28,9 @@ struct SyntheticOptions {
   // cloth
   Eigen::Vector2d size = {0.4, 0.4};      // m along u and v
   Eigen::Vector2i resolution = {11, 11};  // particles that the recording tells a fit to use
-  int refinement = 1;  // the generator's cells along each side of one of those: above 1 the fit's
-                       // mesh is not the one that made the recording
+  int refinement = 1;    // the generator's cells along each side of one of those: above 1 the fit's
+                         // mesh is not the one that made the recording
+  bool buckling = true;  // of clothfit's own simulation, below its mesh: see ClothMesh
   bool tell_density = true;                  // is cloth.areal_density known to a fit?
   std::map<std::string, double> parameters;  // full name -> value; others at their initial value
 

@@ -26,7 +26,7 @@ constexpr double kMayCome = 0.25;       // of what the best gains in forecasts o
 constexpr int kFirstIterations = 5, kIterations = 8;  // on the coarser mesh, of each length
 constexpr int kFirstLengths = 1;        // of forecasts, by which most models are put aside
 constexpr std::size_t kMostStarts = 2;  // of a model
-constexpr int kCoarsest = 13;           // particles a side, below which lifted cloth locks (ADR 7)
+constexpr int kCoarsest = 13;           // particles a side, below which a mesh shows too little
 
 // The next coarser mesh: forecasts are short, so that it is right about their order.
 std::array<int, 2> ScreeningGrid(const ClothMesh& mesh) {

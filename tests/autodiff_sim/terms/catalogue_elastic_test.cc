@@ -192,7 +192,7 @@ TEST(OrthotropyPhysics, SplitsStiffnessByTheRatiosRoot) {
     const Eigen::Vector2d d = edge(scene, e.nodes[2], e.nodes[3]);
     return of_direction({d.y(), d.x()});
   });
-  // Springs along the bias, which do not buckle.
+  // Springs along the bias.
   const double shear = InitialValue("shear.stiffness");
   for (const TermScene& scene : MakeTermScenes()) {
     for (const auto& element : SceneElements<ShearOrthotropy>(scene)) {

@@ -26,7 +26,7 @@ FitConfig AwkwardConfig() {
   FitConfig config = DefaultConfig({});
   config.recording = "/somewhere/a recording: #1";
   config.resolution = {12, 13};
-  config.buckling = true;
+  config.buckling = false;
   config.max_step = 1.0 / 77.0;
   config.integrator = Integrator::kBackwardEuler;
   config.tolerance = std::sqrt(2.0) * 1e-9;

@@ -133,7 +133,7 @@ TEST(ShootingWindows, AreDifferentiated) {
     return 0.5 * r.squaredNorm();
   };
   for (int i = 0; i < laid.free.size(); ++i) {
-    constexpr double kStep = 1e-4;
+    constexpr double kStep = 1e-6;  // cloth that begins flat buckles from a strain of 5e-4 on
     Eigen::VectorXd step = Eigen::VectorXd::Zero(at.size());
     step[i] = kStep;
     const double difference = (cost(at + step) - cost(at - step)) / (2.0 * kStep);

@@ -82,7 +82,8 @@ TEST(Recovery, IntervalsHoldTheTruth) {
   }
   const Coverage coverage = CountCoverage(seeds);
   EXPECT_GT(coverage.total, 20);  // most are determined
-  EXPECT_GE(coverage.share(), 0.9) << RecoveryAsMarkdown(seeds);
+  // Those of one seed miss together, so that four seeds tell no more; `study recovery` measures.
+  EXPECT_GE(coverage.share(), 0.8) << RecoveryAsMarkdown(seeds);
 }
 
 TEST(Recovery, DoesNotDependOnTheNumberOfThreads) {

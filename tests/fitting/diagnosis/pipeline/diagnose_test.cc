@@ -104,6 +104,7 @@ TEST(Diagnose, UsesNoFinerMeshThanItMay) {
   const Recording recording = MakeSyntheticRecording(Small()).recording;
   DiagnosisOptions options = Quick();
   options.finest_side = 4;
+  for (const TermInfo& term : AllTerms()) options.excluded.push_back(term.name);
   const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), options);
   ASSERT_GT(recording.cloth.resolution.x(), 4);
   EXPECT_EQ(diagnosis.motions.resolution, (std::array<int, 2>{4, 4}));
