@@ -223,9 +223,8 @@ int RunMeshCommand(MeshCommandOptions options) {
                       ExistingIf(options.force));
   output.Begin({"mesh.csv", "mesh.md", "mesh.svg", "report.html"});
   const std::vector<MeshCase> cases = RunMeshStudy(options.study, [](const MeshCase& one) {
-    fmt::print(Terminal(), "{}, {} springs, {} particles: {:.1f} mm, fitted {:.1f} mm\n",
-               one.motion, one.buckles ? "buckling" : "plain", one.particles,
-               1e3 * one.at_truth.fitted, 1e3 * one.after_fit.fitted);
+    fmt::print(Terminal(), "{}, {} springs, {} particles: {:.1f} mm\n", one.motion,
+               one.buckles ? "buckling" : "plain", one.particles, 1e3 * one.at_truth.fitted);
   });
   const std::string table = MeshStudyAsMarkdown(cases);
   output.WriteAll({{"mesh.csv", MeshStudyAsCsv(cases)},

@@ -175,6 +175,14 @@ std::string MeshStudyAsCsv(const std::vector<MeshCase>& cases) {
   return text;
 }
 
+namespace {
+
+std::string InMillimetres(double metres) {
+  return std::isfinite(metres) ? fmt::format("{:.1f}", 1e3 * metres) : "";
+}
+
+}  // namespace
+
 std::string MeshStudyAsMarkdown(const std::vector<MeshCase>& cases) {
   std::string text =
       "Distance from the truth, mm, root mean square: at the true parameters in fitted frames, "
@@ -183,10 +191,10 @@ std::string MeshStudyAsMarkdown(const std::vector<MeshCase>& cases) {
       "| motion | membrane | particles | true parameters | fitted | held out | iterations | s |\n"
       "|---|---|---:|---:|---:|---:|---:|---:|\n";
   for (const MeshCase& one : cases) {
-    text += fmt::format("| {} | {} | {} | {:.1f} | {:.1f} | {:.1f} | {} | {:.0f} |\n", one.motion,
-                        MembraneOf(one), one.particles, 1e3 * one.at_truth.fitted,
-                        1e3 * one.after_fit.fitted, 1e3 * one.after_fit.held_out, one.iterations,
-                        one.seconds);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {:.0f} |\n", one.motion,
+                        MembraneOf(one), one.particles, InMillimetres(one.at_truth.fitted),
+                        InMillimetres(one.after_fit.fitted), InMillimetres(one.after_fit.held_out),
+                        one.iterations, one.seconds);
   }
   text += "\n| motion | order, plain | order, buckling |\n|---|---:|---:|\n";
   for (const std::string& motion : MotionsOf(cases)) {
@@ -209,10 +217,11 @@ std::string MeshStudyAsSvg(const std::vector<MeshCase>& cases) {
         if (one.motion != motion || one.buckles != buckles) continue;
         const double spacing = 1e3 * SpacingOf(one);
         at_truth.points.emplace_back(spacing, 1e3 * one.at_truth.fitted);
-        after_fit.points.emplace_back(spacing, 1e3 * one.after_fit.fitted);
+        if (std::isfinite(one.after_fit.fitted))
+          after_fit.points.emplace_back(spacing, 1e3 * one.after_fit.fitted);
       }
       chart.lines.push_back(std::move(at_truth));
-      chart.lines.push_back(std::move(after_fit));
+      if (!after_fit.points.empty()) chart.lines.push_back(std::move(after_fit));
     }
     charts.push_back(std::move(chart));
   }

@@ -65,8 +65,13 @@ class RefitCost : public ceres::CostFunction {
   // target: residuals of the recording's own simulation.
   RefitCost(const FittedScene& start, const RowFrames& frames,
             const std::vector<FreeEntry>& entries, const Eigen::VectorXd& target,
-            const RowMajorMatrix* near)
-      : start_(start), frames_(frames), entries_(entries), target_(target), near_(near) {
+            const RowMajorMatrix* near, const std::atomic<bool>* stop)
+      : start_(start),
+        frames_(frames),
+        entries_(entries),
+        target_(target),
+        near_(near),
+        stop_(stop) {
     set_num_residuals(static_cast<int>(target.size() + Size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(Size()));
   }
@@ -82,6 +87,7 @@ class RefitCost : public ceres::CostFunction {
       if (derivatives) FillJacobian(*near_, jacobians[0]);
       return true;
     }
+    if (stop_ != nullptr && *stop_) return false;
     const FittedScene moved = Moved(start_, entries_, by);
     Pass pass{moved.values, false, false};
     if (derivatives && near_ == nullptr) {
@@ -119,6 +125,7 @@ class RefitCost : public ceres::CostFunction {
   const std::vector<FreeEntry>& entries_;
   const Eigen::VectorXd& target_;
   const RowMajorMatrix* near_;
+  const std::atomic<bool>* stop_;
   mutable Eigen::VectorXd last_at_, last_;
 };
 
@@ -146,11 +153,11 @@ bool Solve(RefitCost* cost, int iterations, Eigen::VectorXd* by) {
 // own. Empty where it fails.
 std::optional<Refit> FitAgain(const FittedScene& start, const RowFrames& frames,
                               const Rows& baseline, const Eigen::VectorXd& target,
-                              Eigen::VectorXd by) {
+                              Eigen::VectorXd by, const std::atomic<bool>* stop) {
   constexpr int kNearIterations = 6, kOwnIterations = 2;
   const std::vector<FreeEntry>& entries = baseline.entries;
-  RefitCost near(start, frames, entries, target, &baseline.jacobian);
-  RefitCost own(start, frames, entries, target, nullptr);
+  RefitCost near(start, frames, entries, target, &baseline.jacobian, stop);
+  RefitCost own(start, frames, entries, target, nullptr, stop);
   if (!Solve(&near, kNearIterations, &by) || !Solve(&own, kOwnIterations, &by)) return {};
   Eigen::VectorXd residuals(own.num_residuals());
   const double* const at = by.data();
@@ -191,16 +198,18 @@ std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& base
 
 DiscretisationErrors MeasureDiscretisationErrors(const FittedScene& fitted, const RowFrames& frames,
                                                  const Rows& baseline, int draws,
-                                                 std::uint64_t seed) {
+                                                 std::uint64_t seed,
+                                                 const std::atomic<bool>* stop) {
   DiscretisationErrors errors;
   const auto n = static_cast<Eigen::Index>(baseline.entries.size());
   // What is left of a finer simulation at `at` after a fit that begins `way` from there.
   const auto left_of = [&](const FittedScene& at, bool mesh, bool step,
                            Eigen::VectorXd* way) -> std::optional<Eigen::VectorXd> {
+    if (stop != nullptr && *stop) return {};
     const std::optional<Eigen::VectorXd> fine =
         ResidualsOfOtherSteps(Finer(at, mesh, step), at, frames);
     if (!fine) return {};
-    std::optional<Refit> refit = FitAgain(at, frames, baseline, *fine, *way);
+    std::optional<Refit> refit = FitAgain(at, frames, baseline, *fine, *way, stop);
     // A lively cloth can go elsewhere altogether, and then it is no recording like this one.
     constexpr double kLikeThisOne = 3.0;  // times what the fit leaves of the recording itself
     const bool is_alike = refit && refit->left.norm() <= kLikeThisOne * baseline.residuals.norm();

@@ -5,6 +5,7 @@
 // shorter step, seen by cameras and markers with the errors of well-made ones, with noise.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -33,10 +34,12 @@ struct DiscretisationErrors {
   double held_out_rms = 0.0;
 };
 
-// `baseline`: the rows of the fit with its Jacobian, from which the draws are made.
+// `baseline`: the rows of the fit with its Jacobian, from which the draws are made. `stop`, which
+// may be null, ends it early: what was not measured by then is zero.
 DiscretisationErrors MeasureDiscretisationErrors(const FittedScene& fitted, const RowFrames& frames,
                                                  const Rows& baseline, int draws,
-                                                 std::uint64_t seed);
+                                                 std::uint64_t seed,
+                                                 const std::atomic<bool>* stop = nullptr);
 
 // The finer mesh and step that stand for the truth.
 FittedScene Finer(const FittedScene& fitted, bool mesh, bool step);

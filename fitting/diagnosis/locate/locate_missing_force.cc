@@ -77,7 +77,7 @@ class MissingForceLocator {
       const bool is_close = !HasLargeResidual(fitted_.scene, fitted_.config, fitted_.fit);
       errors_ = MeasureDiscretisationErrors(fitted_, frames_, *baseline,
                                             options_.simulate_null && is_close ? kErrorDraws : 0,
-                                            options_.seed);
+                                            options_.seed, options_.stop);
     }
     typical_.resize(static_cast<Eigen::Index>(faults_.size()));
     for (std::size_t i = 0; i < faults_.size(); ++i)

@@ -113,7 +113,7 @@ Diagnoser::CoarseLook Diagnoser::LookOnCoarse(const FittedScene& coarse, bool is
   if (by_forecasts) by.draws = kDraws;
   look.ranking = RankCandidates(coarse, options_, by);
   const bool is_missing = by_forecasts || look.ranking.gate_p_value < kGate;
-  if (is_first && is_missing) look.located = Locate(coarse, look.ranking);
+  if (is_first && is_missing && !Stopped()) look.located = Locate(coarse, look.ranking);
   return look;
 }
 
@@ -173,6 +173,7 @@ bool Diagnoser::AddEffect() {
       std::async(std::launch::async, [&] { return LookOnCoarse(coarse, is_first); });
   if (!is_baseline_fitted_) now_ = FitBaselineOnBoth(coarse);
   is_baseline_fitted_ = true;
+  if (Stopped()) return false;
   if (!quality_) quality_ = AppraiseQuality(now_.fine);
   if (is_first) TellOfBaseline();
   if (quality_->is_explained) return false;

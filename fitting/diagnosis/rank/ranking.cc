@@ -115,7 +115,8 @@ void Ranker::AddDiscretisationErrors() {
   }
   if (!errors_ || errors_->half_step.size() != frames_.num_rows()) {
     errors_ = std::make_shared<DiscretisationErrors>(MeasureDiscretisationErrors(
-        fitted_, frames_, *baseline_, options_.simulate_null ? draws_ : 0, options_.seed));
+        fitted_, frames_, *baseline_, options_.simulate_null ? draws_ : 0, options_.seed,
+        options_.stop));
   }
   first_discretisation_ = columns_->Add(errors_->half_step);
   columns_->Add(errors_->finer_mesh);
