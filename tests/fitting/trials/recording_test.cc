@@ -201,9 +201,10 @@ TEST(TrialFault, ShiftsAllMarkersAlongTheCloth) {
   const Recording clean = MakeTrialRecording(trial).recording;
   for (std::size_t i = 0; i < clean.markers.size(); ++i) {
     EXPECT_EQ(clean.markers[i].uv, faulty.markers[i].uv);
-    // The cloth hardly stretches; shear changes lengths along the bias by a few per cent.
+    // The cloth hardly stretches; shear changes lengths along the bias by a few per cent, and so do
+    // wrinkles that its mesh does not have.
     EXPECT_NEAR((clean.markers[i].position - faulty.markers[i].position).norm(), shift,
-                0.15 * shift);
+                0.2 * shift);
   }
 }
 
