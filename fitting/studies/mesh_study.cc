@@ -122,6 +122,10 @@ std::vector<std::string> MotionsOf(const std::vector<MeshCase>& cases) {
 
 const char* MembraneOf(const MeshCase& one) { return one.buckles ? "buckling" : "plain"; }
 
+std::string InMillimetres(double metres) {
+  return std::isfinite(metres) ? fmt::format("{:.1f}", 1e3 * metres) : "";
+}
+
 double SpacingOf(const MeshCase& one) { return kSide / (one.particles - 1); }
 
 }  // namespace
@@ -174,14 +178,6 @@ std::string MeshStudyAsCsv(const std::vector<MeshCase>& cases) {
   }
   return text;
 }
-
-namespace {
-
-std::string InMillimetres(double metres) {
-  return std::isfinite(metres) ? fmt::format("{:.1f}", 1e3 * metres) : "";
-}
-
-}  // namespace
 
 std::string MeshStudyAsMarkdown(const std::vector<MeshCase>& cases) {
   std::string text =
