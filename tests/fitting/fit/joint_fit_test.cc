@@ -32,6 +32,7 @@ SyntheticRecording Motion(SyntheticScenario scenario, int frames, std::uint64_t 
   options.scenario = scenario;
   options.frame_count = frames;
   options.seed = seed;
+  options.buckling = false;  // what is shared is tested
   return MakeSyntheticRecording(options);
 }
 
@@ -40,6 +41,7 @@ struct Take {
   explicit Take(const SyntheticRecording& made, int initial_order = -1)
       : truth(made.truth_parameters), config(DefaultConfig(made.recording)) {
     config.window = 0.1;
+    config.buckling = false;
     config.initial_order = initial_order;
     scene = MakeScene(made.recording, config);
   }
@@ -133,7 +135,7 @@ void ExpectDifferentiated(const JointScenes& scenes, const Evaluate& evaluate) {
   };
   ASSERT_GT(gradient.norm(), 0.0);
   for (int i = 0; i < at.size(); ++i) {
-    constexpr double kStep = 1e-6;  // a shaken cloth that buckles is far from linear in its start
+    constexpr double kStep = 1e-5;  // a shaken cloth is far from linear in its start
     Eigen::VectorXd step = Eigen::VectorXd::Zero(at.size());
     step[i] = kStep;
     const double difference = (cost(at + step) - cost(at - step)) / (2.0 * kStep);
@@ -222,7 +224,7 @@ TEST(JointFit, FindsTheClothWithNarrowerIntervals) {
   EXPECT_TRUE(joint.misfit->IsNoise()) << joint.misfit->chi_square;
   const FitResult alone[] = {FitByStrategy(swing.scene, swing.config),
                              FitByStrategy(shake.scene, shake.config)};
-  int checked = 0, held = 0, wider = 0;
+  int checked = 0, held = 0;
   for (const ParameterEstimate& estimate : joint.estimates) {
     if (!estimate.free || !estimate.determined) continue;
     ++checked;
@@ -231,12 +233,11 @@ TEST(JointFit, FindsTheClothWithNarrowerIntervals) {
     for (const FitResult& one : alone) {
       for (const ParameterEstimate& other : one.estimates) {
         if (other.name != estimate.name) continue;
-        wider += Width(estimate) < Width(other) ? 0 : 1;
+        EXPECT_LT(Width(estimate), Width(other)) << other.name;
       }
     }
   }
   EXPECT_GE(checked, 6);
-  EXPECT_LE(wider, 1);           // what mesh and step do to a parameter differs by motion
   EXPECT_GE(held, checked - 1);  // of seven intervals of 95 % one misses in every third fit
   // Each recording is told of as by itself, with the same material.
   for (const FitResult& one : joint.recordings) {
