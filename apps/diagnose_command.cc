@@ -59,6 +59,7 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   options.diagnosis.stop = StopOnInterrupt();
   options.diagnosis.kept_fits = folder.KeptFits();
   options.diagnosis.log = [&folder](const std::string& line) { folder.AppendLog(line); };
+  options.diagnosis.so_far = [&folder](const Diagnosis& so_far) { folder.Write(so_far); };
   ProgressDisplay display(ProgressDisplay::Lines::kNowAndThen);
   if (!options.quiet) {
     options.diagnosis.progress = [&display](const std::string& stage, double fraction) {

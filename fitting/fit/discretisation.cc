@@ -136,6 +136,16 @@ PointFit PointFitOf(const std::vector<SeenResidual>& seen, const FreeVector& fre
 
 }  // namespace
 
+std::optional<Misfit> MisfitOfPoints(const Scene& scene, const FitConfig& config,
+                                     const Eigen::VectorXd& theta) {
+  const Scene points = PointsOf(scene);
+  const FitConfig of_points = ConfigOfPoints(config);
+  const std::optional<PointRows> rows = Evaluate(points, of_points, theta, false);
+  if (!rows || rows->residuals.size() == 0) return {};
+  const FreeParameters free(of_points, points, MakeParameterTable());
+  return MeasureMisfit(SeenResiduals(points, rows->residuals), free.size());
+}
+
 std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes,
                                            const Eigen::VectorXd& theta) {
   std::vector<PointScene> points;

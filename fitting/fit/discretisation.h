@@ -24,6 +24,11 @@ struct JointPointFit {
   std::vector<PointFit> of_each;
 };
 
+// Of the fitted markers and tracks at theta, without the error of mesh and step: one simulation.
+// Empty as below.
+std::optional<Misfit> MisfitOfPoints(const Scene& scene, const FitConfig& config,
+                                     const Eigen::VectorXd& theta);
+
 // Of the fitted markers and tracks at theta; empty where there are none, or they cannot be
 // simulated.
 //

@@ -73,8 +73,8 @@ std::optional<double> OverFrames(const Scene& scene, const std::vector<FrameMisf
   return std::sqrt(sum / count);
 }
 
-std::vector<ErrorChange> ErrorsOf(const ReportScene& report,
-                                  const std::vector<std::vector<FrameMisfit>>& misfits) {
+std::vector<ErrorChange> ChangesOf(const ReportScene& report,
+                                   const std::vector<std::vector<FrameMisfit>>& misfits) {
   const struct {
     const char *kind, *unit;
     Member member;
@@ -172,7 +172,7 @@ ReportPage MakeDiagnosisReport(const fs::path& folder, const ReportAssets& asset
                         "Diagnosis of " + report.scene().recording.name,
                         record.effects.empty() ? "Error of the baseline"
                                                : "Error of the baseline → with what was found",
-                        ErrorsOf(report, misfits),
+                        ChangesOf(report, misfits),
                         std::move(fields),
                         std::move(obstacles),
                         std::move(sections),

@@ -90,7 +90,7 @@ std::string ErrorsTitle(const RunPair& pair) {
   return fmt::format("Error in {} → in {}", pair.first.name, pair.second.name);
 }
 
-std::vector<ErrorChange> ErrorsOf(const RunPair& pair) {
+std::vector<ErrorChange> ChangesOf(const RunPair& pair) {
   std::vector<ErrorChange> errors;
   for (const PairedError& error : PairErrors(pair.first.facts, pair.second.facts))
     errors.push_back({error.kind, error.held_out, error.unit, error.first, error.second});
@@ -109,7 +109,7 @@ PairContent ContentOf(const RunPair& pair) {
   const std::vector<PairedParameter> parameters =
       PairParameters(pair.first.scene, pair.second.scene);
   return {JudgePair(pair, parameters), pair.first.name + " beside " + pair.second.name,
-          ErrorsTitle(pair),           ErrorsOf(pair),
+          ErrorsTitle(pair),           ChangesOf(pair),
           PairNumberSection(pair),     PairParameterSection(pair, parameters),
           PairSettingSection(pair)};
 }

@@ -23,7 +23,7 @@ constexpr size_t kDataBlock = 16;
 constexpr size_t kRate = 20;
 
 // Where the points stand.
-struct Points {
+struct PointLayout {
   size_t start = 0;        // of the first frame, in bytes
   size_t frame_bytes = 0;  // of one frame, analog data included
   size_t num_points = 0;
@@ -58,8 +58,8 @@ size_t NumFrames(const C3dParameters& parameters, const C3dBytes& bytes) {
   return Count(frames, "POINT:FRAMES", parameters.Place("POINT:FRAMES"), bytes);
 }
 
-Points FindPoints(const C3dParameters& parameters, const C3dBytes& bytes) {
-  Points points;
+PointLayout FindPoints(const C3dParameters& parameters, const C3dBytes& bytes) {
+  PointLayout points;
   points.num_points = Count(parameters.Number("POINT:USED").value_or(bytes.Word(kPoints)),
                             "POINT:USED", parameters.Place("POINT:USED"), bytes);
   points.num_frames = NumFrames(parameters, bytes);
@@ -80,7 +80,7 @@ Points FindPoints(const C3dParameters& parameters, const C3dBytes& bytes) {
 }
 
 // Frames that the file ends before are an error, or are left out.
-void FitFile(const C3dBytes& bytes, bool skip_bad_rows, Points* points,
+void FitFile(const C3dBytes& bytes, bool skip_bad_rows, PointLayout* points,
              std::vector<std::string>* notes) {
   const size_t room = bytes.size() - std::min(points->start, bytes.size());
   const size_t num_there = room / points->frame_bytes;
@@ -101,7 +101,8 @@ void FitFile(const C3dBytes& bytes, bool skip_bad_rows, Points* points,
                             kMostFrames, kMostPlaces, points->num_frames, points->num_points));
 }
 
-std::optional<Eigen::Vector3d> PointAt(size_t at, const Points& points, const C3dBytes& bytes) {
+std::optional<Eigen::Vector3d> PointAt(size_t at, const PointLayout& points,
+                                       const C3dBytes& bytes) {
   Eigen::Vector3d position;
   const size_t step = points.is_float ? 4 : 2;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -181,7 +182,7 @@ TakeInFile ReadC3d(const std::filesystem::path& file, std::string_view content,
                    const TakeFileOptions& options, std::vector<std::string>* notes) {
   C3dBytes bytes(file, content);
   const C3dParameters parameters(&bytes);
-  Points points = FindPoints(parameters, bytes);
+  PointLayout points = FindPoints(parameters, bytes);
   FitFile(bytes, options.skip_bad_rows, &points, notes);
   TakeInFile take;
   take.facts = FactsOf(parameters, bytes, options.facts.up ? nullptr : notes);

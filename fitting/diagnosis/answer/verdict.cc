@@ -11,8 +11,7 @@
 namespace clothfit {
 
 double MostOfIt(double unexplained, bool is_lost) {
-  constexpr double kMostFromAfar = 0.5;
-  return is_lost || unexplained > kUnusableResidual ? kMostFromAfar : kMostOfIt;
+  return is_lost || unexplained > kUnusableResidual ? kHalfOfIt : kMostOfIt;
 }
 
 namespace {

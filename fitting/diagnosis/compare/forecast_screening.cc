@@ -14,25 +14,23 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/fitted/refit.h"
+#include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/fit/forecast_fit.h"
 
 namespace clothfit {
 namespace {
 
-constexpr std::size_t kMostJudged = 3;  // that are fitted on the deciding mesh
+constexpr std::size_t kMostJudged = 4;  // that are fitted on the deciding mesh
 constexpr double kMayWin = 0.5;         // of what the best gains on the coarser one
 constexpr double kMayCome = 0.25;       // of what the best gains in forecasts of half that length
-constexpr int kFirstIterations = 5, kIterations = 8;  // on the coarser mesh, of each length
+constexpr int kScreeningIterations = 5, kIterations = 8;  // on the coarser mesh, of each length
 constexpr int kFirstLengths = 1;        // of forecasts, by which most models are put aside
 constexpr std::size_t kMostStarts = 2;  // of a model
-constexpr int kCoarsest = 13;           // particles a side, below which a mesh shows too little
 
-// The next coarser mesh: forecasts are short, so that it is right about their order.
+// The coarse mesh: forecasts are short, so that it is right about what is far behind.
 std::array<int, 2> ScreeningGrid(const ClothMesh& mesh) {
-  const int side = std::max(mesh.grid[0], mesh.grid[1]);
-  const int coarser = 1 + static_cast<int>(std::lround((side - 1) / kFiner));
-  return GridWithSide(mesh.grid, std::min(side, std::max(kCoarsest, coarser)));
+  return GridWithSide(mesh.grid, std::min(kCoarseSide, std::max(mesh.grid[0], mesh.grid[1])));
 }
 
 // A contact is nothing like its derivative where there is none yet: an obstacle begins at the
@@ -143,7 +141,7 @@ std::optional<FittedScene> ForecastScreening::FitPhysics(const FittedScene& base
   std::optional<FittedScene> best;
   for (const RankedCandidate& start : starts) {
     if (Stopped()) break;
-    best = Cheaper(std::move(best), fit(start, kFirstIterations));
+    best = Cheaper(std::move(best), fit(start, kScreeningIterations));
   }
   return best;
 }
@@ -259,8 +257,8 @@ std::optional<ForecastRound> ForecastScreening::Run(
     } else {
       ModelStart put_right = GoOn(*base);
       put_right.recording = faults[k - entrants.size()].scene.scene.recording;
-      fits[k] =
-          FitToForecasts(put_right, grid, {0, first_lengths, kFirstIterations}, runner_, &*base);
+      fits[k] = FitToForecasts(put_right, grid, {0, first_lengths, kScreeningIterations}, runner_,
+                               &*base);
     }
   });
   AddBarThroughBall(*base, round.ranking, first_lengths, &entrants, &fits);

@@ -9,6 +9,7 @@
 #include "fitting/diagnosis/fitted/refit.h"
 #include "fitting/diagnosis/fitted/residual_correlation.h"
 #include "fitting/diagnosis/gate/baseline_fit.h"
+#include "fitting/fit/discretisation.h"
 
 namespace clothfit {
 namespace {
@@ -81,9 +82,11 @@ std::optional<BothMeshes> Meshes::Coarsen(const FittedScene& fine, int most_iter
 double BeyondNoise(double chi_square) { return std::sqrt(std::max(0.0, chi_square - 1.0)); }
 
 ResidualScale ScaleOf(const FittedScene& fitted) {
-  if (!fitted.of_forecasts) return AppraiseQuality(fitted).scale;
-  const Misfit& misfit = fitted.fit.misfit.value();
-  return {static_cast<double>(misfit.observed), misfit.correlation, misfit.chi_square};
+  const std::optional<Misfit> misfit =
+      fitted.of_forecasts ? fitted.fit.misfit
+                          : MisfitOfPoints(fitted.scene, fitted.config, fitted.fit.theta);
+  if (!misfit) return AppraiseQuality(fitted).scale;
+  return {static_cast<double>(misfit->observed), misfit->correlation, misfit->chi_square};
 }
 
 FitQuality AppraiseQuality(const FittedScene& fitted) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -74,31 +75,39 @@ double Projection::Product(double product, const Eigen::VectorXd& a,
   return product - own_a.dot(inverse_ * own_b);
 }
 
-Score ScoreOf(const Projection& projection, const ScoredGroup& group,
-              const Eigen::VectorXd& projected_products) {
-  const auto n = static_cast<Eigen::Index>(group.columns.size());
+Scorer::Scorer(const Projection& projection, ScoredGroup group)
+    : group_(std::move(group)),
+      all_(group_.columns.size()),
+      information_(projection.gram()(group_.columns, group_.columns)) {
+  std::iota(all_.begin(), all_.end(), 0);
+  for (std::size_t i = 0; i < group_.precision.size(); ++i)
+    information_.diagonal()[static_cast<Eigen::Index>(i)] += group_.precision[i];
+  inverse_ = InverseOf(all_);
+}
+
+Eigen::MatrixXd Scorer::InverseOf(const std::vector<int>& in) const {
+  const Scaled scaled = ToUnitLength(information_(in, in));
+  return scaled.scale.asDiagonal() * PseudoInverse(scaled.gram) * scaled.scale.asDiagonal();
+}
+
+Score Scorer::Of(const Eigen::VectorXd& projected_products) const {
+  const auto n = static_cast<Eigen::Index>(group_.columns.size());
   Score score;
   score.amounts = Eigen::VectorXd::Zero(n);
   score.sigma = Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity());
-  Eigen::MatrixXd all = projection.gram()(group.columns, group.columns);
-  for (std::size_t i = 0; i < group.precision.size(); ++i)
-    all(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) += group.precision[i];
   // Amounts that came out impossible are left out, the worst first.
-  std::vector<int> in(static_cast<std::size_t>(n));
-  std::iota(in.begin(), in.end(), 0);
+  std::vector<int> in = all_;
   while (!in.empty()) {
-    const Scaled scaled = ToUnitLength(all(in, in));
-    const Eigen::MatrixXd inverse =
-        scaled.scale.asDiagonal() * PseudoInverse(scaled.gram) * scaled.scale.asDiagonal();
+    const Eigen::MatrixXd inverse = in.size() == all_.size() ? inverse_ : InverseOf(in);
     Eigen::VectorXd products(static_cast<Eigen::Index>(in.size()));
     for (std::size_t i = 0; i < in.size(); ++i)
       products[static_cast<Eigen::Index>(i)] =
-          projected_products[group.columns[static_cast<std::size_t>(in[i])]];
+          projected_products[group_.columns[static_cast<std::size_t>(in[i])]];
     const Eigen::VectorXd amounts = -(inverse * products);
     int worst = -1;
     for (std::size_t i = 0; i < in.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
-      if (group.is_one_sided[static_cast<std::size_t>(in[i])] && amounts[k] < 0.0 &&
+      if (group_.is_one_sided[static_cast<std::size_t>(in[i])] && amounts[k] < 0.0 &&
           (worst < 0 || amounts[k] < amounts[worst])) {
         worst = static_cast<int>(i);
       }
@@ -116,6 +125,11 @@ Score ScoreOf(const Projection& projection, const ScoredGroup& group,
     break;
   }
   return score;
+}
+
+Score ScoreOf(const Projection& projection, const ScoredGroup& group,
+              const Eigen::VectorXd& projected_products) {
+  return Scorer(projection, group).Of(projected_products);
 }
 
 Eigen::VectorXd DecreasesOfAll(const Projection& projection, const std::vector<int>& columns,

@@ -65,7 +65,21 @@ class Projection {
   Eigen::MatrixXd projected_;
 };
 
-// The score of a group for a residual that is given by its projected products with all columns.
+// The scores of a group for residuals that are given by their projected products with all columns.
+class Scorer {
+ public:
+  Scorer(const Projection& projection, ScoredGroup group);
+  Score Of(const Eigen::VectorXd& projected_products) const;
+
+ private:
+  Eigen::MatrixXd InverseOf(const std::vector<int>& in) const;
+
+  ScoredGroup group_;
+  std::vector<int> all_;
+  Eigen::MatrixXd information_, inverse_;
+};
+
+// The score of a group for one residual.
 Score ScoreOf(const Projection& projection, const ScoredGroup& group,
               const Eigen::VectorXd& projected_products);
 

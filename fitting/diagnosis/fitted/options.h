@@ -13,6 +13,8 @@
 
 namespace clothfit {
 
+struct Diagnosis;
+
 // Where in the pipeline a part of the answer comes from can be switched off to see what it is
 // worth.
 struct DiagnosisOptions {
@@ -35,6 +37,8 @@ struct DiagnosisOptions {
   bool nudge = true;          // false: no scores along a nudged motion
   std::function<void(const std::string& stage, double fraction)> progress;
   std::function<void(const std::string&)> log;
+  // Called after each effect with what an interrupted diagnosis would answer.
+  std::function<void(const Diagnosis&)> so_far;
   const std::atomic<bool>* stop = nullptr;
   // Where finished fits are kept, see fit_runner.h; empty: nowhere.
   std::filesystem::path kept_fits;

@@ -168,15 +168,13 @@ std::optional<Refit> FitAgain(const FittedScene& start, const RowFrames& frames,
 
 }  // namespace
 
-FittedScene Finer(const FittedScene& fitted, bool mesh, bool step) {
-  std::array<int, 2> resolution = fitted.scene.mesh.grid;
-  if (mesh && fitted.scene.mesh.is_grid()) {
+FittedScene Finer(const FittedScene& fitted) {
+  std::array<int, 2> resolution = fitted.config.resolution;
+  if (fitted.scene.mesh.is_grid()) {
+    resolution = fitted.scene.mesh.grid;
     for (int& n : resolution) n = 1 + static_cast<int>(std::lround(kFinerMesh * (n - 1)));
-  } else {
-    resolution = fitted.config.resolution;
   }
-  return WithOtherSteps(fitted, resolution,
-                        step ? kFinerStep * fitted.scene.step : fitted.config.max_step);
+  return WithOtherSteps(fitted, resolution, kFinerStep * fitted.scene.step);
 }
 
 std::vector<FittedScene> DrawNearFit(const FittedScene& fitted, const Rows& baseline, int count,
@@ -201,39 +199,26 @@ DiscretisationErrors MeasureDiscretisationErrors(const FittedScene& fitted, cons
                                                  std::uint64_t seed,
                                                  const std::atomic<bool>* stop) {
   DiscretisationErrors errors;
-  const auto n = static_cast<Eigen::Index>(baseline.entries.size());
-  // What is left of a finer simulation at `at` after a fit that begins `way` from there.
-  const auto left_of = [&](const FittedScene& at, bool mesh, bool step,
-                           Eigen::VectorXd* way) -> std::optional<Eigen::VectorXd> {
-    if (stop != nullptr && *stop) return {};
-    const std::optional<Eigen::VectorXd> fine =
-        ResidualsOfOtherSteps(Finer(at, mesh, step), at, frames);
-    if (!fine) return {};
-    std::optional<Refit> refit = FitAgain(at, frames, baseline, *fine, *way, stop);
+  errors.num_rows = frames.num_rows();
+  double held_out = 0.0;
+  // Mesh and step change about the same wherever they are: a later fit begins where one ended.
+  Eigen::VectorXd way = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(baseline.entries.size()));
+  for (const FittedScene& drawn : DrawNearFit(fitted, baseline, draws, seed)) {
+    if (stop != nullptr && *stop) break;
+    const FittedScene finer = Finer(drawn);
+    const std::optional<Eigen::VectorXd> seen = ResidualsOfOtherSteps(finer, drawn, frames);
+    if (!seen) continue;
+    std::optional<Refit> refit = FitAgain(drawn, frames, baseline, *seen, way, stop);
     // A lively cloth can go elsewhere altogether, and then it is no recording like this one.
     constexpr double kLikeThisOne = 3.0;  // times what the fit leaves of the recording itself
     const bool is_alike = refit && refit->left.norm() <= kLikeThisOne * baseline.residuals.norm();
     if (!is_alike) {
       ++errors.num_elsewhere;
-      return {};
+      continue;
     }
-    *way = std::move(refit->by);
-    return std::move(refit->left);
-  };
-  double held_out = 0.0;
-  const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(n);
-  const auto zero = Eigen::VectorXd::Zero(frames.num_rows());
-  Eigen::VectorXd of_step = nowhere, of_mesh = nowhere;
-  errors.half_step = left_of(fitted, false, true, &of_step).value_or(zero);
-  errors.finer_mesh = left_of(fitted, true, false, &of_mesh).value_or(zero);
-  // Mesh and step change about the same wherever they are: a later fit begins where one ended.
-  Eigen::VectorXd way = of_step + of_mesh;
-  for (const FittedScene& drawn : DrawNearFit(fitted, baseline, draws, seed)) {
-    const std::optional<Eigen::VectorXd> left = left_of(drawn, true, true, &way);
-    if (!left) continue;
-    errors.at_draws.push_back(kOfDifference * *left);
-    const double rms =
-        HeldOutDistance(Finer(drawn, true, true), Moved(drawn, baseline.entries, way));
+    way = std::move(refit->by);
+    errors.at_draws.push_back(kOfDifference * refit->left);
+    const double rms = HeldOutDistance(finer, Moved(drawn, baseline.entries, way));
     held_out += rms * rms;
   }
   if (!errors.at_draws.empty())

@@ -19,13 +19,12 @@ namespace clothfit {
 // One sigma of the amounts of numerical error that are taken out where a force is located.
 inline constexpr double kDiscretisationSigma = 2.0;
 
-// What mesh and step leave. The first two are recordings of the fit itself with half the step, or
-// on a finer mesh; the draws are recordings on the finer mesh with half the step, at
-// parameters drawn around the fit. In all of them the baseline was fitted again, and these are what
-// that leaves: a fit takes most of what mesh and step change for material parameters.
-// The draws, and what is measured at them, are larger by the error that the finer mesh still has.
+// What mesh and step leave: of recordings on the finer mesh with half the step, at parameters drawn
+// around the fit. The baseline was fitted to them again, and these are what that leaves: a fit
+// takes most of what mesh and step change for material parameters. They are larger by the error
+// that the finer mesh still has.
 struct DiscretisationErrors {
-  Eigen::VectorXd half_step, finer_mesh;  // rows; at the fit
+  Eigen::Index num_rows = 0;
   std::vector<Eigen::VectorXd> at_draws;  // rows
   // How many of all these simulations went so far elsewhere that they are left out.
   int num_elsewhere = 0;
@@ -35,14 +34,14 @@ struct DiscretisationErrors {
 };
 
 // `baseline`: the rows of the fit with its Jacobian, from which the draws are made. `stop`, which
-// may be null, ends it early: what was not measured by then is zero.
+// may be null, ends it early: what was not measured by then is left out.
 DiscretisationErrors MeasureDiscretisationErrors(const FittedScene& fitted, const RowFrames& frames,
                                                  const Rows& baseline, int draws,
                                                  std::uint64_t seed,
                                                  const std::atomic<bool>* stop = nullptr);
 
 // The finer mesh and step that stand for the truth.
-FittedScene Finer(const FittedScene& fitted, bool mesh, bool step);
+FittedScene Finer(const FittedScene& fitted);
 
 // The fit with its free vector drawn around where it ended, so near that what is simulated with it
 // still looks like the recording.

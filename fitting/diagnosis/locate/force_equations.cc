@@ -55,7 +55,7 @@ ForceEquations::ForceEquations(const Scene& scene, const FitConfig& config,
       layout_(layout),
       options_(options),
       observations_(scene, config),
-      motion_(scene, config, free, layout),
+      motion_(scene, config, free, layout, options.stop),
       frames_(options.frames),
       first_row_(scene.is_fitted.size(), -1),
       num_faults_(static_cast<int>(options.fault_sigmas.size())) {

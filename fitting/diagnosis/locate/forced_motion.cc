@@ -9,10 +9,11 @@
 namespace clothfit {
 
 ForcedMotion::ForcedMotion(const Scene& scene, const FitConfig& config, const FreeParameters& free,
-                           const ForceLayout& layout)
+                           const ForceLayout& layout, const std::atomic<bool>* stop)
     : scene_(scene),
       free_(free),
       layout_(layout),
+      stop_(stop),
       first_control_((free.size() + kLanes - 1) / kLanes * kLanes),
       simulation_(scene.mesh, scene.world, scene.HandlePoints(), StepOptions(config)),
       handles_(scene.handles) {
@@ -87,6 +88,7 @@ bool ForcedMotion::Run(const Eigen::VectorXd& theta, const Eigen::VectorXd& forc
   };
   observer(0, state, carried);
   for (int frame = 1; frame <= last_frame; ++frame) {
+    if (stop_ != nullptr && *stop_) return false;
     for (int k = 0; k < scene_.steps_per_frame; ++k) {
       const StepReport report = simulation_.Advance(scene_.step, drive, &state, carried);
       if (report.status != StepStatus::kConverged || !state.x.allFinite()) return false;

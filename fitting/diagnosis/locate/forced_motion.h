@@ -5,6 +5,7 @@
 // fit's free entries and by that force.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 
@@ -23,9 +24,9 @@ class ForcedMotion {
       std::function<void(int frame, const State& state, const Sensitivity* sensitivity)>;
 
   // The arguments must outlive this object. What was observed pulls at the cloth where the config
-  // says so (IsNudged).
+  // says so (IsNudged). `stop`, which may be null, ends a run.
   ForcedMotion(const Scene& scene, const FitConfig& config, const FreeParameters& free,
-               const ForceLayout& layout);
+               const ForceLayout& layout, const std::atomic<bool>* stop = nullptr);
 
   // Directions: the free entries, some that nothing moves, and from first_control() on the force's
   // numbers, so that those of one knot share blocks of lanes, which sleep until it begins.
@@ -33,7 +34,7 @@ class ForcedMotion {
   int num_directions() const { return first_control_ + layout_.size(); }
 
   // Open loop, frames 0 to last_frame, of the force (N/m^2, layout.size()). False where the
-  // simulation does not get there.
+  // simulation does not get there or is stopped.
   bool Run(const Eigen::VectorXd& theta, const Eigen::VectorXd& force, int last_frame,
            bool derivatives, const Observer& observer);
 
@@ -45,6 +46,7 @@ class ForcedMotion {
   const Scene& scene_;
   const FreeParameters& free_;
   const ForceLayout& layout_;
+  const std::atomic<bool>* stop_;
   int first_control_;
   int share_;  // index of residual_force.share
   Simulation simulation_;

@@ -10,7 +10,6 @@
 
 #include "autodiff_sim/base/normal_numbers.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/fitted/fit_quality.h"
 
 namespace clothfit {
 namespace {
@@ -70,14 +69,12 @@ class MissingForceLocator {
     const std::optional<Rows> baseline =
         EvaluateRows(fitted_, BaselinePass(fitted_), frames_, faults_);
     if (!baseline) return false;
-    if (known_ != nullptr && known_->half_step.size() == frames_.num_rows()) {
+    if (known_ != nullptr && known_->num_rows == frames_.num_rows()) {
       errors_ = *known_;
     } else {
-      // What leaves more than two sigmas stands far out of the error of mesh and step.
-      const bool is_close = !HasLargeResidual(fitted_.scene, fitted_.config, fitted_.fit);
       errors_ = MeasureDiscretisationErrors(fitted_, frames_, *baseline,
-                                            options_.simulate_null && is_close ? kErrorDraws : 0,
-                                            options_.seed, options_.stop);
+                                            options_.simulate_null ? kErrorDraws : 0, options_.seed,
+                                            options_.stop);
     }
     typical_.resize(static_cast<Eigen::Index>(faults_.size()));
     for (std::size_t i = 0; i < faults_.size(); ++i)
@@ -87,17 +84,21 @@ class MissingForceLocator {
     return true;
   }
 
-  // The faults' columns, then those of step and mesh.
+  // The faults' columns, then those of mesh and step.
   RowMajorMatrix NuisanceColumns(int frame, const State& state) const {
     const RowMajorMatrix of_faults =
         FaultColumns(fitted_.scene, fitted_.config, observations_, faults_, frame, state);
     const int row = frames_.FirstRow(frame);
-    RowMajorMatrix columns(of_faults.rows(), of_faults.cols() + 2);
+    RowMajorMatrix columns(of_faults.rows(), of_faults.cols() + NumErrors());
     columns.leftCols(of_faults.cols()) = of_faults;
-    columns.col(of_faults.cols()) = errors_.half_step.segment(row, of_faults.rows());
-    columns.rightCols<1>() = errors_.finer_mesh.segment(row, of_faults.rows());
+    for (Eigen::Index k = 0; k < NumErrors(); ++k) {
+      columns.col(of_faults.cols() + k) =
+          errors_.at_draws[static_cast<std::size_t>(k)].segment(row, of_faults.rows());
+    }
     return columns;
   }
+
+  Eigen::Index NumErrors() const { return static_cast<Eigen::Index>(errors_.at_draws.size()); }
 
   bool Estimate() {
     ResidualForceOptions force;
@@ -108,11 +109,12 @@ class MissingForceLocator {
         std::max(kKnotSpacing, fitted_.scene.FrameTime(force.frames.back()) / (kMostKnots - 1));
     force.correlation_time = std::max(force.correlation_time, 1.5 * force.knot_spacing);
     force.nulls = nulls_;
+    force.stop = options_.stop;
     if (options_.project) {
       force.faults = [this](int frame, const State& state) {
         return NuisanceColumns(frame, state);
       };
-      force.fault_sigmas.setConstant(static_cast<Eigen::Index>(faults_.size()) + 2,
+      force.fault_sigmas.setConstant(static_cast<Eigen::Index>(faults_.size()) + NumErrors(),
                                      kDiscretisationSigma);
       for (std::size_t i = 0; i < faults_.size(); ++i)
         force.fault_sigmas[static_cast<Eigen::Index>(i)] = faults_[i].tolerated;

@@ -6,6 +6,7 @@
 // fitted may move along. docs/diagnosis.md has the equations.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -38,6 +39,7 @@ struct ResidualForceOptions {
   // frame / d fault, rows x faults, and one sigma of each; eliminated along with the free entries.
   std::function<RowMajorMatrix(int frame, const State& state)> faults;
   Eigen::VectorXd fault_sigmas;
+  const std::atomic<bool>* stop = nullptr;  // ends it: there is no estimate
 };
 
 // Least squares: information * solution = data, with one column of data the observed one and one

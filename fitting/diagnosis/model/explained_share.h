@@ -11,6 +11,7 @@ namespace clothfit {
 // over the null, and the most that absent terms can explain (Ranking::explainable, halved).
 double ShareExplained(double before, double after, double null, double explainable);
 
-inline constexpr double kMostOfIt = 0.9;  // share explained
+// Shares explained: of what is named, and of what is the best there is.
+inline constexpr double kMostOfIt = 0.9, kHalfOfIt = 0.5;
 
 }  // namespace clothfit

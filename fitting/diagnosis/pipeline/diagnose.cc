@@ -58,15 +58,18 @@ void Diagnoser::UndoSwaps() {
 
 // Where the cloth may be somewhere else than the recorded one, no force leads it there: then along
 // the motion that is nudged to what was seen.
-std::optional<LocatedForce> Diagnoser::Locate(const FittedScene& fitted,
-                                              const Ranking& ranking) const {
-  if (Stopped()) return {};
+std::optional<LocatedForce> Diagnoser::Locate(const FittedScene& fitted, const Ranking& ranking,
+                                              const DiagnosisOptions& options) const {
+  if (*options.stop) return {};
   Say("locating what is missing", 0.2);
   std::optional<FittedScene> nudged;
-  if (options_.nudge && IsWorthNudging(fitted))
-    nudged = FitNudged(WithMaterialOf(baseline_, GoOn(fitted)), kScoringDamping, runner_);
-  return nudged ? LocateMissingForce(*nudged, options_)
-                : LocateMissingForce(fitted, options_, ranking.errors.get());
+  if (options.nudge && IsWorthNudging(fitted)) {
+    nudged =
+        FitNudged(WithMaterialOf(baseline_, GoOn(fitted)), kScoringDamping, FitRunner(options));
+  }
+  if (*options.stop) return {};
+  return nudged ? LocateMissingForce(*nudged, options)
+                : LocateMissingForce(fitted, options, ranking.errors.get());
 }
 
 void Diagnoser::TellLocated(const std::optional<LocatedForce>& found) {
@@ -104,16 +107,17 @@ void Diagnoser::FindContacts(const LocatedForce& found) {
 
 // On the coarse mesh. Physics is ranked along forecasts, where there are any; faults of the
 // observation always here.
-Diagnoser::CoarseLook Diagnoser::LookOnCoarse(const FittedScene& coarse, bool is_first) const {
+Diagnoser::CoarseLook Diagnoser::LookOnCoarse(const FittedScene& coarse, bool is_first,
+                                              const DiagnosisOptions& options) const {
   CoarseLook look;
   Say("ranking what could be missing", 0.15);
   const bool by_forecasts = CanForecast(coarse);
   const CandidateSet set = by_forecasts ? CandidateSet::kNone : CandidateSet::kCatalogue;
   RankingStart by{last_ranking_.errors, set};
   if (by_forecasts) by.draws = kDraws;
-  look.ranking = RankCandidates(coarse, options_, by);
+  look.ranking = RankCandidates(coarse, options, by);
   const bool is_missing = by_forecasts || look.ranking.gate_p_value < kGate;
-  if (is_first && is_missing && !Stopped()) look.located = Locate(coarse, look.ranking);
+  if (is_first && is_missing) look.located = Locate(coarse, look.ranking, options);
   return look;
 }
 
@@ -160,7 +164,24 @@ bool Diagnoser::IsExplained(const Ranking& ranking) const {
 }
 
 // The coarse mesh is looked at while the deciding one is fitted and held to its noise: a
-// simulation does not fill two cores.
+// simulation does not fill two cores. The look ends where nothing turns out to be missing.
+std::optional<Diagnoser::CoarseLook> Diagnoser::LookForMissing() {
+  const bool is_first = kept_.empty();
+  const FittedScene coarse = now_.coarse;
+  std::atomic<bool> is_enough = false;
+  DiagnosisOptions of_look = options_;
+  of_look.stop = &is_enough;
+  std::future<CoarseLook> looking =
+      std::async(std::launch::async, [&] { return LookOnCoarse(coarse, is_first, of_look); });
+  if (!is_baseline_fitted_) now_ = FitBaselineOnBoth(coarse);
+  is_baseline_fitted_ = true;
+  if (!Stopped() && !quality_) quality_ = AppraiseQuality(now_.fine);
+  if (!Stopped() && is_first) TellOfBaseline();
+  is_enough = Stopped() || quality_->is_explained;
+  if (is_enough) return {};
+  return looking.get();
+}
+
 bool Diagnoser::AddEffect() {
   const bool is_first = kept_.empty();
   if (HasPhysics() && forecasts_left_ < options_.least_share * forecasts_lack_) {
@@ -168,23 +189,15 @@ bool Diagnoser::AddEffect() {
                     100.0 * forecasts_left_ / forecasts_lack_));
     return false;
   }
-  const FittedScene coarse = now_.coarse;
-  std::future<CoarseLook> looking =
-      std::async(std::launch::async, [&] { return LookOnCoarse(coarse, is_first); });
-  if (!is_baseline_fitted_) now_ = FitBaselineOnBoth(coarse);
-  is_baseline_fitted_ = true;
-  if (Stopped()) return false;
-  if (!quality_) quality_ = AppraiseQuality(now_.fine);
-  if (is_first) TellOfBaseline();
-  if (quality_->is_explained) return false;
-  CoarseLook look = looking.get();
+  std::optional<CoarseLook> look = LookForMissing();
   Spend("test of fit, ranking of faults, locating");
-  Ranking& ranking = look.ranking;
+  if (!look || Stopped()) return false;
+  Ranking& ranking = look->ranking;
   Log(
       fmt::format("residuals of {:.3g} sigmas on {} particles; on {} of {:.3g}, of which mesh and "
                   "step leave {:.3g}; p = {:.2g}",
                   std::sqrt(quality_->scale.chi_square), now_.fine.scene.mesh.num_particles(),
-                  coarse.scene.mesh.num_particles(), ranking.residual_rms,
+                  now_.coarse.scene.mesh.num_particles(), ranking.residual_rms,
                   ranking.discretisation_rms, ranking.gate_p_value));
   last_ranking_ = ranking;
   if (is_first) {
@@ -192,7 +205,7 @@ bool Diagnoser::AddEffect() {
     TellCandidates(ranking, ranking);
   }
   if (IsExplained(ranking)) return false;
-  if (is_first) TellLocated(look.located);
+  if (is_first) TellLocated(look->located);
   std::optional<bool> is_added;
   if (CanForecast(now_.fine)) {
     is_added = AddByForecasts(ranking);
@@ -229,6 +242,7 @@ Diagnosis Diagnoser::Run() {
   meshes_.Set(now_.coarse, DecidingSide(recording_, baseline_, options_.finest_side));
   for (rounds_left_ = options_.max_effects; rounds_left_ > 0 && !Stopped(); --rounds_left_) {
     if (!AddEffect()) break;
+    if (rounds_left_ > 1) TellSoFar();
   }
   Conclude();
   return diagnosis_;

@@ -59,8 +59,13 @@ class Diagnoser {
     Ranking ranking;
     std::optional<LocatedForce> located;  // of the first round
   };
-  CoarseLook LookOnCoarse(const FittedScene& coarse, bool is_first) const;
-  std::optional<LocatedForce> Locate(const FittedScene& fitted, const Ranking& ranking) const;
+  // options: a look's own, with what stops it.
+  CoarseLook LookOnCoarse(const FittedScene& coarse, bool is_first,
+                          const DiagnosisOptions& options) const;
+  std::optional<LocatedForce> Locate(const FittedScene& fitted, const Ranking& ranking,
+                                     const DiagnosisOptions& options) const;
+  // Empty where nothing is missing.
+  std::optional<CoarseLook> LookForMissing();
   // Where, when and of what class a force is missing.
   void TellLocated(const std::optional<LocatedForce>& found);
   // Where an obstacle would stand that pushes as the missing force does.
@@ -86,9 +91,6 @@ class Diagnoser {
   bool CatchesUp(std::vector<JudgedModel>* judged);
   void Judge(const FittedScene& before, std::vector<JudgedModel>* judged) const;
   void Keep(std::vector<JudgedModel> judged, Ranking ranking);
-  // A fit to forecasts, gone on with to all frames; by so many more iterations where it follows the
-  // recording to its end.
-  std::optional<FittedScene> FitAllFrames(const FittedScene& forecasts, int most_more) const;
   // What was kept by forecasts, fitted to all frames.
   void GoOnBeyondForecasts();
   // A model like another one, fitted as that is: to forecasts or to all frames.
@@ -116,6 +118,10 @@ class Diagnoser {
   void SetAnswer(const BothMeshes& before);
   void MeasureWhatActs();
   void Conclude();
+  // The answer by what is known now.
+  void Answer();
+  // Keeps the answer so far, which takes longer to find than whoever interrupts it waits.
+  void TellSoFar();
   // Where the physics begins: the fit without any, faults put right.
   const BothMeshes& WithoutPhysics() const;
   const Ranking& RankingWithoutPhysics() const;
@@ -141,8 +147,9 @@ class Diagnoser {
   FitRunner runner_;
   Meshes meshes_;
   Diagnosis diagnosis_;
-  std::vector<std::string> swaps_;  // of markers, undone
-  BothMeshes now_;                  // with everything that was kept
+  std::optional<Diagnosis> so_far_;  // after the last effect, as interrupted
+  std::vector<std::string> swaps_;   // of markers, undone
+  BothMeshes now_;                   // with everything that was kept
   std::vector<Kept> kept_;
   Ranking last_ranking_;                                  // of what was missing in now_
   std::optional<FitQuality> baseline_quality_, quality_;  // of the baseline and of now_

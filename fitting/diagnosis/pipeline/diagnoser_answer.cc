@@ -66,11 +66,11 @@ void Diagnoser::ForgetPhysics() {
 }
 
 // A name has to explain some of what mesh and step do not make; where less than noise is left
-// beyond noise, most of it.
+// beyond noise, half of it.
 void Diagnoser::TakeBackWhatIsTooLittle() {
   const double left = UnexplainedWithoutPhysics(), explained = ExplainedByAnswer();
   const bool stands = explained >= options_.least_share &&
-                      (quality_->is_explained || left >= kTooLittle || explained >= MostOfAnswer());
+                      (quality_->is_explained || left >= kTooLittle || explained >= kHalfOfIt);
   if (stands || !HasPhysics()) return;
   Log(
       fmt::format("{} is not kept: without it {:.2g} sigmas are left beyond noise, of which it "
@@ -170,37 +170,61 @@ void Diagnoser::MeasureWhatActs() {
   if (acts) diagnosis_.acting_class = ClassOfActing(now_.fine.scene, *diagnosis_.acting);
 }
 
+void Diagnoser::Answer() {
+  if (!quality_) quality_ = AppraiseQuality(now_.fine);
+  Spend("intervals");
+  TakeBackWhatIsTooLittle();
+  diagnosis_.effects = EffectsSoFar();
+  if (!kept_.empty()) SetAnswer(kept_.back().before);
+  if (missing_)
+    diagnosis_.motions.missing_force = ForceOnParticles(now_.fine.scene.mesh, *missing_);
+  diagnosis_.motions.held_out = recording_.splits.held_out_frames;
+}
+
+void Diagnoser::TellSoFar() {
+  if (Stopped()) return;
+  quality_ = AppraiseQuality(now_.fine);
+  Diagnoser interrupted(*this);
+  interrupted.Answer();
+  Diagnosis& so_far = interrupted.diagnosis_;
+  so_far.verdict = Verdict::kInterrupted;
+  so_far.fit = DiagnosisFit{interrupted.now_.fine.scene, interrupted.now_.fine.config,
+                            interrupted.quality_->result};
+  so_far.motions.answer = SimulateFitted(interrupted.now_.fine);
+  so_far.words = DescribeDiagnosis(so_far);
+  if (options_.so_far) options_.so_far(so_far);
+  so_far_ = std::move(so_far);
+}
+
 void Diagnoser::Conclude() {
-  if (!baseline_quality_) {  // stopped before anything was ranked
-    diagnosis_.baseline = now_.fine.config;
-    diagnosis_.baseline_fit = now_.fine.fit;
+  if (Stopped()) {
+    if (so_far_) {
+      diagnosis_ = std::move(*so_far_);
+      return;
+    }
+    if (!baseline_quality_) {  // before anything was ranked
+      diagnosis_.baseline = now_.fine.config;
+      diagnosis_.baseline_fit = now_.fine.fit;
+    }
     diagnosis_.effects = swaps_;
     diagnosis_.verdict = Verdict::kInterrupted;
     diagnosis_.words = DescribeDiagnosis(diagnosis_);
     return;
   }
   Say("measuring how certain the answer is", 0.8);
-  if (!quality_) quality_ = AppraiseQuality(now_.fine);
-  Spend("intervals");
-  TakeBackWhatIsTooLittle();
-  diagnosis_.effects = EffectsSoFar();
-  if (!kept_.empty()) SetAnswer(kept_.back().before);
+  Answer();
   LearnInstead();
   const double explained = ExplainedByAnswer();
   const Outcome outcome{HasPhysics(),   IsExplained(last_ranking_),
                         explained,      quality_->Unexplained(),
                         quality_->mesh, MostOfAnswer()};
-  diagnosis_.verdict = Stopped() ? Verdict::kInterrupted : VerdictOf(diagnosis_, outcome);
-  if (missing_)
-    diagnosis_.motions.missing_force = ForceOnParticles(now_.fine.scene.mesh, *missing_);
+  diagnosis_.verdict = VerdictOf(diagnosis_, outcome);
   diagnosis_.fit = DiagnosisFit{now_.fine.scene, now_.fine.config, quality_->result};
-  diagnosis_.motions.held_out = recording_.splits.held_out_frames;
   if (diagnosis_.answer || !diagnosis_.effects.empty())
     diagnosis_.motions.answer = SimulateFitted(now_.fine);
   // What stands for most of something unknown acts as that does.
-  constexpr double kStandsFor = 0.5;
   const bool stands_for = diagnosis_.verdict == Verdict::kNoneOfTheAbove && diagnosis_.answer &&
-                          explained >= kStandsFor;
+                          explained >= kHalfOfIt;
   if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law || stands_for) MeasureWhatActs();
   diagnosis_.words = DescribeDiagnosis(diagnosis_);
 }

@@ -25,6 +25,8 @@ constexpr double kLeastShareBeside = 0.4;  // of an effect beside another one
 // The order is that of all frames where forecasts leave it in doubt: of what the best gains, and
 // times what it leaves beyond noise.
 constexpr double kGainInDoubt = 0.8, kLeftInDoubt = 2.0;
+// By which models are compared that begin near their minimum, each by as many.
+constexpr int kWholeIterations = 6;
 
 bool Follows(const FittedScene& fitted) {
   return !HasLargeResidual(fitted.scene, fitted.config, fitted.fit);
@@ -88,9 +90,9 @@ double Diagnoser::ShareOfForecasts(const FittedScene& before, const FittedScene&
   return left > 0.0 ? std::clamp(gain / left, 0.0, 1.0) : 0.0;
 }
 
-// The models of forecasts, the best first, fitted to all frames: the others only where the best
-// follows the recording to its end, since what has lost it says nothing of their order, and where
-// forecasts leave the order in doubt.
+// The models of forecasts, the best first, fitted to all frames, the others where forecasts leave
+// the order in doubt. Beyond the second only where the best follows the recording to its end, since
+// what has lost it says nothing of their order.
 std::vector<JudgedModel> Diagnoser::FitWhole(const FittedScene& before,
                                              const std::vector<JudgedModel>& forecasts) {
   Say("fitting all frames", 0.75);
@@ -101,14 +103,18 @@ std::vector<JudgedModel> Diagnoser::FitWhole(const FittedScene& before,
   std::vector<std::optional<FittedScene>> fits(forecasts.size());
   const auto fit = [&](std::size_t k) {
     if (!Stopped() && forecasts[k].model.Cost() <= doubtful)
-      fits[k] = FitAllFrames(forecasts[k].model.fine, kModelIterations);
+      fits[k] = FitBeyondForecasts(forecasts[k].model.fine, kWholeIterations, runner_);
   };
-  fit(0);
-  if (fits[0] && Follows(*fits[0])) {
-    ParallelFor(static_cast<int>(fits.size()) - 1, NumThreads(0),
-                [&](int i, int) { fit(static_cast<std::size_t>(i) + 1); });
-  }
+  // One simulation does not fill two cores.
+  const auto fit_some = [&](std::size_t first, std::size_t end) {
+    ParallelFor(static_cast<int>(end - first), NumThreads(0),
+                [&](int i, int) { fit(first + static_cast<std::size_t>(i)); });
+  };
+  const std::size_t at_once = std::min<std::size_t>(2, fits.size());
+  fit_some(0, at_once);
+  if (fits[0] && Follows(*fits[0])) fit_some(at_once, fits.size());
   std::vector<JudgedModel> whole;
+  if (Stopped()) return whole;
   for (std::size_t k = 0; k < fits.size(); ++k)
     if (fits[k]) whole.push_back({forecasts[k].candidate, {*fits[k], *fits[k]}});
   Judge(now_.fine, &whole);
@@ -142,18 +148,19 @@ bool Diagnoser::IsBorneOut(const JudgedModel& best, const std::vector<JudgedMode
 }
 
 // What has lost the recorded motion comes to no minimum, however far it is fitted.
-std::optional<FittedScene> Diagnoser::FitAllFrames(const FittedScene& forecasts,
-                                                   int most_more) const {
-  std::optional<FittedScene> fine = FitBeyondForecasts(forecasts, kModelIterations / 2, runner_);
-  const bool may_gain =
-      fine && fine->fit.status != FitStatus::kConverged && !Stopped() && Follows(*fine);
-  if (!may_gain) return fine;
-  return Cheaper(fine, FitModel(*fine, GoOn(*fine), most_more, runner_, kEnoughToDecide));
-}
-
 void Diagnoser::GoOnBeyondForecasts() {
   Say("fitting all frames", 0.75);
-  const std::optional<FittedScene> fine = FitAllFrames(now_.fine, 3 * kModelIterations);
+  constexpr int kMostTimes = 3;
+  std::optional<FittedScene> fine = FitBeyondForecasts(now_.fine, kWholeIterations, runner_);
+  for (int times = 0; times < kMostTimes; ++times) {
+    const bool may_gain =
+        fine && fine->fit.status != FitStatus::kConverged && !Stopped() && Follows(*fine);
+    if (!may_gain) break;
+    std::optional<FittedScene> next =
+        FitModel(*fine, GoOn(*fine), kModelIterations, runner_, kEnoughToDecide);
+    if (!next || next->fit.cost_after >= fine->fit.cost_after) break;
+    fine = std::move(next);
+  }
   std::optional<BothMeshes> both =
       fine ? meshes_.Coarsen(*fine, kModelIterations) : std::optional<BothMeshes>();
   if (both) now_ = std::move(*both);

@@ -78,7 +78,7 @@ class Ranker {
   std::optional<Rows> baseline_;
   Extent extent_;
   std::optional<ColumnSet> columns_;
-  int residual_ = 0, first_baseline_ = 0, first_fault_ = 0, first_discretisation_ = 0;
+  int residual_ = 0, first_baseline_ = 0, first_fault_ = 0;
   std::vector<int> drawn_errors_;
   Eigen::MatrixXd gram_;
   Eigen::VectorXd scale_;  // a column of the Gram matrix is its values times this
@@ -110,21 +110,20 @@ void Ranker::RunBaseline() {
 void Ranker::AddDiscretisationErrors() {
   if (fitted_.forecasts) {
     DiscretisationErrors none;
-    none.half_step = none.finer_mesh = Eigen::VectorXd::Zero(frames_.num_rows());
+    none.num_rows = frames_.num_rows();
     errors_ = std::make_shared<DiscretisationErrors>(std::move(none));
   }
-  if (!errors_ || errors_->half_step.size() != frames_.num_rows()) {
+  if (!errors_ || errors_->num_rows != frames_.num_rows()) {
     errors_ = std::make_shared<DiscretisationErrors>(MeasureDiscretisationErrors(
         fitted_, frames_, *baseline_, options_.simulate_null ? draws_ : 0, options_.seed,
         options_.stop));
   }
-  first_discretisation_ = columns_->Add(errors_->half_step);
-  columns_->Add(errors_->finer_mesh);
   for (const Eigen::VectorXd& error : errors_->at_draws)
     drawn_errors_.push_back(columns_->Add(error));
 }
 
 void Ranker::AddTrials(const std::vector<std::pair<int, Probe>>& probes) {
+  if (options_.stop != nullptr && *options_.stop) return;
   std::vector<std::pair<const CandidateTerm*, Probe>> on;
   for (const auto& [candidate, probe] : probes) on.push_back({&candidates_[candidate], probe});
   const std::optional<Rows> rows =
@@ -172,9 +171,6 @@ double Ranker::DiscretisationRms(const Projection& projection) const {
   double sum = 0.0;
   for (const int column : drawn_errors_)
     sum += sum_of(column) / static_cast<double>(drawn_errors_.size());
-  if (drawn_errors_.empty()) {
-    sum = sum_of(first_discretisation_) + sum_of(first_discretisation_ + 1);
-  }
   return std::sqrt(std::max(0.0, sum) / std::max(1, frames_.num_rows()));
 }
 
@@ -316,7 +312,8 @@ RankedCandidate Ranker::Observation(const std::string& group, const Projection& 
     scored.precision.push_back(1.0 / (sigma * sigma));
   }
   const Projection projection(gram_, Nuisances(group));
-  const Score score = ScoreOf(projection, scored, projection.gram().col(residual_));
+  const Scorer scorer(projection, scored);
+  const Score score = scorer.Of(projection.gram().col(residual_));
   const double residual2 = scale_[residual_] * scale_[residual_];
   ranked.summary.score = score.decrease / residual2;
   ranked.summary.raw_score = ScoreOf(raw, scored, raw.gram().col(residual_)).decrease / residual2;
@@ -325,7 +322,7 @@ RankedCandidate Ranker::Observation(const std::string& group, const Projection& 
   ranked.columns = scored.columns;
   std::vector<double> null_scores;
   for (const NullResidual& null : nulls_)
-    null_scores.push_back(ScoreOf(projection, scored, projection.Products(null.products)).decrease);
+    null_scores.push_back(scorer.Of(projection.Products(null.products)).decrease);
   const double left = projection.gram()(residual_, residual_) / residual2 - null_mean_;
   Judge(projection, null_scores, &ranked);
   ranked.summary.share = ShareOf(ranked.summary.score, std::max(left, ranked.summary.score));
@@ -413,10 +410,9 @@ Ranking Ranker::Run() {
     std::vector<double> null_scores(nulls_.size(), 0.0);
     for (const Trial& trial : trials_) {
       if (trial.candidate != static_cast<int>(c)) continue;
-      for (std::size_t k = 0; k < nulls_.size(); ++k) {
-        const Score score = ScoreOf(projection, GroupOf(trial), projected[k]);
-        null_scores[k] = std::max(null_scores[k], score.decrease);
-      }
+      const Scorer scorer(projection, GroupOf(trial));
+      for (std::size_t k = 0; k < nulls_.size(); ++k)
+        null_scores[k] = std::max(null_scores[k], scorer.Of(projected[k]).decrease);
     }
     Judge(projection, null_scores, &candidate);
     // What stands out by its pattern is there to be explained, however much mesh and step may

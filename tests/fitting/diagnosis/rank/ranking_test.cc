@@ -45,7 +45,7 @@ std::shared_ptr<const DiscretisationErrors> ErrorsOf(const FittedScene& fitted, 
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal(0.0, sigmas);
   DiscretisationErrors errors;
-  errors.half_step = errors.finer_mesh = Eigen::VectorXd::Zero(rows);
+  errors.num_rows = rows;
   for (int k = 0; k < 3; ++k)
     errors.at_draws.push_back(Eigen::VectorXd::NullaryExpr(rows, [&]() { return normal(random); }));
   return std::make_shared<const DiscretisationErrors>(std::move(errors));
