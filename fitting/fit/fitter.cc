@@ -28,9 +28,10 @@ int NumIterations(const ceres::Solver::Summary& summary) {
   return std::max(0, static_cast<int>(summary.iterations.size()) - 1);
 }
 
-// Reports iterations and ends the solver when the fit is stopped, or when a step that was taken,
-// and was not cut short by a small trust region, lowers the cost by less than the tolerance. (Ceres
-// looks at steps that were not taken and at any radius.)
+// Reports iterations and ends the solver when the fit is stopped, or when a step that was taken
+// lowers the cost by less than the tolerance: one that was not cut short by a small trust region,
+// or several in turn, as where the cost is too rugged for the region to grow. (Ceres looks at steps
+// that were not taken and at any radius.)
 class IterationReporter : public ceres::IterationCallback {
  public:
   IterationReporter(std::function<void(const ceres::IterationSummary&)> report, double tolerance,
@@ -41,9 +42,11 @@ class IterationReporter : public ceres::IterationCallback {
         stop_(stop) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     report_(summary);
-    converged_ = summary.iteration > 0 && summary.step_is_successful &&
-                 summary.trust_region_radius >= least_radius_ &&
-                 summary.cost_change <= tolerance_ * summary.cost;
+    constexpr int kInTurn = 3;
+    if (summary.iteration > 0 && summary.step_is_successful)
+      small_steps_ = summary.cost_change <= tolerance_ * summary.cost ? small_steps_ + 1 : 0;
+    const bool is_free = summary.trust_region_radius >= least_radius_;
+    converged_ = summary.step_is_successful && small_steps_ >= (is_free ? 1 : kInTurn);
     const bool ends = converged_ || (stop_ != nullptr && *stop_);
     return ends ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
@@ -53,6 +56,7 @@ class IterationReporter : public ceres::IterationCallback {
   std::function<void(const ceres::IterationSummary&)> report_;
   double tolerance_, least_radius_;
   const std::atomic<bool>* stop_;
+  int small_steps_ = 0;  // in turn
   bool converged_ = false;
 };
 
