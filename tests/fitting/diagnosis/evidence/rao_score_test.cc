@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <gtest/gtest.h>
@@ -84,6 +85,30 @@ TEST(ScoreTest, AmountsThatAreImpossibleAreLeftOut) {
   EXPECT_NEAR(possible.decrease, free.decrease, 1e-9);
   EXPECT_EQ(impossible.decrease, 0.0);
   EXPECT_EQ(impossible.amounts[0], 0.0);
+}
+
+TEST(ScoreTest, OfManyResidualsIsThatOfEach) {
+  const Problem p;
+  const Projection projection(p.gram, p.free);
+  const ScoredGroup group{{4, 5, 6}, {false, true, true}, {0.5}};
+  const Scorer scorer(projection, group);
+  int num_left_out = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Eigen::VectorXd products = RandomMatrix(7, 1, seed);
+    const Score many = scorer.Of(products), one = ScoreOf(projection, group, products);
+    EXPECT_DOUBLE_EQ(many.decrease, one.decrease);
+    EXPECT_EQ(many.amounts, one.amounts);
+    EXPECT_GE(many.amounts.tail<2>().minCoeff(), 0.0);
+    num_left_out += many.amounts.tail<2>().minCoeff() == 0.0 ? 1 : 0;
+    // Where none is left out, the sum of squares is that of ridge regression.
+    if (many.amounts.tail<2>().minCoeff() == 0.0) continue;
+    Eigen::MatrixXd information = projection.gram().block<3, 3>(4, 4);
+    information(0, 0) += 0.5;
+    const Eigen::VectorXd solution = information.ldlt().solve(products.segment<3>(4));
+    EXPECT_NEAR(many.decrease, solution.dot(products.segment<3>(4)), 1e-9);
+  }
+  EXPECT_GT(num_left_out, 0);
+  EXPECT_LT(num_left_out, 20);
 }
 
 TEST(ScoreTest, WhatNuisancesCanDoIsNotScored) {

@@ -5,6 +5,7 @@
 #include "fitting/diagnosis/pipeline/diagnose.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -91,6 +92,30 @@ TEST(Diagnose, NamesTheWind) {
   EXPECT_NEAR(diagnosis.residual_rms, std::sqrt(diagnosis.misfit->chi_square), 1e-12);
   const std::vector<double>& draws = diagnosis.null_left_rms;
   ASSERT_EQ(draws.size(), static_cast<std::size_t>(Quick().num_nulls));
+}
+
+TEST(Diagnose, ThatIsInterruptedAnswersByItsLastRound) {
+  SyntheticOptions options = Small();
+  options.parameters["wind.x"] = 2.5;
+  const Recording recording = MakeSyntheticRecording(options).recording;
+  DiagnosisOptions quick = Quick();
+  quick.max_effects = 2;
+  std::atomic<bool> stop = false;
+  quick.stop = &stop;
+  std::vector<Diagnosis> told;
+  quick.so_far = [&](const Diagnosis& so_far) {
+    told.push_back(so_far);
+    stop = true;  // as soon as the first effect is known
+  };
+  const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), quick);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(diagnosis.verdict, Verdict::kInterrupted);
+  EXPECT_EQ(diagnosis.effects, std::vector<std::string>{"wind"});
+  EXPECT_EQ(diagnosis.words, told[0].words);
+  EXPECT_THAT(diagnosis.words, testing::StartsWith("Interrupted; so far:"));
+  ASSERT_TRUE(diagnosis.answer && diagnosis.fit);
+  EXPECT_GE(diagnosis.answer->log_evidence, kStrongEvidence);
+  EXPECT_FALSE(diagnosis.motions.answer.empty());
 }
 
 TEST(Diagnose, FindsNothingMissingWhereNothingIs) {
