@@ -105,8 +105,8 @@ bool Fitter::ContinueHandlePaths(FrameByFrame* search, int first, int last) {
   }
   for (std::size_t h = 0; h < handles.size(); ++h)
     paths[h].insert(paths[h].end(), found.paths[h].begin(), found.paths[h].end());
-  constexpr double kSigma = 0.001;  // m
-  progress_.theta = free.WithHandlePaths(progress_.theta, scene, paths, kSigma);
+  constexpr double kPriorSigma = 0.001;  // m
+  progress_.theta = free.WithHandlePaths(progress_.theta, scene, paths, kPriorSigma);
   return true;
 }
 

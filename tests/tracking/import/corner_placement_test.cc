@@ -53,7 +53,7 @@ Eigen::Vector3d On(const FlatPlacement& sheet, const Eigen::Vector2d& uv) {
 }
 
 // Of these points in these cameras, with the noise of somebody who points at them.
-std::vector<SeenCorner> Views(const FlatPlacement& sheet,
+std::vector<SeenCorner> SeenBy(const FlatPlacement& sheet,
                               const std::vector<Eigen::Vector2d>& points,
                               const std::vector<Camera>& cameras, double noise = 0.5) {
   std::mt19937 random(11);
@@ -84,7 +84,7 @@ TEST(CornerPlacement, ThreeCornersPlaceASheet) {
   const FlatPlacement truth{{-0.3, 0.1, 0.9},
                             Eigen::Vector3d(1.0, 0.3, 0.2).normalized(),
                             Eigen::Vector3d(-0.3, 1.0, 0.0).normalized()};
-  const auto seen = Views(truth, {{0.0, 0.0}, {0.6, 0.0}, {0.0, 0.4}}, ThreeCameras());
+  const auto seen = SeenBy(truth, {{0.0, 0.0}, {0.6, 0.0}, {0.0, 0.4}}, ThreeCameras());
   const SheetPlacement placed = PlaceByCorners(seen, ThreeCameras(), kSize);
   // Half a pixel of 1000 at 2.2 m is 1.1 mm, and more in depth.
   EXPECT_LT(LargestError(placed.flat, truth), 0.005);
@@ -96,11 +96,11 @@ TEST(CornerPlacement, ThreeCornersPlaceASheet) {
 TEST(CornerPlacement, ASheetHangsFromTwoCorners) {
   const FlatPlacement truth = HangingSheet();
   const std::vector<Camera> cameras = ThreeCameras();
-  const auto two = Views(truth, {{0.0, 0.0}, {0.6, 0.0}}, {cameras[0], cameras[2]});
+  const auto two = SeenBy(truth, {{0.0, 0.0}, {0.6, 0.0}}, {cameras[0], cameras[2]});
   EXPECT_LT(LargestError(PlaceByCorners(two, cameras, kSize).flat, truth), 0.006);
   // The same sheet named the other way round: it hangs from v = 0.4.
   const FlatPlacement turned{On(truth, {0.0, 0.4}), truth.u_axis, -truth.v_axis};
-  const auto upper = Views(turned, {{0.6, 0.4}, {0.0, 0.4}}, cameras);
+  const auto upper = SeenBy(turned, {{0.6, 0.4}, {0.0, 0.4}}, cameras);
   const SheetPlacement placed = PlaceByCorners(upper, cameras, kSize);
   EXPECT_LT(LargestError(placed.flat, turned), 0.006);
   EXPECT_THAT(placed.notes, Contains(HasSubstr("taken to hang straight down")));
@@ -110,7 +110,7 @@ TEST(CornerPlacement, FourCornersInOneCameraPlaceASheet) {
   const FlatPlacement truth = HangingSheet();
   const std::vector<Camera> cameras = ThreeCameras();
   const auto seen =
-      Views(truth, {{0.0, 0.0}, {0.6, 0.0}, {0.6, 0.4}, {0.0, 0.4}}, {cameras[1]}, 0.2);
+      SeenBy(truth, {{0.0, 0.0}, {0.6, 0.0}, {0.6, 0.4}, {0.0, 0.4}}, {cameras[1]}, 0.2);
   const SheetPlacement placed = PlaceByCorners(seen, cameras, kSize);
   // Depth follows from the size in the picture: 0.2 of 250 px at 2.1 m is 2 mm, and tilt adds to
   // it.
@@ -124,7 +124,7 @@ TEST(CornerPlacement, WrongCornersAreRefused) {
   const auto error_of = [&](std::vector<SeenCorner> seen) {
     return InputErrorOf([&] { PlaceByCorners(seen, cameras, kSize); });
   };
-  std::vector<SeenCorner> seen = Views(sheet, {{0.0, 0.0}, {0.6, 0.0}}, cameras);
+  std::vector<SeenCorner> seen = SeenBy(sheet, {{0.0, 0.0}, {0.6, 0.0}}, cameras);
   seen[0].camera = "frnt";
   EXPECT_THAT(error_of(seen), HasSubstr("--corner: 'frnt' is no camera; did you mean 'front'?"));
   seen[0] = {"front", {0.0, 0.0}, {2000.0, 10.0}};
@@ -136,9 +136,9 @@ TEST(CornerPlacement, WrongCornersAreRefused) {
   EXPECT_THAT(error_of(seen), HasSubstr("the views of (0, 0) are not of one point"));
   seen[0] = seen[1];
   EXPECT_THAT(error_of(seen), HasSubstr("(0, 0) is given twice in 'left'"));
-  EXPECT_THAT(error_of(Views(sheet, {{0.0, 0.0}}, cameras)),
+  EXPECT_THAT(error_of(SeenBy(sheet, {{0.0, 0.0}}, cameras)),
               HasSubstr("expected three corners that two cameras see"));
-  EXPECT_THAT(error_of(Views(sheet, {{0.0, 0.0}, {0.0, 0.4}}, cameras)),
+  EXPECT_THAT(error_of(SeenBy(sheet, {{0.0, 0.0}, {0.0, 0.4}}, cameras)),
               HasSubstr("nearly one above the other"));
 }
 
