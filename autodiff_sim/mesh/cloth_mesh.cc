@@ -90,6 +90,35 @@ void AddMeshSprings(const ClothMesh& mesh, const std::map<Edge, std::vector<int>
   }
 }
 
+// m, of the lines of a grid along one side, with one through each of these places where it may.
+std::vector<double> GridLines(double length, int count, std::vector<double> through) {
+  constexpr double kThinnest = 0.4, kAtTheEdge = 1e-9;
+  const int cells = count - 1;
+  const double even = length / cells;
+  std::sort(through.begin(), through.end());
+  std::vector<std::pair<int, double>> fixed = {{0, 0.0}};
+  for (const double place : through) {
+    const bool is_inside = place > kAtTheEdge * length && place < (1.0 - kAtTheEdge) * length;
+    if (!is_inside || cells < 2) continue;
+    const int line = std::clamp(static_cast<int>(std::lround(place / even)), 1, cells - 1);
+    const auto [before, at] = fixed.back();
+    if (line > before && place - at >= kThinnest * even * (line - before) &&
+        length - place >= kThinnest * even * (cells - line)) {
+      fixed.push_back({line, place});
+    }
+  }
+  fixed.push_back({cells, length});
+  std::vector<double> lines;
+  for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
+    const auto [first, from] = fixed[k];
+    const auto [last, to] = fixed[k + 1];
+    for (int i = first; i < last; ++i)
+      lines.push_back(from + (to - from) * (i - first) / (last - first));
+  }
+  lines.push_back(length);
+  return lines;
+}
+
 // At most two triangles an edge, one on each side of it.
 void ValidateEdges(const ClothMesh& mesh, const std::string& source) {
   for (const auto& [edge, particles] : OppositeParticles(mesh)) {
@@ -125,7 +154,8 @@ std::vector<RestTriangle> RestTriangles(const ClothMesh& mesh) {
   return triangles;
 }
 
-ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution) {
+ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution,
+                   const std::vector<Eigen::Vector2d>& through) {
   const int nu = resolution[0], nv = resolution[1];
   if (nu < 2 || nv < 2) {
     throw InputError("cloth.resolution", "[" + std::to_string(nu) + ", " + std::to_string(nv) +
@@ -136,13 +166,16 @@ ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolu
                                        std::to_string(size.y()) +
                                        "]; expected two lengths above zero, m");
   }
+  std::vector<double> through_u, through_v;
+  for (const Eigen::Vector2d& point : through) {
+    through_u.push_back(point.x());
+    through_v.push_back(point.y());
+  }
   ClothMesh mesh;
   mesh.grid = resolution;
-  for (int j = 0; j < nv; ++j) {
-    for (int i = 0; i < nu; ++i) {
-      mesh.uv.emplace_back(size.x() * i / (nu - 1), size.y() * j / (nv - 1));
-    }
-  }
+  const std::vector<double> u = GridLines(size.x(), nu, std::move(through_u));
+  for (const double v : GridLines(size.y(), nv, std::move(through_v)))
+    for (int i = 0; i < nu; ++i) mesh.uv.emplace_back(u[static_cast<std::size_t>(i)], v);
   for (int j = 0; j + 1 < nv; ++j) {
     for (int i = 0; i + 1 < nu; ++i) {
       const int a = i + j * nu, b = a + 1, c = a + nu, d = c + 1;

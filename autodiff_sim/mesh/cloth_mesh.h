@@ -29,7 +29,13 @@ struct ClothMesh {
 // A rectangular grid over [0, size[0]] x [0, size[1]] m with resolution[0] x resolution[1]
 // particles, at least 2 x 2 (else throws InputError); particle (i, j) has the index i + j *
 // resolution[0]. Diagonals alternate, so that neither bias direction is preferred.
-ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution);
+//
+// Lines of the grid, else evenly spaced, go through the points of `through` (u, v, m), so that
+// there are particles there: cloth that is held between its particles is held wrongly. A line stays
+// where it is if it would have to go to where another one goes, or leave cells that are thinner
+// than 0.4 of the even ones.
+ClothMesh MakeGrid(const Eigen::Vector2d& size, const std::array<int, 2>& resolution,
+                   const std::vector<Eigen::Vector2d>& through = {});
 
 // m^2 in (u, v) of three particles, positive where they go round counter-clockwise.
 double SignedArea(const ClothMesh& mesh, const std::array<int, 3>& particles);

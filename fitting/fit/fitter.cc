@@ -28,25 +28,15 @@ int NumIterations(const ceres::Solver::Summary& summary) {
   return std::max(0, static_cast<int>(summary.iterations.size()) - 1);
 }
 
-// Reports iterations and ends the solver when the fit is stopped, or when a step that was taken
-// lowers the cost by less than the tolerance: one that was not cut short by a small trust region,
-// or several in turn, as where the cost is too rugged for the region to grow. (Ceres looks at steps
-// that were not taken and at any radius.)
+// Reports iterations and ends the solver when the fit is stopped or has come to its end.
 class IterationReporter : public ceres::IterationCallback {
  public:
-  IterationReporter(std::function<void(const ceres::IterationSummary&)> report, double tolerance,
-                    double least_radius, const std::atomic<bool>* stop)
-      : report_(std::move(report)),
-        tolerance_(tolerance),
-        least_radius_(least_radius),
-        stop_(stop) {}
+  IterationReporter(std::function<void(const ceres::IterationSummary&)> report, EndOfDescent end,
+                    const std::atomic<bool>* stop)
+      : report_(std::move(report)), end_(end), stop_(stop) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     report_(summary);
-    constexpr int kInTurn = 3;
-    if (summary.iteration > 0 && summary.step_is_successful)
-      small_steps_ = summary.cost_change <= tolerance_ * summary.cost ? small_steps_ + 1 : 0;
-    const bool is_free = summary.trust_region_radius >= least_radius_;
-    converged_ = summary.step_is_successful && small_steps_ >= (is_free ? 1 : kInTurn);
+    converged_ = end_.IsReached(summary);
     const bool ends = converged_ || (stop_ != nullptr && *stop_);
     return ends ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
@@ -54,9 +44,8 @@ class IterationReporter : public ceres::IterationCallback {
 
  private:
   std::function<void(const ceres::IterationSummary&)> report_;
-  double tolerance_, least_radius_;
+  EndOfDescent end_;
   const std::atomic<bool>* stop_;
-  int small_steps_ = 0;  // in turn
   bool converged_ = false;
 };
 
@@ -141,7 +130,7 @@ Fitter::Minimum Fitter::Minimise(const Misfits& misfits, const Patience& patienc
   options.update_state_every_iteration = true;
   IterationReporter reporter(
       [&](const ceres::IterationSummary& s) { Report(s, misfits.num_observed); },
-      patience.tolerance, patience.least_radius, callbacks_.stop);
+      EndOfDescent(patience.tolerance, patience.least_radius), callbacks_.stop);
   options.callbacks.push_back(&reporter);
   best_ = progress_.theta;
   Minimum minimum;

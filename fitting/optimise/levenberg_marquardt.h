@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <ceres/iteration_callback.h>
 #include <ceres/solver.h>
 
 #include "fitting/optimise/simulation_cost.h"
@@ -18,6 +19,23 @@ inline constexpr double kCautiousRadius = 1.0;
 
 ceres::Solver::Options LevenbergMarquardtOptions(int max_iterations, double function_tolerance,
                                                  double first_radius = kCautiousRadius);
+
+// When a minimisation has come to its end: a step that was taken lowers the cost by less than the
+// tolerance, relative to it, and was not cut short by a small trust region; or three steps in turn
+// that were taken do, as where the cost is too rugged for the region to grow. (Ceres looks at steps
+// that were not taken and at any radius.)
+class EndOfDescent {
+ public:
+  // least_radius: of a trust region that cuts no step short.
+  EndOfDescent(double tolerance, double least_radius)
+      : tolerance_(tolerance), least_radius_(least_radius) {}
+  // Of iterations in their order; iteration 0 is where it begins.
+  bool IsReached(const ceres::IterationSummary& iteration);
+
+ private:
+  double tolerance_, least_radius_;
+  int small_steps_ = 0;  // in turn
+};
 
 // Where the unknowns may be; bounds may be infinite.
 struct Bounds {

@@ -59,7 +59,9 @@ PlacedCloth PlaceCloth(const Recording& recording, const std::array<int, 2>& res
     for (int k = 0; k < 2; ++k) {
       if (particles[k] == 0) particles[k] = recording.cloth.resolution[k];
     }
-    placed.mesh = MakeGrid(recording.cloth.size, particles);
+    std::vector<Eigen::Vector2d> held;
+    for (const HandleDescription& handle : recording.handles) held.push_back(handle.uv);
+    placed.mesh = MakeGrid(recording.cloth.size, particles, held);
     positions = InitialPositions(recording, placed.mesh.uv);
   }
   placed.x.resize(3 * placed.mesh.num_particles());

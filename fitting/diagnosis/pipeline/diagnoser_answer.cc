@@ -223,8 +223,8 @@ void Diagnoser::Conclude() {
   if (diagnosis_.answer || !diagnosis_.effects.empty())
     diagnosis_.motions.answer = SimulateFitted(now_.fine);
   // What stands for most of something unknown acts as that does.
-  const bool stands_for = diagnosis_.verdict == Verdict::kNoneOfTheAbove && diagnosis_.answer &&
-                          explained >= kHalfOfIt;
+  const bool stands_for =
+      diagnosis_.verdict == Verdict::kNoneOfTheAbove && diagnosis_.answer && explained >= kHalfOfIt;
   if (diagnosis_.verdict == Verdict::kNamed || diagnosis_.law || stands_for) MeasureWhatActs();
   diagnosis_.words = DescribeDiagnosis(diagnosis_);
 }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -42,6 +43,70 @@ TEST(ClothMesh, GridCoversTheCloth) {
   EXPECT_EQ(mesh.uv[19], Eigen::Vector2d(0.6, 0.3));
   EXPECT_EQ(mesh.uv[7], Eigen::Vector2d(0.6 * 2 / 4, 0.3 * 1 / 3));
   EXPECT_NO_THROW(ValidateMesh(mesh, "grid"));
+}
+
+// The distance of a point (u, v) from the nearest particle, m.
+double FromAParticle(const ClothMesh& mesh, const Eigen::Vector2d& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector2d& uv : mesh.uv) least = std::min(least, (uv - point).norm());
+  return least;
+}
+
+TEST(ClothMesh, GridsGoThroughPoints) {
+  const Eigen::Vector2d size(0.8, 0.9);
+  const std::vector<Eigen::Vector2d> held = {{0.64, 0.9}, {0.048, 0.9}, {0.31, 0.2}};
+  for (int n = 9; n <= 33; ++n) {
+    const ClothMesh mesh = MakeGrid(size, {n, n + 2}, held);
+    ValidateMesh(mesh, "grid");
+    EXPECT_EQ(mesh.num_particles(), n * (n + 2));
+    EXPECT_EQ(mesh.uv.back(), size);
+    const bool is_too_near = 0.048 < 0.4 * 0.8 / (n - 1);  // to the edge
+    for (const Eigen::Vector2d& point : held) {
+      if (is_too_near && point.x() < 0.1) continue;
+      EXPECT_LT(FromAParticle(mesh, point), 1e-12) << n << ": " << point.transpose();
+    }
+    double area = 0.0, thinnest = 1.0;
+    for (const RestTriangle& triangle : RestTriangles(mesh)) area += triangle.area;
+    EXPECT_NEAR(area, size.prod(), 1e-12);
+    for (int i = 0; i + 1 < n; ++i)
+      thinnest = std::min(thinnest, mesh.uv[i + 1].x() - mesh.uv[i].x());
+    EXPECT_GE(thinnest, 0.4 * size.x() / (n - 1) - 1e-12);
+  }
+}
+
+TEST(ClothMesh, GridsStayEvenWherePointsHaveParticlesOrNoRoom) {
+  const ClothMesh even = MakeGrid({0.6, 0.3}, {7, 4});
+  EXPECT_EQ(MakeGrid({0.6, 0.3}, {7, 4}, {{0.0, 0.3}, {0.6, 0.0}}).uv, even.uv);  // corners
+  EXPECT_EQ(MakeGrid({0.6, 0.3}, {7, 4}, {{0.03, 0.0}}).uv,
+            even.uv);  // a cell of 0.3 of the others
+  EXPECT_EQ(MakeGrid({0.6, 0.3}, {2, 2}, {{0.3, 0.15}}).uv, MakeGrid({0.6, 0.3}, {2, 2}).uv);
+  // Two points of one line: the first has it.
+  const ClothMesh one = MakeGrid({0.6, 0.3}, {4, 4}, {{0.29, 0.0}, {0.31, 0.0}});
+  EXPECT_LT(FromAParticle(one, {0.29, 0.0}), 1e-12);
+  EXPECT_GT(FromAParticle(one, {0.31, 0.0}), 0.01);
+}
+
+// What a grid is made of knows no even spacing: a cloth stretched by a share has the energy of an
+// even one.
+TEST(ClothMesh, UnevenGridsHaveTheSpringsOfEvenOnes) {
+  const ClothTopology even = BuildTopology(MakeGrid({0.8, 0.8}, {9, 9}));
+  const ClothTopology uneven =
+      BuildTopology(MakeGrid({0.8, 0.8}, {9, 9}, {{0.26, 0.8}, {0.63, 0.55}}));
+  const auto energy = [](const ClothTopology& topology, double along_warp) {
+    double sum = 0.0;  // of a strain of one, over the stiffness
+    for (const Spring& spring : topology.structural) {
+      const double share =
+          along_warp * spring.warp_share + (1.0 - along_warp) * (1.0 - spring.warp_share);
+      sum += 0.5 * spring.weight * spring.rest_length * spring.rest_length * share * share;
+    }
+    return sum;
+  };
+  for (const double along_warp : {0.0, 1.0})
+    EXPECT_NEAR(energy(uneven, along_warp), energy(even, along_warp), 1e-12);
+  const auto sum = [](const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+  };
+  EXPECT_NEAR(sum(uneven.areas), sum(even.areas), 1e-12);
 }
 
 TEST(ClothMesh, GridsNeedTwoParticlesASide) {

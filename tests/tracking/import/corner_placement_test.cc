@@ -54,8 +54,8 @@ Eigen::Vector3d On(const FlatPlacement& sheet, const Eigen::Vector2d& uv) {
 
 // Of these points in these cameras, with the noise of somebody who points at them.
 std::vector<SeenCorner> SeenBy(const FlatPlacement& sheet,
-                              const std::vector<Eigen::Vector2d>& points,
-                              const std::vector<Camera>& cameras, double noise = 0.5) {
+                               const std::vector<Eigen::Vector2d>& points,
+                               const std::vector<Camera>& cameras, double noise = 0.5) {
   std::mt19937 random(11);
   std::normal_distribution<double> gaussian(0.0, noise);
   std::vector<SeenCorner> seen;
