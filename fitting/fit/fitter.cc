@@ -130,7 +130,8 @@ Fitter::Minimum Fitter::Minimise(const Misfits& misfits, const Patience& patienc
   options.update_state_every_iteration = true;
   IterationReporter reporter(
       [&](const ceres::IterationSummary& s) { Report(s, misfits.num_observed); },
-      EndOfDescent(patience.tolerance, patience.least_radius), callbacks_.stop);
+      EndOfDescent(patience.tolerance, patience.least_radius, patience.small_steps),
+      callbacks_.stop);
   options.callbacks.push_back(&reporter);
   best_ = progress_.theta;
   Minimum minimum;
@@ -205,11 +206,12 @@ void Fitter::LengthenWindows() {
   // Enough to stay near the minimum, which moves on.
   constexpr int kMostIterations = 8;
   constexpr double kTolerance = 0.05, kLeastRadius = 3.0;
+  constexpr int kAny = std::numeric_limits<int>::max();  // small steps: they are not so small here
   const Patience on_the_way{std::min(kMostIterations, config_.max_iterations), kTolerance,
-                            kLeastRadius};
+                            kLeastRadius, kAny};
   // Of forecasts, by which models are compared.
   const Patience at_the_end{std::min(2 * kMostIterations, config_.max_iterations), 0.2 * kTolerance,
-                            kLeastRadius};
+                            kLeastRadius, kAny};
   ShootingWindows windows(scenes_, callbacks_.stop);
   const int all = static_cast<int>(lengths_.size()), count = std::min(all, most_lengths_);
   at_best_ = {};

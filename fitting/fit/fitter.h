@@ -68,6 +68,7 @@ class Fitter {
     double tolerance;  // relative change of the cost at which to stop
     // Of the trust region after such a step: about that of half a Gauss-Newton step at least.
     double least_radius = 1.0;
+    int small_steps = 3;  // in turn, at which to stop whatever the trust region
   };
   // What is to be made small, beside the priors.
   struct Misfits {

@@ -60,12 +60,11 @@ ceres::Solver::Options LevenbergMarquardtOptions(int max_iterations, double func
 }
 
 bool EndOfDescent::IsReached(const ceres::IterationSummary& iteration) {
-  constexpr int kInTurn = 3;
   if (iteration.iteration == 0 || !iteration.step_is_successful) return false;
   const bool is_small = iteration.cost_change <= tolerance_ * iteration.cost;
   small_steps_ = is_small ? small_steps_ + 1 : 0;
   const bool is_free = iteration.trust_region_radius >= least_radius_;
-  return small_steps_ >= (is_free ? 1 : kInTurn);
+  return small_steps_ >= (is_free ? 1 : in_turn_);
 }
 
 ceres::Solver::Summary MinimiseWithin(const Bounds& bounds, int num_residuals,

@@ -21,20 +21,20 @@ ceres::Solver::Options LevenbergMarquardtOptions(int max_iterations, double func
                                                  double first_radius = kCautiousRadius);
 
 // When a minimisation has come to its end: a step that was taken lowers the cost by less than the
-// tolerance, relative to it, and was not cut short by a small trust region; or three steps in turn
-// that were taken do, as where the cost is too rugged for the region to grow. (Ceres looks at steps
-// that were not taken and at any radius.)
+// tolerance, relative to it, and was not cut short by a small trust region; or so many steps in
+// turn that were taken do, as where the cost is too rugged for the region to grow. (Ceres looks at
+// steps that were not taken and at any radius.)
 class EndOfDescent {
  public:
   // least_radius: of a trust region that cuts no step short.
-  EndOfDescent(double tolerance, double least_radius)
-      : tolerance_(tolerance), least_radius_(least_radius) {}
+  EndOfDescent(double tolerance, double least_radius, int in_turn)
+      : tolerance_(tolerance), least_radius_(least_radius), in_turn_(in_turn) {}
   // Of iterations in their order; iteration 0 is where it begins.
   bool IsReached(const ceres::IterationSummary& iteration);
 
  private:
   double tolerance_, least_radius_;
-  int small_steps_ = 0;  // in turn
+  int in_turn_, small_steps_ = 0;  // in turn
 };
 
 // Where the unknowns may be; bounds may be infinite.

@@ -19,7 +19,7 @@ struct Step {
 
 // The iteration that a descent ends with; 0 where it goes on.
 int EndOf(const std::vector<Step>& steps) {
-  EndOfDescent end(1e-3, 1.0);
+  EndOfDescent end(1e-3, 1.0, 3);
   ceres::IterationSummary iteration;
   iteration.iteration = 0;
   iteration.step_is_successful = true;
