@@ -10,6 +10,7 @@
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/optimise/checked_factor.h"
+#include "fitting/rollout/nudging.h"
 #include "fitting/rollout/window_cost.h"
 #include "fitting/scene/grid_side.h"
 
@@ -138,10 +139,11 @@ PointFit PointFitOf(const std::vector<SeenResidual>& seen, const FreeVector& fre
 
 std::optional<Misfit> MisfitOfPoints(const Scene& scene, const FitConfig& config,
                                      const Eigen::VectorXd& theta) {
+  if (!HasPoints(scene)) return {};
   const Scene points = PointsOf(scene);
   const FitConfig of_points = ConfigOfPoints(config);
   const std::optional<PointRows> rows = Evaluate(points, of_points, theta, false);
-  if (!rows || rows->residuals.size() == 0) return {};
+  if (!rows) return {};
   const FreeParameters free(of_points, points, MakeParameterTable());
   return MeasureMisfit(SeenResiduals(points, rows->residuals), free.size());
 }

@@ -22,9 +22,9 @@ namespace clothfit {
 namespace {
 
 constexpr std::size_t kMostJudged = 4;  // that are fitted on the deciding mesh
-constexpr double kMayWin = 0.5;         // of what the best gains on the coarser one
+constexpr double kMayWin = 0.5;         // of what the best gains on the coarse one
 constexpr double kMayCome = 0.25;       // of what the best gains in forecasts of half that length
-constexpr int kScreeningIterations = 5, kIterations = 8;  // on the coarser mesh, of each length
+constexpr int kScreeningIterations = 5, kIterations = 8;  // on the coarse mesh, of each length
 constexpr int kFirstLengths = 1;        // of forecasts, by which most models are put aside
 constexpr std::size_t kMostStarts = 2;  // of a model
 
