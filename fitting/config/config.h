@@ -103,6 +103,9 @@ struct FitConfig {
   bool polish_hard = true;
   // s, of the first windows, which grow until they are all frames; 0: all frames at once
   double window = 0.25;
+  // Windows are fitted with this many particles along the longer side of a grid that has at least
+  // half as many again; 0: with all
+  int window_resolution = 19;
   // Outlines alone: first with no more particles than this along the longer side of a grid, then
   // with all; 0: no
   int coarse_resolution = 9;

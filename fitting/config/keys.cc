@@ -232,6 +232,9 @@ std::vector<ConfigKey> MakeConfigKeys() {
       NumberKey("strategy", "window",
                 "s, of the first windows, which grow to all frames; 0: all frames at once",
                 &FitConfig::window, Range::kAtLeastZero),
+      IntegerKey("strategy", "window_resolution",
+                 "particles along the longer side of a coarser grid for windows; 0: none",
+                 &FitConfig::window_resolution, 0, 1000),
       IntegerKey(
           "strategy", "coarse_resolution",
           "without windows: particles along the longer side of a coarser first grid; 0: none",

@@ -36,7 +36,9 @@ namespace {
 // and stiffness and damping are the material's, not the mesh's.
 std::optional<FitConfig> Coarser(const Scene& scene, const FitConfig& config) {
   const std::array<int, 2> grid = scene.mesh.grid;
-  const int longer = std::max(grid[0], grid[1]), coarse = config.coarse_resolution;
+  const int longer = std::max(grid[0], grid[1]);
+  const int coarse =
+      FitsWindows(scene, config) ? config.window_resolution : config.coarse_resolution;
   const bool is_of_use = scene.mesh.is_grid() && coarse >= 2 && 3 * coarse <= 2 * longer;
   if (!is_of_use || !config.polish) return std::nullopt;
   constexpr int kIterationsToComeNear = 30;
@@ -46,14 +48,10 @@ std::optional<FitConfig> Coarser(const Scene& scene, const FitConfig& config) {
   return coarser;
 }
 
-// All recordings with coarser grids, where that is worth while of any. Windows need none.
+// All recordings with coarser grids, where that is worth while of any.
 class CoarserScenes {
  public:
   explicit CoarserScenes(const std::vector<NamedScene>& scenes) {
-    const bool any_windows = std::any_of(scenes.begin(), scenes.end(), [](const NamedScene& one) {
-      return FitsWindows(*one.scene, *one.config);
-    });
-    if (any_windows) return;
     configs_.reserve(scenes.size());
     scenes_.reserve(scenes.size());
     for (const auto& [name, scene, config] : scenes) {
@@ -77,8 +75,8 @@ class CoarserScenes {
   std::vector<NamedScene> named_;
 };
 
-FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const Scene& scene) {
-  constexpr double kShare = 0.3;  // of the time, a guess
+// Its share of the whole fit's progress is a guess.
+FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const Scene& scene, double share) {
   const std::string name =
       fmt::format("{} x {} particles, ", scene.mesh.grid[0], scene.mesh.grid[1]);
   FitCallbacks of_coarse;
@@ -87,9 +85,9 @@ FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const Scene& scene) {
   if (callbacks.log)
     of_coarse.log = [&callbacks, name](const std::string& line) { callbacks.log(name + line); };
   if (callbacks.progress) {
-    of_coarse.progress = [&callbacks, name](FitProgress progress) {
+    of_coarse.progress = [&callbacks, name, share](FitProgress progress) {
       progress.stage = name + progress.stage;
-      progress.fraction *= kShare;
+      progress.fraction *= share;
       callbacks.progress(progress);
     };
   }
@@ -118,11 +116,16 @@ FitResult RunJointFit(const std::vector<NamedScene>& scenes, const FitCallbacks&
   const bool begins_coarse = resume == nullptr || resume->coarse;
   const CoarserScenes coarser(begins_coarse ? scenes : std::vector<NamedScene>());
   if (coarser.are_of_use()) {
-    const FitCallbacks of_coarse = OfCoarseFit(callbacks, *coarser.named()[0].scene);
+    // Windows come near enough; without them, so does a fit of all frames.
+    const bool any_windows = std::any_of(scenes.begin(), scenes.end(), [](const NamedScene& one) {
+      return FitsWindows(*one.scene, *one.config);
+    });
+    const double share = any_windows ? 0.7 : 0.3;  // windows have their own share of it already
+    const FitCallbacks of_coarse = OfCoarseFit(callbacks, *coarser.named()[0].scene, share);
     Fitter first(coarser.named(), of_coarse);
     first.OnlyComeNear();
     first.Begin(resume);
-    first.Advance(coarser.named()[0].config->max_iterations);
+    if (!any_windows) first.Advance(coarser.named()[0].config->max_iterations);
     first.AddWorkTo(&before);
     const FitCheckpoint reached = fitter.AfterWindows(first.theta());
     fitter.BeginNear();

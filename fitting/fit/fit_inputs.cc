@@ -242,15 +242,15 @@ class InputBytes {
                                   use_silhouettes, use_clouds, leave_out_outliers, alpha, beta,
                                   cloud_points, cloud_coverage, loss, loss_scale, frames, hold_out,
                                   attract, loops, optimiser, max_simulations, polish_hard, window,
-                                  coarse_resolution, polish, max_iterations, function_tolerance] =
-        config;
+                                  window_resolution, coarse_resolution, polish, max_iterations,
+                                  function_tolerance] = config;
     PutAll(resolution, buckling, max_step, integrator, tolerance, check_intersections, self_contact,
            parameters, initial_order, initial_position_sigma, initial_velocity_sigma,
            spline_spacing, spline_acceleration, spline_speed, use_markers, use_tracks,
            use_silhouettes, use_clouds, leave_out_outliers, alpha, beta, cloud_points,
            cloud_coverage, loss, loss_scale, frames, hold_out, attract, loops, optimiser,
-           max_simulations, polish_hard, window, coarse_resolution, polish, max_iterations,
-           function_tolerance);
+           max_simulations, polish_hard, window, window_resolution, coarse_resolution, polish,
+           max_iterations, function_tolerance);
   }
   void Put(const FitCheckpoint& from) {
     const auto& [coarse, next_window, theta] = from;

@@ -40,6 +40,8 @@ TEST(TrialsCommand, RunsOneTrialAndKeepsItsDiagnosis) {
                                         "10",
                                         "--resolution",
                                         "4",
+                                        "--finest",
+                                        "5",
                                         "--keep-diagnoses",
                                         "-o",
                                         output};

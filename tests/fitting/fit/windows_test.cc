@@ -3,6 +3,8 @@
 //
 // Fits by windows that grow.
 #include <atomic>
+#include <set>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -172,29 +174,42 @@ TEST(Windows, NeedPointsAndNoOtherPull) {
   EXPECT_FALSE(FitsWindows(MakeScene(recording, config), config));
 }
 
-TEST(Windows, ComeFromAfar) {
-  const Recording recording = SmallRecording();
-  FitConfig config = FarAway(recording);
-  config.window = 0.1;
-  const Scene scene = MakeScene(recording, config);
+// Of a cloth of 5 x 5 particles, on all of them and on a coarser grid.
+class WindowsOf : public testing::TestWithParam<int> {
+ protected:
+  FitConfig FarAwayConfig() const {
+    FitConfig config = FarAway(recording_);
+    config.window = 0.1;
+    config.window_resolution = GetParam();
+    return config;
+  }
+  const Recording recording_ = SmallRecording();
+};
+
+INSTANTIATE_TEST_SUITE_P(Particles, WindowsOf, testing::Values(0, 3),
+                         testing::PrintToStringParamName());
+
+TEST_P(WindowsOf, ComeFromAfar) {
+  const FitConfig config = FarAwayConfig();
+  const Scene scene = MakeScene(recording_, config);
   const FitResult fit = FitByStrategy(scene, config);
   ASSERT_TRUE(fit.misfit);
   EXPECT_EQ(fit.misfit->observed, 3 * 25 * (scene.last_fitted_frame + 1));
   EXPECT_TRUE(fit.misfit->IsNoise()) << fit.misfit->chi_square;
 }
 
-TEST(Windows, StopWithTheBestSoFarAndGoOnToTheSameBits) {
-  const Recording recording = SmallRecording();
-  FitConfig config = FarAway(recording);
-  config.window = 0.1;
-  const Scene scene = MakeScene(recording, config);
+TEST_P(WindowsOf, StopWithTheBestSoFarAndGoOnToTheSameBits) {
+  const FitConfig config = FarAwayConfig();
+  const Scene scene = MakeScene(recording_, config);
   const TestFolder folder;
   std::atomic<bool> stop = false;
   FitCheckpoint last;
   FitCallbacks callbacks;
   callbacks.stop = &stop;
   callbacks.checkpoint = [&](const FitCheckpoint& checkpoint) { last = checkpoint; };
+  std::set<std::string> stages;
   callbacks.progress = [&](const FitProgress& progress) {
+    stages.insert(progress.stage);
     if (progress.stage.find("windows of 0.2") != std::string::npos && progress.iteration >= 1)
       stop = true;
   };
@@ -204,6 +219,9 @@ TEST(Windows, StopWithTheBestSoFarAndGoOnToTheSameBits) {
   EXPECT_EQ(stopped.status, FitStatus::kInterrupted);
   EXPECT_EQ(last.theta, stopped.theta);
   EXPECT_EQ(last.next_window, 1);
+  EXPECT_EQ(last.coarse, GetParam() == 3);
+  EXPECT_THAT(stages, testing::Each(testing::StartsWith(
+                          GetParam() == 3 ? "3 x 3 particles, windows" : "windows")));
   stop = false;
   callbacks.progress = {};
   EvaluationJournal second(folder.path() / "journal");
