@@ -245,28 +245,30 @@ std::optional<ForecastRound> ForecastScreening::Run(
                   fmt::join(names, ", ")));
   Say("fitting forecasts with what could be missing", 0.55);
   const std::size_t count = entrants.size() + faults.size();
-  std::vector<std::optional<FittedScene>> fits(count);
-  const auto for_all = [&](const std::function<void(std::size_t)>& work) {
-    ParallelFor(static_cast<int>(count), NumThreads(0), [&](int i, int) {
+  const auto for_all = [&](std::size_t some, const std::function<void(std::size_t)>& work) {
+    ParallelFor(static_cast<int>(some), NumThreads(0), [&](int i, int) {
       if (!Stopped()) work(static_cast<std::size_t>(i));
     });
   };
-  for_all([&](std::size_t k) {
+  // And the baseline once more: all begin where its longest forecasts have ended.
+  std::vector<std::optional<FittedScene>> fits(count + 1);
+  for_all(fits.size(), [&](std::size_t k) {
     if (k < entrants.size()) {
       fits[k] = FitPhysics(*base, round.ranking, entrants[k], first_lengths);
     } else {
-      ModelStart put_right = GoOn(*base);
-      put_right.recording = faults[k - entrants.size()].scene.scene.recording;
-      fits[k] = FitToForecasts(put_right, grid, {0, first_lengths, kScreeningIterations}, runner_,
-                               &*base);
+      ModelStart without = GoOn(*base);
+      if (k < count) without.recording = faults[k - entrants.size()].scene.scene.recording;
+      fits[k] =
+          FitToForecasts(without, grid, {0, first_lengths, kScreeningIterations}, runner_, &*base);
     }
   });
   AddBarThroughBall(*base, round.ranking, first_lengths, &entrants, &fits);
-  double least = first->fit.cost_after;
+  const double nothing = fits.back() ? fits.back()->fit.cost_after : first->fit.cost_after;
+  double least = nothing;
   for (const auto& fit : fits)
     if (fit) least = std::min(least, fit->fit.cost_after);
-  const double most = first->fit.cost_after - kMayCome * (first->fit.cost_after - least);
-  for_all([&](std::size_t k) {
+  const double most = nothing - kMayCome * (nothing - least);
+  for_all(count, [&](std::size_t k) {
     if (!fits[k]) return;
     const bool may_come = fits[k]->fit.cost_after <= most;
     fits[k] = may_come ? go_on(*fits[k]) : std::nullopt;

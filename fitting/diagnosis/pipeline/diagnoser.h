@@ -120,6 +120,7 @@ class Diagnoser {
   void Conclude();
   // The answer by what is known now.
   void Answer();
+  void TellFit();  // of the answer, with its motion
   // Keeps the answer so far, which takes longer to find than whoever interrupts it waits.
   void TellSoFar();
   // Where the physics begins: the fit without any, faults put right.

@@ -181,6 +181,12 @@ void Diagnoser::Answer() {
   diagnosis_.motions.held_out = recording_.splits.held_out_frames;
 }
 
+void Diagnoser::TellFit() {
+  diagnosis_.fit = DiagnosisFit{now_.fine.scene, now_.fine.config, quality_->result};
+  if (diagnosis_.answer || !diagnosis_.effects.empty())
+    diagnosis_.motions.answer = SimulateFitted(now_.fine);
+}
+
 void Diagnoser::TellSoFar() {
   if (Stopped()) return;
   quality_ = AppraiseQuality(now_.fine);
@@ -188,9 +194,7 @@ void Diagnoser::TellSoFar() {
   interrupted.Answer();
   Diagnosis& so_far = interrupted.diagnosis_;
   so_far.verdict = Verdict::kInterrupted;
-  so_far.fit = DiagnosisFit{interrupted.now_.fine.scene, interrupted.now_.fine.config,
-                            interrupted.quality_->result};
-  so_far.motions.answer = SimulateFitted(interrupted.now_.fine);
+  interrupted.TellFit();
   so_far.words = DescribeDiagnosis(so_far);
   if (options_.so_far) options_.so_far(so_far);
   so_far_ = std::move(so_far);
@@ -219,9 +223,7 @@ void Diagnoser::Conclude() {
                         explained,      quality_->Unexplained(),
                         quality_->mesh, MostOfAnswer()};
   diagnosis_.verdict = VerdictOf(diagnosis_, outcome);
-  diagnosis_.fit = DiagnosisFit{now_.fine.scene, now_.fine.config, quality_->result};
-  if (diagnosis_.answer || !diagnosis_.effects.empty())
-    diagnosis_.motions.answer = SimulateFitted(now_.fine);
+  TellFit();
   // What stands for most of something unknown acts as that does.
   const bool stands_for =
       diagnosis_.verdict == Verdict::kNoneOfTheAbove && diagnosis_.answer && explained >= kHalfOfIt;

@@ -143,10 +143,10 @@ TEST(TakeOutBodies, TakesPrefixesThatKeepTheirDistances) {
   MarkerTake take = TakeWith(kBar, AtRest);
   take.markers = take.bodies[0].markers;
   take.bodies.clear();
-  for (const char* name : {"Cloth:a", "Cloth:b", "Cloth:c", "alone"}) {
+  for (const std::string name : {"Cloth:a", "Cloth:b", "Cloth:c", "alone"}) {
     MarkerPath path{name, {}};
     for (int frame = 0; frame < kFrames; ++frame) {
-      path.positions.emplace_back(Eigen::Vector3d(0.1 * frame * double(name[6]), 0.0, 0.0));
+      path.positions.emplace_back(Eigen::Vector3d(0.1 * frame * double(name.back()), 0.0, 0.0));
     }
     take.markers.push_back(path);
   }
