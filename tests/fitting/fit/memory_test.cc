@@ -21,6 +21,8 @@ double UsedMemory() {
 
 // CLOTHFIT_FITS=1000 for a soak.
 TEST(Memory, DoesNotGrowFromFitToFit) {
+  if (UsedMemory() == 0.0)
+    GTEST_SKIP() << "the address sanitizer's allocator tells nothing, and finds leaks itself";
   const char* const given = std::getenv("CLOTHFIT_FITS");
   const int fits = given != nullptr ? std::atoi(given) : 100;
   SmallRecordingOptions options;
