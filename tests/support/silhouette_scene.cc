@@ -12,24 +12,19 @@
 #include "tracking/silhouette/raster.h"
 
 namespace clothfit {
-namespace {
-
-constexpr int kFrames = 15;
-
-}  // namespace
-
 double SilhouetteScene::SurfaceError(const Eigen::VectorXd& theta) const {
   const FreeParameters free(config, scene, MakeParameterTable());
   double sum = 0.0;
-  SimulateFrames(scene, config, free, theta, kFrames - 1, [&](int frame, const State& state) {
+  const auto frames = static_cast<int>(true_x.size());
+  SimulateFrames(scene, config, free, theta, frames - 1, [&](int frame, const State& state) {
     sum += (state.x - true_x[frame]).squaredNorm();
   });
-  return std::sqrt(sum / (kFrames * scene.mesh.num_particles()));
+  return std::sqrt(sum / (frames * scene.mesh.num_particles()));
 }
 
-SilhouetteScene MakeSilhouetteScene(bool hidden) {
+SilhouetteScene MakeSilhouetteScene(bool hidden, int frames) {
   SmallRecordingOptions options;
-  options.frames = kFrames;
+  options.frames = frames;
   options.particles = 7;
   Recording recording = MakeSmallRecording(options);
   recording.splits = {};
@@ -51,7 +46,7 @@ SilhouetteScene MakeSilhouetteScene(bool hidden) {
   auto silhouettes = std::make_shared<Silhouettes>();
   const FreeParameters free(true_config, true_scene, MakeParameterTable());
   SimulateFrames(
-      true_scene, true_config, free, free.start(), kFrames - 1, [&](int frame, const State& state) {
+      true_scene, true_config, free, free.start(), frames - 1, [&](int frame, const State& state) {
         result.true_x.push_back(state.x);
         for (int c = 0; c < 3; ++c) {
           BitMask mask;

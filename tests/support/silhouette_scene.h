@@ -27,6 +27,6 @@ struct SilhouetteScene {
 };
 
 // 7 x 7 particles, 15 frames. `hidden`: nobody says where the two handles went.
-SilhouetteScene MakeSilhouetteScene(bool hidden = false);
+SilhouetteScene MakeSilhouetteScene(bool hidden = false, int frames = 15);
 
 }  // namespace clothfit

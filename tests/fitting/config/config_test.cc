@@ -39,6 +39,7 @@ FitConfig AwkwardConfig() {
   config.spline_acceleration = 100.0 / 3.0;
   config.spline_speed = 5.0 / 3.0;
   config.coarse_resolution = 5;
+  config.window_resolution = 23;
   config.use_tracks = false;
   config.use_silhouettes = true;
   config.leave_out_outliers = false;

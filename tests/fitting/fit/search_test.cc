@@ -97,7 +97,7 @@ TEST(Search, DerivativesNeedFewerSimulations) {
 class TwoLoops : public testing::TestWithParam<const char*> {};
 
 TEST_P(TwoLoops, SearchFabricOutsideAndHandlesInside) {
-  const SilhouetteScene known = MakeSilhouetteScene(true);
+  const SilhouetteScene known = MakeSilhouetteScene(true, 8);
   SearchOptions options;
   options.num_threads = 2;
   options.derivative_cost = 4.0;     // as above

@@ -220,8 +220,8 @@ TEST_P(WindowsOf, StopWithTheBestSoFarAndGoOnToTheSameBits) {
   EXPECT_EQ(last.theta, stopped.theta);
   EXPECT_EQ(last.next_window, 1);
   EXPECT_EQ(last.coarse, GetParam() == 3);
-  EXPECT_THAT(stages, testing::Each(testing::StartsWith(
-                          GetParam() == 3 ? "3 x 3 particles, windows" : "windows")));
+  EXPECT_THAT(stages, testing::Each(testing::StartsWith(GetParam() == 3 ? "3 x 3 particles, windows"
+                                                                        : "windows")));
   stop = false;
   callbacks.progress = {};
   EvaluationJournal second(folder.path() / "journal");
