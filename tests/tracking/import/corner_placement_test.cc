@@ -57,13 +57,13 @@ std::vector<SeenCorner> SeenBy(const FlatPlacement& sheet,
                                const std::vector<Eigen::Vector2d>& points,
                                const std::vector<Camera>& cameras, double noise = 0.5) {
   std::mt19937 random(11);
-  std::normal_distribution<double> gaussian(0.0, noise);
+  std::normal_distribution<double> gaussian;
   std::vector<SeenCorner> seen;
   for (const Eigen::Vector2d& uv : points) {
     for (const Camera& camera : cameras) {
       const Eigen::Vector2d pixel = ProjectPoint(camera, On(sheet, uv));
       seen.push_back(
-          {camera.name, uv, pixel + Eigen::Vector2d(gaussian(random), gaussian(random))});
+          {camera.name, uv, pixel + noise * Eigen::Vector2d(gaussian(random), gaussian(random))});
     }
   }
   return seen;

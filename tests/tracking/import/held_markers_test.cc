@@ -16,7 +16,7 @@ namespace {
 template <class Place>
 MarkerTake TakeOf(Place place, double noise = 0.0) {
   std::mt19937 random(3);
-  std::normal_distribution<double> gaussian(0.0, noise);
+  std::normal_distribution<double> gaussian;
   MarkerTake take;
   take.frame_rate = 120.0;
   for (int row = 0; row < 3; ++row) {
@@ -24,7 +24,7 @@ MarkerTake TakeOf(Place place, double noise = 0.0) {
       MarkerPath path{"m" + std::to_string(3 * row + column), {}};
       for (int frame = 0; frame < 120; ++frame) {
         Eigen::Vector3d position = place(0.1 * column, 0.1 * row, frame / 120.0);
-        for (int axis = 0; axis < 3; ++axis) position[axis] += gaussian(random);
+        for (int axis = 0; axis < 3; ++axis) position[axis] += noise * gaussian(random);
         path.positions.emplace_back(position);
       }
       take.markers.push_back(path);

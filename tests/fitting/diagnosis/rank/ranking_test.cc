@@ -43,11 +43,12 @@ std::shared_ptr<const DiscretisationErrors> ErrorsOf(const FittedScene& fitted, 
   const ObservationResiduals observations(fitted.scene, fitted.config);
   const Eigen::Index rows = RowFrames(fitted.scene, observations, kMostRows).num_rows();
   std::mt19937_64 random(5);
-  std::normal_distribution<double> normal(0.0, sigmas);
+  std::normal_distribution<double> normal;
   DiscretisationErrors errors;
   errors.num_rows = rows;
   for (int k = 0; k < 3; ++k)
-    errors.at_draws.push_back(Eigen::VectorXd::NullaryExpr(rows, [&]() { return normal(random); }));
+    errors.at_draws.push_back(
+        Eigen::VectorXd::NullaryExpr(rows, [&]() { return sigmas * normal(random); }));
   return std::make_shared<const DiscretisationErrors>(std::move(errors));
 }
 
