@@ -11,6 +11,7 @@
 #include "apps/commands.h"
 #include "apps/signals.h"
 #include "apps/terminal.h"
+#include "autodiff_sim/base/sanitized.h"
 
 namespace clothfit {
 namespace {
@@ -31,11 +32,8 @@ void SetHandler(int signal, void (*handler)(int)) {
 }
 
 // Two seconds, to a person; instrumented code is some ten times slower.
-#ifdef __SANITIZE_ADDRESS__
-constexpr itimerval kTooLate = {{0, 0}, {18, 0}};  // s, us
-#else
-constexpr itimerval kTooLate = {{0, 0}, {1, 800'000}};
-#endif
+constexpr itimerval kTooLate =
+    kIsSanitized ? itimerval{{0, 0}, {18, 0}} : itimerval{{0, 0}, {1, 800'000}};  // s, us
 
 extern "C" void HandleTooLate(int /*signal*/) {
   Say("clothfit: interrupted; what is written is whole\n");

@@ -7,14 +7,13 @@
 
 #include <sys/resource.h>
 
+#include "autodiff_sim/base/sanitized.h"
 #include "fitting/runs/workload.h"
 
 namespace clothfit {
 
 void LimitMemory() {
-#ifdef __SANITIZE_ADDRESS__
-  return;  // the shadow of all addresses counts as taken
-#endif
+  if (kIsSanitized) return;  // the shadow of all addresses counts as taken
   const double available = AvailableMemory();
   rlimit limit{};
   if (!std::isfinite(available) || getrlimit(RLIMIT_DATA, &limit) != 0) return;

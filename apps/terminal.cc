@@ -8,18 +8,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "autodiff_sim/base/sanitized.h"
+
 namespace clothfit {
 namespace {
 
 std::FILE* terminal = nullptr;
 int aside = -1;  // the end from which to read what others wrote
-
-// Sanitizers report by the standard error, and are not to be kept from it.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsSanitized = true;
-#else
-constexpr bool kIsSanitized = false;
-#endif
 
 extern "C" void ShowWhatIsAside(int signal) {
   std::array<char, 4096> bytes;
@@ -36,6 +31,7 @@ std::FILE* Terminal() { return terminal != nullptr ? terminal : stderr; }
 
 void TakeTerminal() {
   std::array<int, 2> ends = {-1, -1};
+  // Sanitizers report by the standard error, and are not to be kept from it.
   if (kIsSanitized || pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) return;
   const int own = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   std::FILE* const stream = own >= 0 ? fdopen(own, "w") : nullptr;

@@ -20,6 +20,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/base/printable.h"
+#include "autodiff_sim/base/sanitized.h"
 #include "fitting/files/npy_file.h"
 #include "tests/apps/command.h"
 #include "tests/support/c3d_file.h"
@@ -217,13 +218,6 @@ class Folders {
   mutable std::map<std::string, std::string> names_;
 };
 
-// Under a sanitizer libraries write to the standard error as they like (apps/terminal.cc).
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kIsOursAlone = false;
-#else
-constexpr bool kIsOursAlone = true;
-#endif
-
 bool IsClothfitsOwn(const std::string& line) {
   return line.rfind("clothfit: ", 0) == 0 || line.rfind("  ", 0) == 0 || line.find(" %") == 3;
 }
@@ -247,7 +241,8 @@ std::string Fault(const CommandResult& result, bool ended_in_time) {
     const std::string line(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (!IsClothfitsOwn(line)) {
-      if (kIsOursAlone) return "LINE of another: " + Printable(line, 200);
+      // Under a sanitizer libraries write there as they like (apps/terminal.cc).
+      if (!kIsSanitized) return "LINE of another: " + Printable(line, 200);
       continue;
     }
     ++lines;

@@ -16,6 +16,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "autodiff_sim/base/sanitized.h"
+
 namespace clothfit {
 namespace {
 
@@ -86,9 +88,7 @@ void WorkWithoutThreads() {
 
 // As on a node of a cluster that limits them.
 TEST(ParallelForDeathTest, GoesOnWithTheThreadsThatThereAre) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "the sanitizer's own memory knows no limit";
-#endif
+  if (kIsSanitized) GTEST_SKIP() << "the sanitizer's own memory knows no limit";
   EXPECT_EXIT(WorkWithoutThreads(), testing::ExitedWithCode(0), "");
 }
 
