@@ -95,7 +95,7 @@ std::optional<Comparison> Prepare(const CompareOptions& options, const FitConfig
     if (fs::exists(file)) before = ReadComparison(file);
   }
   output->Begin({"config.yaml", "conditions.yaml", "comparison.json", "comparison.md",
-                 "comparison.svg", "runs.csv", "history.csv", "report.html"});
+                 "comparison.svg", "runs.csv", "history.csv"});
   output->WriteAll({{"config.yaml", yaml}, {"conditions.yaml", conditions}});
   return before;
 }

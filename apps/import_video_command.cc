@@ -68,8 +68,9 @@ void AddImportVideo(CLI::App* import, Action* action) {
   command->add_option("-o,--output", options->output, "folder of the recording, old or new")
       ->type_name("RECORDING")
       ->required();
-  command->add_flag("--force", options->force,
-                    "replace imported videos, and set frame count and rate of recording.yaml");
+  command->add_flag(
+      "--force", options->force,
+      "replace imported videos, and set frame count and rate of recording.yaml, whoever wrote it");
   AddSceneOptions(command, &options->scene);
   command->footer(
       "Examples:\n  clothfit import video left=GX01.MP4 right=GX02.MP4 -o drape\n"

@@ -12,6 +12,7 @@
 #include "apps/next_step.h"
 #include "apps/report/assets.h"
 #include "fitting/jobs/shell.h"
+#include "fitting/report/page_file.h"
 #include "fitting/runs/recording_list.h"
 #include "tracking/files/manifest.h"
 
@@ -53,18 +54,18 @@ int RunReportCommand(const ReportCommandOptions& options) {
   const std::filesystem::path file =
       options.output.empty() ? PageOf(options) : std::filesystem::path(options.output);
   const Overwrite overwrite = OverwriteIf(options.force);
-  CheckMayWrite(file, overwrite);
-  std::vector<std::filesystem::path> of_recordings;
-  if (!is_pair) of_recordings = PagesOfRecordings(folder);
-  for (const std::filesystem::path& one : of_recordings) CheckMayWrite(one, overwrite);
+  PageFile whole_page(file, overwrite);
+  std::vector<PageFile> of_recordings;
+  if (!is_pair)
+    for (const std::filesystem::path& one : PagesOfRecordings(folder))
+      of_recordings.emplace_back(one, overwrite);
   ReportOptions whole = options.report;
   whole.page = file;
   const ReportPage page = is_pair ? MakePairReport(folder, options.other, PageAssets(), whole)
                                   : MakeReport(folder, PageAssets(), whole);
-  for (const std::filesystem::path& one : of_recordings)
-    WriteOutputFile(one, MakeReport(one.parent_path(), PageAssets(), options.report).html,
-                    overwrite);
-  WriteOutputFile(file, page.html, overwrite);
+  for (PageFile& one : of_recordings)
+    one.Write(MakeReport(one.path().parent_path(), PageAssets(), options.report).html);
+  whole_page.Write(page.html);
   fmt::print("{}\n", page.verdict.headline);
   for (const std::string& sentence : page.verdict.sentences) fmt::print("  {}\n", sentence);
   for (const std::string& note : page.notes) fmt::print("  {}\n", note);
@@ -117,7 +118,8 @@ void AddReportCommand(CLI::App* app, Action* action) {
       ->type_name("MB")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_flag("--force", options->force, "replace the page that is there");
+  command->add_flag("--force", options->force,
+                    "replace the page that is there; in folders of clothfit none but its own");
   command->footer(
       "The page holds everything it shows and asks no network: it can be sent as it is.\n\n"
       "Examples:\n"

@@ -48,7 +48,7 @@ int RunRecoveryCommand(RecoveryStudyOptions options) {
   }
   OutputFolder output(options.output, FolderKind::kStudyTables, "study recovery",
                       ExistingIf(options.force));
-  output.Begin({"recovery.csv", "recovery.md", "report.html"});
+  output.Begin({"recovery.csv", "recovery.md"});
   const std::vector<RecoveredSeed> seeds =
       RunRecoveryStudy(options.recovery, [](const RecoveredSeed& seed) {
         const Coverage coverage = CountCoverage({seed});
@@ -101,7 +101,7 @@ struct TrackingStudyOptions {
 int RunTrackingStudy(const TrackingStudyOptions& options) {
   OutputFolder output(options.output, FolderKind::kStudyTables, "study tracking",
                       ExistingIf(options.force));
-  output.Begin({"tracking.md", "tracking.csv", "report.html"});
+  output.Begin({"tracking.md", "tracking.csv"});
   std::string table = TrackingTableHeader(), course = "recording,frame,tracks,markers\n", filters;
   for (const std::string& path : options.recordings) {
     const Recording recording = ReadRecording(path);
@@ -165,7 +165,7 @@ int RunChaosCommand(ChaosStudyOptions options) {
   options.chaos.self_contact = !options.no_contact;
   OutputFolder output(options.output, FolderKind::kStudyTables, "study chaos",
                       ExistingIf(options.force));
-  output.Begin({"chaos.csv", "chaos.md", "chaos.svg", "chaos.png", "report.html"});
+  output.Begin({"chaos.csv", "chaos.md", "chaos.svg", "chaos.png"});
   const ChaosResult result =
       RunChaosStudy(options.chaos, [](int frame) { fmt::print(Terminal(), "frame {}\n", frame); });
   output.WriteAll({{"chaos.csv", ChaosAsCsv(result)},
@@ -221,7 +221,7 @@ int RunMeshCommand(MeshCommandOptions options) {
   options.study.generator = FiniteElementGenerator({}, {}, nullptr);
   OutputFolder output(options.output, FolderKind::kStudyTables, "study mesh",
                       ExistingIf(options.force));
-  output.Begin({"mesh.csv", "mesh.md", "mesh.svg", "report.html"});
+  output.Begin({"mesh.csv", "mesh.md", "mesh.svg"});
   const std::vector<MeshCase> cases = RunMeshStudy(options.study, [](const MeshCase& one) {
     fmt::print(Terminal(), "{}, {} springs, {} particles: {:.1f} mm\n", one.motion,
                one.buckles ? "buckling" : "plain", one.particles, 1e3 * one.at_truth.fitted);

@@ -15,6 +15,7 @@
 #include "clothfit/detail/boundary.h"
 #include "clothfit/detail/data.h"
 #include "fitting/export/export.h"
+#include "fitting/report/page_file.h"
 #include "fitting/runs/fit_run.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/recording/validation.h"
@@ -201,9 +202,8 @@ Array Run::Predict(const std::vector<int>& frame, const std::vector<Vector2>& uv
 
 void Run::Report(const std::string& file, Existing existing) const {
   AtBoundary([&] {
-    CheckMayWrite(file, ToOverwrite(existing));
-    const ReportPage page = MakeReport(RunFolder::Open(data_->folder), PageAssets());
-    WriteOutputFile(file, page.html, ToOverwrite(existing));
+    PageFile page(file, ToOverwrite(existing));
+    page.Write(MakeReport(RunFolder::Open(data_->folder), PageAssets()).html);
   });
 }
 

@@ -116,7 +116,7 @@ JobFolderContents BatchContents(const std::vector<BatchFit>& fits, std::string d
   contents.list.command = "batch";
   contents.file = "batch.yaml";
   contents.description = std::move(description);
-  contents.files = {"batch.csv", "parameters.csv", "batch.md", "report.html"};
+  contents.files = {"batch.csv", "parameters.csv", "batch.md"};
   for (const BatchFit& fit : fits) {
     contents.list.jobs.push_back({fit.name, fit});
     contents.files.push_back("runs/" + fit.name + "/");

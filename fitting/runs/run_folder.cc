@@ -54,8 +54,7 @@ void RunFolder::RequireUnfinished() const {
 }
 
 void RunFolder::Begin(Existing existing, const std::vector<std::string>& more) {
-  std::vector<std::string> files = {"parameters.yaml", kSummary,      kCheckpoint,
-                                    kProgress,         "report.html", kLog};
+  std::vector<std::string> files = {"parameters.yaml", kSummary, kCheckpoint, kProgress, kLog};
   files.insert(files.end(), more.begin(), more.end());
   const bool goes_on = existing == Existing::kResume && output_->was_there();
   output_->Begin(files);

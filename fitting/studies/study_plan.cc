@@ -77,7 +77,6 @@ FolderLock PrepareStudy(const Study& study, const StudyOptions& options, const f
   contents.file = "study.json";
   contents.description = Description(study, options);
   contents.files = study.files;
-  contents.files.emplace_back("report.html");
   for (const char* ending : {".md", ".csv", ".svg", ".png"})
     contents.files.push_back(study.name + ending);
   FolderLock lock = PrepareJobFolder(folder, contents, existing);

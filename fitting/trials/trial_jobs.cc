@@ -67,7 +67,7 @@ FolderLock PrepareTrials(const TrialSettings& settings, const std::vector<Trial>
   contents.list = {"trials", settings, TrialJobs(trials)};
   contents.file = "conditions.yaml";
   contents.description = Conditions(settings, commitments);
-  contents.files = {"commitments.csv", "trials.csv", "trials.md", "report.html"};
+  contents.files = {"commitments.csv", "trials.csv", "trials.md"};
   for (const Trial& trial : trials) {
     contents.files.push_back("recordings/" + trial.name + "/");
     contents.files.push_back("diagnoses/" + trial.name + "/");

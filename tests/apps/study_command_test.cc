@@ -89,6 +89,26 @@ TEST_F(StudyCommand, SearchesByManyThreadsAsByOne) {
   EXPECT_EQ(Table("3"), Table("1"));
 }
 
+TEST_F(StudyCommand, ReplacesItsOwnFilesAndNothingElse) {
+  const Words study = TinyStudy("out", "1,2", {"--prepare"});
+  const Words forced = TinyStudy("out", "1,2", {"--prepare", "--force"});
+  const Words mine = {"out/report.html", "out/mine.csv", "out/jobs/mine.json",
+                      "recordings/mine.txt"};
+  ASSERT_EQ(Run(study).status, 0);
+  for (const std::string& file : mine) folder_.Write(file, "mine");
+  folder_.Write("out/cameras.csv", "of the study");
+  EXPECT_THAT(BadInputLine(Run(study)), HasSubstr("--force"));
+  ASSERT_EQ(Run(forced).status, 0);
+  EXPECT_FALSE(Has("out/cameras.csv"));
+  for (const std::string& file : mine) EXPECT_EQ(ReadTextFile(folder_.path() / file), "mine");
+
+  folder_.Write("other/cameras.csv", "mine");
+  for (const char* how : {"--force", "--resume"})
+    EXPECT_THAT(BadInputLine(Run(TinyStudy("other", "1,2", {"--prepare", how}))),
+                HasSubstr("other: is not the folder of results of a study that clothfit wrote"));
+  EXPECT_EQ(ReadTextFile(folder_.path() / "other" / "cameras.csv"), "mine");
+}
+
 TEST_F(StudyCommand, SaysInOneLineWhatIsWrong) {
   const auto wrong = [&](const Words& more) {
     return BadInputLine(Run(TinyStudy("wrong", "1,2", more)));

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/files/earlier_version.h"
 
-#include <array>
+#include <cstring>
 #include <fstream>
 #include <functional>
+#include <initializer_list>
 
 namespace clothfit {
 namespace {
@@ -28,12 +29,60 @@ bool HasJobs(const fs::path& folder) {
   return fs::is_directory(folder / "jobs", error);
 }
 
-bool HasLogOf(const fs::path& folder, const std::string& command) {
-  if (!Has(folder, "log.txt")) return false;
-  std::ifstream log(folder / "log.txt");
-  std::array<char, 32> begin{};
-  log.read(begin.data(), begin.size());
-  return std::string(begin.data(), begin.size()).rfind("clothfit " + command, 0) == 0;
+// Whether a file begins with the first of these, and goes on with the others in turn.
+bool Reads(const fs::path& file, std::initializer_list<const char*> parts) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
+  constexpr std::size_t kMost = 65536;
+  std::string text(kMost, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(text.data(), kMost);
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.rfind(*parts.begin(), 0) != 0) return false;
+  std::size_t at = 0;
+  for (const char* part : parts) {
+    at = text.find(part, at);
+    if (at == std::string::npos) return false;
+    at += std::strlen(part);
+  }
+  return true;
+}
+
+bool IsResultOfJob(const fs::path& file) { return Reads(file, {"{\n \"output\": "}); }
+
+bool HasResultOfJob(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder / "jobs", error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (IsResultOfJob(entry->path())) return true;
+  }
+  return false;
+}
+
+// It copied the list, and put a comment for each fit after it.
+bool IsBatch(const fs::path& folder) {
+  return Reads(folder / "batch.yaml", {"", "fits:", "\n# ", ": "}) && HasResultOfJob(folder);
+}
+
+bool IsComparison(const fs::path& folder) {
+  return Reads(folder / "comparison.json", {"{", "\"format\": \"clothfit-comparison/"}) ||
+         (Reads(folder / "conditions.yaml", {"spread: ", "\nseed: ", "\nmax_simulations: "}) &&
+          Has(folder, "config.yaml"));
+}
+
+bool IsDiagnosis(const fs::path& folder) {
+  return Reads(folder / "log.txt", {"clothfit diagnose\n"}) ||
+         Reads(folder / "diagnosis.json", {"{", "\"format\": \"clothfit-diagnosis/"});
+}
+
+bool IsStudy(const fs::path& folder) {
+  return Reads(folder / "study.json", {"{\n \"clothfit\": ", "\"options\": ", "\"study\": "}) &&
+         HasJobs(folder);
+}
+
+bool IsTracked(const fs::path& folder) {
+  return Reads(folder / "origin.txt", {"/", "\n"}) &&
+         Reads(folder / "pictures.csv", {"frame,camera,mask_quality,features,points\n"});
 }
 
 // One folder down.
@@ -41,7 +90,7 @@ bool HasSeenRecording(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    if (Has(entry->path(), "seen/origin.txt")) return true;
+    if (IsTracked(entry->path() / "seen")) return true;
   }
   return false;
 }
@@ -59,54 +108,71 @@ const std::vector<EarlierKind>& EarlierKinds() {
       R"(truth/(points\.csv|parameters\.yaml|synthesize\.yaml)|truth/masks/[^/]+/[0-9]{6}\.png|)"
       R"(images/[^/]+/[0-9]{6}\.png|videos/[^/]+\.(mkv|mp4|avi)|background/[^/]+\.png)";
   static const std::vector<EarlierKind> kinds = {
-      {FolderKind::kDiagnosis,
-       [](const fs::path& f) { return HasLogOf(f, "diagnose") || Has(f, "diagnosis.json"); },
+      {FolderKind::kDiagnosis, IsDiagnosis,
        R"(log\.txt|config\.yaml|diagnosis\.(json|md)|report\.html|(baseline|model)\.npy|)"
        R"(missing-force(-cloth)?\.png|missing-force\.npy|fits/[0-9a-f]{64}\.cbor)"},
-      {FolderKind::kRun, [](const fs::path& f) { return HasLogOf(f, ""); },
+      {FolderKind::kRun, [](const fs::path& f) { return Reads(f / "log.txt", {"clothfit 0."}); },
        R"((config|parameters)\.yaml|(summary|checkpoint)\.json|trajectory\.npy|mesh\.obj|)"
        R"((residuals|progress)\.csv|report\.html|log\.txt|)"
        R"(report/(obstacle_[0-9]+\.npy|obstacles\.json))"},
       {FolderKind::kTrials,
-       [](const fs::path& f) { return Has(f, "commitments.csv") && HasJobs(f); },
-       R"(conditions\.yaml|(commitments|trials)\.csv|trials\.md|jobs/[^/]+\.(json|lease|lost))"},
-      {FolderKind::kComparison,
        [](const fs::path& f) {
-         return Has(f, "comparison.json") || (Has(f, "conditions.yaml") && Has(f, "config.yaml"));
+         return Reads(f / "commitments.csv", {"trial,sha256\n"}) && HasJobs(f);
        },
+       R"(conditions\.yaml|(commitments|trials)\.csv|trials\.md|jobs/[^/]+\.(json|lease|lost))"},
+      {FolderKind::kComparison, IsComparison,
        R"((config|conditions)\.yaml|comparison\.(json|md|svg)|(runs|history)\.csv|report\.html)"},
-      {FolderKind::kBatch, [](const fs::path& f) { return Has(f, "batch.yaml") && HasJobs(f); },
+      {FolderKind::kBatch, IsBatch,
        R"(batch\.(yaml|csv|md)|parameters\.csv|jobs/[^/]+\.(json|lease|lost))"},
-      {FolderKind::kStudy, [](const fs::path& f) { return Has(f, "study.json") && HasJobs(f); },
+      {FolderKind::kStudy, IsStudy,
        R"(study\.json|(attraction|augmented|cameras|local-parameters|runtime|optimisers|)"
        R"(reconstructions|gradients|gradients-differences|contact(-[a-z-]+)?))"
        R"(\.(md|csv|svg|png)|view-(side|top)\.png|jobs/[^/]+\.(json|lease|lost))"},
       {FolderKind::kStudyTables,
        [](const fs::path& f) {
-         return Has(f, "recovery.csv") || Has(f, "tracking.md") || Has(f, "chaos.csv");
+         return Reads(f / "recovery.csv", {"seed,status,parameter,unit,truth,start,estimate,"});
        },
-       R"((recovery|tracking|chaos)\.(md|csv|svg|png))"},
+       R"(recovery\.(md|csv))"},
+      {FolderKind::kStudyTables,
+       [](const fs::path& f) {
+         return Reads(f / "tracking.md", {"| recording | silhouette IoU (worst picture) |"});
+       },
+       R"(tracking\.(md|csv))"},
+      {FolderKind::kStudyTables,
+       [](const fs::path& f) {
+         return Reads(f / "chaos.csv", {"time,rms,largest,sensitivity,predicted,growth\n"});
+       },
+       R"(chaos\.(md|csv|svg|png))"},
       {FolderKind::kStudyRecordings,
        [](const fs::path& f) { return HasJobs(f) && HasSeenRecording(f); },
        R"(jobs/[^/]+\.(json|lease|lost))"},
-      {FolderKind::kRecording, [](const fs::path& f) { return Has(f, "truth/synthesize.yaml"); },
+      {FolderKind::kRecording,
+       [](const fs::path& f) { return Reads(f / "truth/synthesize.yaml", {"scenario: "}); },
        synthetic.c_str()},
-      {FolderKind::kRecording, [](const fs::path& f) { return Has(f, "origin.txt"); },
-       tracked.c_str()}};
+      {FolderKind::kRecording, IsTracked, tracked.c_str()}};
   return kinds;
+}
+
+// Of a name that others give, too, and not as this version wrote it.
+bool IsForeign(const fs::path& folder, const std::string& file) {
+  if (file == "report.html")
+    return !Reads(folder / file, {"<!doctype html>", "name=\"generator\" content=\"clothfit "});
+  return fs::path(file).parent_path() == "jobs" && fs::path(file).extension() == ".json" &&
+         !IsResultOfJob(folder / file);
 }
 
 }  // namespace
 
 std::optional<Manifest> FilesOfEarlierVersion(const fs::path& folder) {
+  std::optional<Manifest> manifest;
   for (const EarlierKind& earlier : EarlierKinds()) {
+    if (manifest && manifest->kind != earlier.kind) continue;
     if (!earlier.is_one(folder)) continue;
-    Manifest manifest;
-    manifest.kind = earlier.kind;
-    manifest.files["clothfit 0.1.0"] = FilesNamed(folder, std::regex(earlier.names));
-    return manifest;
+    if (!manifest) manifest = Manifest{earlier.kind, {}};
+    for (const std::string& file : FilesNamed(folder, std::regex(earlier.names)))
+      if (!IsForeign(folder, file)) manifest->files["clothfit 0.1.0"].insert(file);
   }
-  return std::nullopt;
+  return manifest;
 }
 
 }  // namespace clothfit

@@ -11,9 +11,10 @@
 
 namespace clothfit {
 
-// Known by the files that this version began each kind of folder with; listed is what has the names
-// that it gave. Recordings only where it simulated or tracked them: one that it imported looks as
-// one made by hand does. Nothing where the folder is none of these.
+// Known by what the files hold that this version began each kind of folder with, since others give
+// their names, too; listed is what has the names that it gave. Recordings only where it simulated
+// or tracked them: one that it imported looks as one made by hand does. Nothing where the folder is
+// none of these.
 std::optional<Manifest> FilesOfEarlierVersion(const std::filesystem::path& folder);
 
 }  // namespace clothfit

@@ -30,7 +30,6 @@ bool IsFree(const fs::path& folder) {
   return true;
 }
 
-// True where the folder was not there.
 // A recording made by hand, or what is to become one.
 bool HoldsPartsOfARecording(const fs::path& folder) {
   constexpr const char* kParts[] = {"recording.yaml", "cameras.yaml", "markers.csv", "tracks.csv",

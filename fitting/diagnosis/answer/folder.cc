@@ -52,10 +52,12 @@ DiagnosisFolder::DiagnosisFolder(const fs::path& folder, Existing existing) : pa
   if (goes_on && !is_unfinished)
     throw InputError(folder.string(),
                      "holds a finished diagnosis; there is nothing to resume, --force replaces it");
-  std::vector<std::string> files = {
-      "config.yaml", "diagnosis.json", "diagnosis.md", "report.html", kMap,
-      kCloth,        kBaseline,        kAnswer,        kForce,        kFit};
-  if (goes_on) output_->Remove(files);
+  std::vector<std::string> files = {"config.yaml", "diagnosis.json", "diagnosis.md", kMap, kCloth,
+                                    kBaseline,     kAnswer,          kForce,         kFit};
+  if (goes_on) {
+    output_->Remove(files);
+    output_->Remove({"report.html"});  // of what was known before
+  }
   files.insert(files.end(), {"log.txt", kFits});
   output_->Begin(files);
   OutputFolder(KeptFits(), FolderKind::kKeptFits, "diagnose", Existing::kResume).Begin({});

@@ -42,7 +42,7 @@ class FolderReport : public testing::Test {
     comparison.contenders = {"fast/joint", "slow/joint"};
     comparison.runs = {MakeRun("fast/joint", 10.0, 20.0), MakeRun("slow/joint", 200.0, 30.0)};
     Write("config.yaml", "format: clothfit-config/1\n");
-    Write("conditions.yaml", "spread: 0.5\n");
+    Write("conditions.yaml", "spread: 0.5\nseed: 1\nmax_simulations: inf\n");
     WriteComparison(folder() / "comparison.json", comparison);
   }
   std::string Html() const { return MakeReport(folder(), kTestAssets).html; }

@@ -223,37 +223,6 @@ TEST(RecordingFolder, MayBeMadeByHand) {
               HasSubstr("is not the folder of a recording"));
 }
 
-TEST(EarlierVersion, IsKnownByWhatItWrote) {
-  const TestFolder test;
-  test.Write("run/log.txt", "clothfit 0.1.0\n");
-  test.Write("run/summary.json", "{}");
-  test.Write("run/mine.txt", "mine");
-  test.Write("diagnosis/log.txt", "clothfit diagnose\n");
-  test.Write("batch/batch.yaml", "");
-  test.Write("batch/jobs/silk.json", "{}");
-  test.Write("batch/jobs/mine.txt", "mine");
-  test.Write("seen/origin.txt", "/rec\n");
-  test.Write("seen/recording.yaml", "");
-  test.Write("seen/masks/cam0/000001.png", "");
-  test.Write("seen/masks/cam0/mine.png", "mine");
-  test.Write("hand/recording.yaml", "");
-  test.Write("other/log.txt", "of another program\n");
-  const auto kind = [&](const char* name) { return KindOfFolder(test.path() / name); };
-  const auto files = [&](const char* name) { return ReadManifest(test.path() / name)->All(); };
-  EXPECT_EQ(kind("run"), FolderKind::kRun);
-  EXPECT_EQ(kind("diagnosis"), FolderKind::kDiagnosis);
-  EXPECT_EQ(kind("batch"), FolderKind::kBatch);
-  EXPECT_EQ(kind("seen"), FolderKind::kRecording);
-  EXPECT_EQ(kind("hand"), std::nullopt);
-  EXPECT_EQ(kind("other"), std::nullopt);
-  EXPECT_THAT(files("run"), ElementsAre("log.txt", "summary.json"));
-  EXPECT_THAT(files("batch"), ElementsAre("batch.yaml", "jobs/silk.json"));
-  EXPECT_THAT(files("seen"), ElementsAre("masks/cam0/000001.png", "origin.txt", "recording.yaml"));
-  WriteFolder(test.path() / "run", FolderKind::kRun, Existing::kReplace, {{"a.csv", "a"}});
-  EXPECT_EQ(ReadTextFile(test.path() / "run" / "mine.txt"), "mine");
-  EXPECT_FALSE(fs::exists(test.path() / "run" / "summary.json"));
-}
-
 TEST(FolderLock, KeepsTheSecondOutAsLongAsTheFirstLives) {
   const TestFolder test;
   const fs::path place = test.path() / "run";

@@ -173,6 +173,7 @@ TEST_F(VideoImport, ChecksARecordingThatIsThere) {
   ImportVideos({{"left", file}}, {}, recording(), Overwrite::kAllow);
   EXPECT_EQ(ReadTextFile(recording() / "recording.yaml"),
             "frame_rate: 25 # Hz\nframe_count: 5\nname: x\n");
+  EXPECT_FALSE(ReadManifest(recording())->Lists("recording.yaml"));  // made by hand all the same
 }
 
 TEST_F(VideoImport, OverwritesNothingUnlessAllowed) {
