@@ -4,7 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+
+#include "autodiff_sim/terms/air_drag.h"
+#include "autodiff_sim/terms/bending.h"
+#include "autodiff_sim/terms/gravity.h"
+#include "autodiff_sim/terms/ground_contact.h"
+#include "autodiff_sim/terms/parameter_table.h"
+#include "autodiff_sim/terms/shear.h"
+#include "autodiff_sim/terms/spring.h"
 
 namespace clothfit {
 
@@ -24,14 +31,11 @@ Drive FreeDrive() {
 }
 
 void UseSuppleCloth(Simulation* simulation) {
-  const std::pair<const char*, double> values[] = {
-      {"cloth.areal_density", 0.15}, {"gravity.scale", 1.0},        {"stretch.stiffness", 200.0},
-      {"stretch.damping", 0.2},      {"shear.stiffness", 20.0},     {"shear.damping", 0.1},
-      {"bending.stiffness", 1e-4},   {"bending.damping", 1e-5},     {"air_drag.normal", 1.0},
-      {"air_drag.saturation", 0.0},  {"air_drag.tangential", 0.02}, {"ground.stiffness", 1e5},
-      {"ground.friction", 0.4},      {"ground.damping", 0.0},       {"ground.distance", 0.002},
-      {"ground.slip_speed", 0.005}};
+  const auto values = ValuesOf<Gravity, StretchSpring, Shear, Bending, AirDrag, GroundContact>(
+      {1.0}, {200.0, 0.2}, {20.0, 0.1}, {1e-4, 1e-5}, {1.0, 0.0, 0.02},
+      {1e5, 0.4, 0.0, 0.002, 0.005});
   Eigen::VectorXd parameters = simulation->parameters();
+  parameters[kArealDensity] = 0.15;
   for (const auto& [name, value] : values) {
     const int index = FindParameter(simulation->model().parameters(), name);
     if (index >= 0) parameters[index] = value;

@@ -4,6 +4,7 @@
 // All parameters of a simulation under their full names, term.parameter, in one order.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,19 @@ const std::vector<TermInfo>& AllTerms();
 template <class Term>
 std::string FullName(int index = 0) {
   return std::string(Term::kName) + "." + Term::kParameters[static_cast<std::size_t>(index)].name;
+}
+
+// Values of all parameters of these terms by their full names; those of a term in its own order:
+// ValuesOf<Gravity, Shear>({1.0}, {20.0, 0.1}).
+template <class... Terms, std::size_t... kCounts>
+std::map<std::string, double> ValuesOf(const double (&... values)[kCounts]) {
+  static_assert(((kCounts == Terms::kParameters.size()) && ...), "a value of each parameter");
+  std::map<std::string, double> all;
+  const auto add = [&all](const double* value, std::size_t count, std::string (*name)(int)) {
+    for (std::size_t i = 0; i < count; ++i) all[name(static_cast<int>(i))] = value[i];
+  };
+  (add(values, kCounts, &FullName<Terms>), ...);
+  return all;
 }
 
 // Index of the parameter with this full name; -1 where there is none.

@@ -50,6 +50,12 @@ void CheckBounds(const std::string& place, const NamedParameter& named,
                          named.parameter.unit, setting.lower, setting.upper, named.parameter.off));
 }
 
+bool IsOff(const std::string& name, FitConfig* config) {
+  const std::vector<NamedParameter>& table = MakeParameterTable();
+  const auto index = static_cast<std::size_t>(RequireParameter(table, name));
+  return config->parameters[name].value == table[index].parameter.off;
+}
+
 }  // namespace
 
 void SetParameter(const std::string& place, const std::string& assignment, FitConfig* config) {
@@ -104,10 +110,9 @@ void Attract(FitConfig* config) {
   config->attract = true;
   for (const TermInfo& term : AllTerms()) {
     if (term.role != Role::kGuide) continue;
-    ParameterSetting& linear = config->parameters[term.name + ".linear"];
-    const bool is_off =
-        linear.value == 0.0 && config->parameters[term.name + ".reciprocal"].value == 0.0;
-    if (is_off) linear.value = kDefaultAttraction;
+    const std::string linear = term.name + ".linear", reciprocal = term.name + ".reciprocal";
+    if (IsOff(linear, config) && IsOff(reciprocal, config))
+      config->parameters[linear].value = kDefaultAttraction;
   }
 }
 

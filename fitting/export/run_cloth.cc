@@ -3,12 +3,19 @@
 #include "fitting/export/run_cloth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "autodiff_sim/terms/air_drag.h"
+#include "autodiff_sim/terms/bending.h"
+#include "autodiff_sim/terms/gravity.h"
+#include "autodiff_sim/terms/ground_contact.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "autodiff_sim/terms/shear.h"
+#include "autodiff_sim/terms/spring.h"
 #include "fitting/rollout/free_parameters.h"
 #include "tracking/text/text.h"
 
@@ -18,8 +25,17 @@ namespace {
 class NamedValues {
  public:
   explicit NamedValues(Eigen::VectorXd values) : values_(std::move(values)) {}
+  double operator[](int index) const { return values_[index]; }
   double operator[](const std::string& name) const {
     return values_[RequireParameter(MakeParameterTable(), name)];
+  }
+  // All of a term, in its order.
+  template <class Term>
+  std::array<double, Term::kParameters.size()> Of() const {
+    std::array<double, Term::kParameters.size()> values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = (*this)[FullName<Term>(static_cast<int>(i))];
+    return values;
   }
 
  private:
@@ -86,18 +102,19 @@ std::vector<std::string> LeftOut(const Scene& scene, const FitConfig& config, co
 }
 
 ClothMaterial MaterialOf(const RunCloth& cloth, const NamedValues& values) {
-  ClothMaterial material;
-  material.density = values["cloth.areal_density"];
-  material.stretch = values["stretch.stiffness"];
-  material.stretch_damping = values["stretch.damping"];
-  material.shear = values["shear.stiffness"];
-  material.shear_damping = values["shear.damping"];
-  material.bending = values["bending.stiffness"] / 4.0;  // terms/bending.h
-  material.bending_damping = values["bending.damping"] * cloth.spacing;
-  material.drag_normal = values["air_drag.normal"];
-  material.drag_linear = LinearDrag(cloth.motion, values["air_drag.normal"],
-                                    values["air_drag.saturation"], values["air_drag.tangential"]);
-  return material;
+  const auto [stretch, stretch_damping] = values.Of<StretchSpring>();
+  const auto [shear, shear_damping] = values.Of<Shear>();
+  const auto [bending, bending_damping] = values.Of<Bending>();
+  const auto [normal, saturation, tangential] = values.Of<AirDrag>();
+  return {values[kArealDensity],
+          stretch,
+          stretch_damping,
+          shear,
+          shear_damping,
+          bending / 4.0,  // terms/bending.h
+          bending_damping * cloth.spacing,
+          normal,
+          LinearDrag(cloth.motion, normal, saturation, tangential)};
 }
 
 }  // namespace
@@ -142,14 +159,16 @@ RunCloth ReadRunCloth(const RunFolder& run) {
   cloth.topology = BuildTopology(scene.mesh);
   cloth.spacing = MeanLength(cloth.topology.structural);
   for (const Eigen::Vector2d& uv : scene.mesh.uv)
-    cloth.rest.emplace_back(uv.x() * (1.0 - values["cloth.shrink_warp"]),
-                            uv.y() * (1.0 - values["cloth.shrink_weft"]), 0.0);
-  cloth.gravity = values["gravity.scale"] * recording.gravity;
+    cloth.rest.emplace_back(uv.x() * (1.0 - values[kShrinkWarp]),
+                            uv.y() * (1.0 - values[kShrinkWeft]), 0.0);
+  const auto [gravity] = values.Of<Gravity>();
+  cloth.gravity = gravity * recording.gravity;
   cloth.ground_height = recording.ground_height;
-  cloth.ground_friction = values["ground.friction"];
-  cloth.ground_distance = values["ground.distance"];
+  const auto [ground, friction, ground_damping, distance, slip] = values.Of<GroundContact>();
+  cloth.ground_friction = friction;
+  cloth.ground_distance = distance;
   cloth.pins = PinsOf(scene, cloth.motion);
-  cloth.bending_damping_edge = values["bending.damping"];
+  cloth.bending_damping_edge = values.Of<Bending>()[1];
   cloth.material = MaterialOf(cloth, values);
   cloth.left_out = LeftOut(scene, config, cloth, values);
   return cloth;

@@ -9,7 +9,11 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
+#include "autodiff_sim/terms/bending.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "autodiff_sim/terms/shear.h"
+#include "autodiff_sim/terms/spring.h"
+#include "autodiff_sim/terms/wind.h"
 #include "fitting/fit/fit.h"
 #include "fitting/fit/search.h"
 #include "fitting/pictures/line_chart.h"
@@ -40,15 +44,10 @@ SyntheticOptions TruthOf(const Motion& motion, const MeshStudyOptions& options) 
   truth.frame_count = options.frame_count;
   truth.markers = {12, 12};
   truth.truth_points = {13, 13};
-  truth.parameters = {{"stretch.stiffness", 600.0},  {"stretch.damping", 1.0},
-                      {"shear.stiffness", 60.0},     {"shear.damping", 0.3},
-                      {"bending.stiffness", 1.4e-3}, {"bending.damping", 2e-5},
-                      {"air_drag.normal", 0.7},      {"air_drag.saturation", 0.1},
-                      {"air_drag.tangential", 0.02}, {"cloth.areal_density", 0.2}};
-  if (motion.in_wind) {
-    truth.parameters["wind.x"] = 0.35;
-    truth.parameters["wind.y"] = 0.42;
-  }
+  truth.parameters = ValuesOf<StretchSpring, Shear, Bending, AirDrag>(
+      {600.0, 1.0}, {60.0, 0.3}, {1.4e-3, 2e-5}, {0.7, 0.1, 0.02});
+  truth.parameters["cloth.areal_density"] = 0.2;
+  if (motion.in_wind) truth.parameters.merge(ValuesOf<UniformWind>({0.35, 0.42, 0.0}));
   return truth;
 }
 
@@ -103,8 +102,7 @@ MeshCase RunCase(const Motion& motion, const SyntheticRecording& truth, int part
   const FreeParameters known(told, scene, table);
   result.at_truth = Follow(truth, scene, told, known, known.start());
   if (!options.fit) return result;
-  if (motion.in_wind)
-    for (const char* name : {"wind.x", "wind.y", "wind.z"}) config.parameters.at(name).free = true;
+  if (motion.in_wind) SetFree("mesh study", UniformWind::kName, true, &config);
   const FitResult fit = FitByStrategy(scene, config);
   result.iterations = fit.iterations;
   result.seconds = fit.seconds;

@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "autodiff_sim/terms/air_drag.h"
+#include "autodiff_sim/terms/bending.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "autodiff_sim/terms/shear.h"
+#include "autodiff_sim/terms/spring.h"
 #include "fitting/diagnosis/evidence/candidates.h"
 #include "fitting/trials/chosen_effects.h"
 #include "fitting/trials/default_effects.h"
@@ -56,26 +60,23 @@ std::string ToString(Fabric fabric) {
 }
 
 std::map<std::string, double> TypicalParameters(Fabric fabric) {
+  std::map<std::string, double> typical;
   switch (fabric) {
     case Fabric::kWoven:
-      return {{"cloth.areal_density", 0.15}, {"stretch.stiffness", 400.0},
-              {"stretch.damping", 0.6},      {"shear.stiffness", 8.0},
-              {"shear.damping", 0.2},        {"bending.stiffness", 4e-5},
-              {"bending.damping", 2e-5},     {"air_drag.normal", 0.5},
-              {"air_drag.saturation", 1.0},  {"air_drag.tangential", 0.04}};
+      typical = ValuesOf<StretchSpring, Shear, Bending, AirDrag>({400.0, 0.6}, {8.0, 0.2},
+                                                                 {4e-5, 2e-5}, {0.5, 1.0, 0.04});
+      break;
     case Fabric::kKnit:
-      return {{"cloth.areal_density", 0.2}, {"stretch.stiffness", 40.0},
-              {"stretch.damping", 0.6},     {"shear.stiffness", 12.0},
-              {"shear.damping", 0.3},       {"bending.stiffness", 3e-5},
-              {"bending.damping", 2e-5},    {"air_drag.normal", 0.4},
-              {"air_drag.saturation", 1.0}, {"air_drag.tangential", 0.04}};
+      typical = ValuesOf<StretchSpring, Shear, Bending, AirDrag>({40.0, 0.6}, {12.0, 0.3},
+                                                                 {3e-5, 2e-5}, {0.4, 1.0, 0.04});
+      break;
     case Fabric::kStiff:
+      typical = ValuesOf<StretchSpring, Shear, Bending, AirDrag>({600.0, 1.0}, {20.0, 0.4},
+                                                                 {5e-4, 5e-5}, {0.5, 1.0, 0.04});
       break;
   }
-  return {{"cloth.areal_density", 0.2}, {"stretch.stiffness", 600.0}, {"stretch.damping", 1.0},
-          {"shear.stiffness", 20.0},    {"shear.damping", 0.4},       {"bending.stiffness", 5e-4},
-          {"bending.damping", 5e-5},    {"air_drag.normal", 0.5},     {"air_drag.saturation", 1.0},
-          {"air_drag.tangential", 0.04}};
+  typical["cloth.areal_density"] = fabric == Fabric::kWoven ? 0.15 : 0.2;
+  return typical;
 }
 
 const Effects& ListedEffects() {

@@ -17,8 +17,11 @@ CrumpledCloth Crumple(unsigned seed, double height, int resolution) {
     cloth.x.segment<3>(3 * i) << cloth.mesh.uv[i], 0.0;
   }
   for (int wave = 0; wave < 4; ++wave) {
-    const Eigen::Vector2d direction(5.0 * normal(random), 5.0 * normal(random));
-    const Eigen::Vector3d amplitude(0.5 * normal(random), 0.5 * normal(random), normal(random));
+    Eigen::Vector2d direction;
+    for (double& value : direction.reverse()) value = 5.0 * normal(random);
+    Eigen::Vector3d amplitude;
+    for (double& value : amplitude.reverse()) value = normal(random);
+    amplitude.head<2>() *= 0.5;
     const double start = phase(random);
     for (int i = 0; i < cloth.mesh.num_particles(); ++i) {
       const double s = std::sin(direction.dot(cloth.mesh.uv[i]) + start);

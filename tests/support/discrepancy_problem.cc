@@ -79,7 +79,8 @@ void Observe(const DiscrepancyProblemOptions& options, const Scene& scene,
   std::vector<SurfacePoint> points = LocateOnCloth(scene.mesh, uv);
   for (std::size_t i = 0; i < points.size(); ++i) {
     Marker& m = recording->markers[i];
-    const Eigen::Vector3d noise(normal(random), normal(random), normal(random));
+    Eigen::Vector3d noise;
+    for (double& value : noise.reverse()) value = normal(random);
     m.position = points[i].At(x[m.frame]) + kMarkerSigma * noise;
   }
   uv.clear();
@@ -87,7 +88,8 @@ void Observe(const DiscrepancyProblemOptions& options, const Scene& scene,
   points = LocateOnCloth(scene.mesh, uv);
   for (std::size_t i = 0; i < points.size(); ++i) {
     Track& t = recording->tracks[i];
-    const Eigen::Vector2d noise(normal(random), normal(random));
+    Eigen::Vector2d noise;
+    for (double& value : noise.reverse()) value = normal(random);
     const Eigen::Vector3d p = points[i].At(x[t.frame]);
     t.pixel = ProjectPoint<double>(recording->cameras[t.camera], p) + kTrackSigma * noise;
     if (t.camera == 1) t.pixel += options.shifted_camera;

@@ -55,7 +55,8 @@ void AddMarkers(const SmallRecordingOptions& options, const Scene& scene, int fr
   const std::vector<SurfacePoint> points = LocateOnCloth(scene.mesh, uv);
   std::normal_distribution<double> normal;
   for (size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d error(normal(*random), normal(*random), normal(*random));
+    Eigen::Vector3d error;
+    for (double& value : error.reverse()) value = normal(*random);
     recording->markers.push_back(
         {frame, static_cast<int>(i), uv[i], points[i].At(state.x) + options.marker_noise * error});
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
@@ -52,7 +53,7 @@ class PixelBounds {
 
  private:
   bool is_everything_ = false;
-  Vector2d low_ = Vector2d::Constant(1e9), high_ = Vector2d::Constant(-1e9);
+  Vector2d low_ = Vector2d::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
 };
 
 }  // namespace

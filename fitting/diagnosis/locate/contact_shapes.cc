@@ -10,6 +10,8 @@
 #include <Eigen/Geometry>
 
 #include "autodiff_sim/term/tilted_down.h"
+#include "autodiff_sim/terms/obstacle.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/optimise/optimiser.h"
 
 namespace clothfit {
@@ -99,11 +101,19 @@ Eigen::Vector2d TiltOf(const DownFrame& frame, const Eigen::Vector3d& direction)
   return angle * Eigen::Vector2d(axis.dot(frame.axis_1), axis.dot(frame.axis_2));
 }
 
-Probe CapsuleProbe(const Eigen::Vector3d& end_1, const Eigen::Vector3d& end_2, double radius) {
-  return {{"obstacle_capsule.x1", end_1.x()}, {"obstacle_capsule.y1", end_1.y()},
-          {"obstacle_capsule.z1", end_1.z()}, {"obstacle_capsule.x2", end_2.x()},
-          {"obstacle_capsule.y2", end_2.y()}, {"obstacle_capsule.z2", end_2.z()},
-          {"obstacle_capsule.radius", radius}};
+// A term's parameters behind the first, which is the stiffness.
+template <class Term, class... Values>
+Probe ShapeOf(Values... values) {
+  static_assert(sizeof...(Values) + 1 == Term::kParameters.size(), "a value of each parameter");
+  Probe probe;
+  int index = 0;
+  ((probe[FullName<Term>(++index)] = values), ...);
+  return probe;
+}
+
+Probe CapsuleShape(const Eigen::Vector3d& end_1, const Eigen::Vector3d& end_2, double radius) {
+  return ShapeOf<ObstacleCapsule>(end_1.x(), end_1.y(), end_1.z(), end_2.x(), end_2.y(), end_2.z(),
+                                  radius);
 }
 
 class ContactSearch {
@@ -292,11 +302,7 @@ class ContactSearch {
     if (shape.kind == Kind::kPlane) {
       const Eigen::Vector3d normal = shape.at.head<3>().normalized();
       const Eigen::Vector2d tilt = TiltOf(frame_, -normal);
-      return {"obstacle_plane",
-              {{"obstacle_plane.height", shape.at[3]},
-               {"obstacle_plane.angle_1", tilt[0]},
-               {"obstacle_plane.angle_2", tilt[1]}},
-              score};
+      return {ObstaclePlane::kName, ShapeOf<ObstaclePlane>(shape.at[3], tilt[0], tilt[1]), score};
     }
     const Eigen::Vector3d middle = shape.at.head<3>();
     if (shape.kind == Kind::kTable) {
@@ -304,26 +310,18 @@ class ContactSearch {
           std::cos(shape.at[3]) * frame_.axis_1 + std::sin(shape.at[3]) * frame_.axis_2;
       const Eigen::Vector3d half = 0.5 * side_ * over.cross(frame_.down);
       const Eigen::Vector3d first = middle - half, second = middle + half;
-      return {"obstacle_table",
-              {{"obstacle_table.x1", first.x()},
-               {"obstacle_table.y1", first.y()},
-               {"obstacle_table.z1", first.z()},
-               {"obstacle_table.x2", second.x()},
-               {"obstacle_table.y2", second.y()},
-               {"obstacle_table.z2", second.z()}},
+      return {ObstacleTable::kName,
+              ShapeOf<ObstacleTable>(first.x(), first.y(), first.z(), second.x(), second.y(),
+                                     second.z()),
               score};
     }
     const double radius = std::exp(shape.at[shape.at.size() - 1]);
     if (shape.kind == Kind::kBall) {
-      return {"obstacle_sphere",
-              {{"obstacle_sphere.x", middle.x()},
-               {"obstacle_sphere.y", middle.y()},
-               {"obstacle_sphere.z", middle.z()},
-               {"obstacle_sphere.radius", radius}},
-              score};
+      return {ObstacleSphere::kName,
+              ShapeOf<ObstacleSphere>(middle.x(), middle.y(), middle.z(), radius), score};
     }
     const auto [end_1, end_2] = EndsOf(shape);
-    return {"obstacle_capsule", CapsuleProbe(end_1, end_2, radius), score};
+    return {ObstacleCapsule::kName, CapsuleShape(end_1, end_2, radius), score};
   }
 
   // Of the axis, beyond all that touches the bar by half of its extent: where the bar ends beyond
@@ -355,15 +353,15 @@ class ContactSearch {
 std::vector<Probe> BarsThroughBall(const Probe& ball, const Eigen::Vector3d& gravity) {
   constexpr int kDirections = 4;
   const DownFrame frame = MakeDownFrame(gravity);
-  const Eigen::Vector3d middle(ball.at("obstacle_sphere.x"), ball.at("obstacle_sphere.y"),
-                               ball.at("obstacle_sphere.z"));
-  const double radius = ball.at("obstacle_sphere.radius");
+  const auto of_ball = [&](int index) { return ball.at(FullName<ObstacleSphere>(index)); };
+  const Eigen::Vector3d middle(of_ball(1), of_ball(2), of_ball(3));
+  const double radius = of_ball(4);
   std::vector<Probe> bars;
   for (int i = 0; i < kDirections; ++i) {
     const double angle = M_PI * i / kDirections;
     const Eigen::Vector3d half =
         0.5 * radius * (std::cos(angle) * frame.axis_1 + std::sin(angle) * frame.axis_2);
-    bars.push_back(CapsuleProbe(middle - half, middle + half, radius));
+    bars.push_back(CapsuleShape(middle - half, middle + half, radius));
   }
   return bars;
 }

@@ -37,8 +37,9 @@ TEST(ClosestOnMesh, IsThatOfAllTriangles) {
       surface.MoveTo(x);
       for (int i = 0; i < 200; ++i, ++compared) {
         const double spread = i % 2 == 0 ? 0.3 : 3.0;
-        const Vector3d point = Vector3d(0.4, 0.3, 0.0) +
-                               spread * Vector3d(normal(random), normal(random), normal(random));
+        Vector3d offset;
+        for (double& value : offset.reverse()) value = normal(random);
+        const Vector3d point = Vector3d(0.4, 0.3, 0.0) + spread * offset;
         const auto [triangle, closest] = surface.Find(point);
         EXPECT_EQ(closest.distance, LeastByAll(cloth, x, point));
         const auto& [a, b, c] = cloth.mesh.triangles[triangle];

@@ -28,7 +28,9 @@ TEST(SurfacePoint, LiesWhereItWasLocated) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> u(0.0, 0.6), v(0.0, 0.3);
   for (int i = 0; i < 200; ++i) {
-    const Eigen::Vector2d uv(u(random), v(random));
+    Eigen::Vector2d uv;
+    uv.y() = v(random);
+    uv.x() = u(random);
     const SurfacePoint point = LocateOnCloth(mesh, {uv})[0];
     EXPECT_LE((point.At(x).head<2>() - uv).norm(), 1e-14);
     for (const double w : point.weights) {

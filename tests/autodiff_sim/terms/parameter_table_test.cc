@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/terms/gravity.h"
+#include "autodiff_sim/terms/shear.h"
 
 namespace clothfit {
 namespace {
@@ -32,6 +34,13 @@ TEST(RequireParameter, NamesTheNearestOfWhatIsNot) {
   EXPECT_EQ(ProblemOf("air_drag.norml", "--set"),
             "--set: 'air_drag.norml' is no parameter; did you mean 'air_drag.normal'?");
   EXPECT_THAT(ProblemOf("%", "parameters"), testing::StartsWith("parameters: '%' is no parameter"));
+}
+
+TEST(ValuesOf, NamesThemInTheTermsOrder) {
+  const std::map<std::string, double> values = ValuesOf<Gravity, Shear>({1.0}, {20.0, 0.1});
+  EXPECT_THAT(values, testing::ElementsAre(testing::Pair("gravity.scale", 1.0),
+                                           testing::Pair("shear.damping", 0.1),
+                                           testing::Pair("shear.stiffness", 20.0)));
 }
 
 }  // namespace

@@ -247,6 +247,10 @@ TEST(Attract, GivesThePullAStartOfItsOwn) {
   SetParameter("--set", "attraction_point.linear=7", &config);
   Attract(&config);
   EXPECT_EQ(config.parameters.at("attraction_point.linear").value, 7.0);
+  SwitchOff("--without", "attraction_point", &config);
+  SetParameter("--set", "attraction_point.reciprocal=0.01", &config);
+  Attract(&config);
+  EXPECT_EQ(config.parameters.at("attraction_point.linear").value, 0.0);
 }
 
 }  // namespace

@@ -32,7 +32,9 @@ CloudObservation CloudOf(const CrumpledCloth& cloth, double off, unsigned seed) 
   for (const auto& [a, b, c] : cloth.mesh.triangles) {
     const Vector3d middle =
         (cloth.x.segment<3>(3 * a) + cloth.x.segment<3>(3 * b) + cloth.x.segment<3>(3 * c)) / 3.0;
-    cloud.points.push_back(middle + off * Vector3d(normal(random), normal(random), normal(random)));
+    Vector3d noise;
+    for (double& value : noise.reverse()) value = normal(random);
+    cloud.points.push_back(middle + off * noise);
   }
   return cloud;
 }

@@ -36,7 +36,8 @@ std::vector<Eigen::Vector3d> PointsInView(const Camera& camera) {
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 50; ++i) {
     const double depth = 2.5 + unit(random);
-    const Eigen::Vector3d in_camera(0.65 * depth * unit(random), 0.5 * depth * unit(random), depth);
+    const double y = 0.5 * depth * unit(random), x = 0.65 * depth * unit(random);
+    const Eigen::Vector3d in_camera(x, y, depth);
     points.emplace_back(camera.camera_from_world_rotation.transpose() *
                         (in_camera - camera.camera_from_world_translation));
   }

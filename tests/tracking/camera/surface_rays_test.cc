@@ -47,8 +47,13 @@ TEST(SurfaceRays, FindTheFirstOfAllTriangles) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   int hits = 0;
   for (int i = 0; i < 400; ++i) {
-    const Eigen::Vector3d origin(0.5 + 2.0 * unit(random), 0.5 + 2.0 * unit(random), unit(random));
-    const Eigen::Vector3d target(0.5 + 0.6 * unit(random), 0.5 + 0.6 * unit(random), 0.0);
+    Eigen::Vector3d origin;
+    origin.z() = unit(random);
+    origin.y() = 0.5 + 2.0 * unit(random);
+    origin.x() = 0.5 + 2.0 * unit(random);
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();
+    target.y() = 0.5 + 0.6 * unit(random);
+    target.x() = 0.5 + 0.6 * unit(random);
     const Eigen::Vector3d direction = (target - origin).normalized();
     const std::optional<double> expected = BruteForce(waves, origin, direction);
     const std::optional<SurfaceHit> found = waves.rays.First(origin, 3.0 * direction);

@@ -55,8 +55,9 @@ TEST(MeanClosestPoint, DoesNotDependOnTheOrigin) {
   std::mt19937 random(8);
   std::normal_distribution<double> normal;
   for (int n = 0; n < 5; ++n) {
-    const Vector3d from(normal(random), normal(random), normal(random));
-    const Vector3d to(normal(random), normal(random), normal(random));
+    Vector3d from, to;
+    for (double& value : from.reverse()) value = normal(random);
+    for (double& value : to.reverse()) value = normal(random);
     rays.push_back(Through(from, to));
     shifted.push_back(Through(from + shift, to + shift));
   }
@@ -70,8 +71,9 @@ struct Views {
     std::normal_distribution<double> normal;
     std::vector<Sighting> sightings;
     for (int c = 0; c < static_cast<int>(cameras.size()); ++c) {
-      sightings.push_back({c, ProjectPoint(cameras[c], point) +
-                                  sigma * Eigen::Vector2d(normal(random), normal(random))});
+      Eigen::Vector2d error;
+      for (double& value : error.reverse()) value = normal(random);
+      sightings.push_back({c, ProjectPoint(cameras[c], point) + sigma * error});
     }
     return sightings;
   }

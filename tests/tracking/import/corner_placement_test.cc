@@ -62,8 +62,9 @@ std::vector<SeenCorner> SeenBy(const FlatPlacement& sheet,
   for (const Eigen::Vector2d& uv : points) {
     for (const Camera& camera : cameras) {
       const Eigen::Vector2d pixel = ProjectPoint(camera, On(sheet, uv));
-      seen.push_back(
-          {camera.name, uv, pixel + noise * Eigen::Vector2d(gaussian(random), gaussian(random))});
+      Eigen::Vector2d error;
+      for (double& value : error.reverse()) value = gaussian(random);
+      seen.push_back({camera.name, uv, pixel + noise * error});
     }
   }
   return seen;

@@ -130,7 +130,10 @@ TEST(ThinPoints, KeepsOneOfEachCellAndNoMoreThanWanted) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   CloudPoints points;
-  for (int i = 0; i < 20000; ++i) points.emplace_back(uniform(random), uniform(random), 0.0);
+  for (int i = 0; i < 20000; ++i) {
+    const double y = uniform(random), x = uniform(random);
+    points.emplace_back(x, y, 0.0);
+  }
   const ThinnedPoints fine = ThinPoints(points, 0.05, 1000);
   EXPECT_EQ(fine.spacing, 0.05);
   EXPECT_EQ(fine.points.size(), 400u);
@@ -155,8 +158,10 @@ TEST(ThinPoints, KnowsNothingOfErrors) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   CloudPoints points;
-  for (int i = 0; i < 200000; ++i)
-    points.emplace_back(uniform(random), uniform(random), 0.012 + 0.002 * normal(random));
+  for (int i = 0; i < 200000; ++i) {
+    const double z = 0.012 + 0.002 * normal(random), y = uniform(random), x = uniform(random);
+    points.emplace_back(x, y, z);
+  }
   const ThinnedPoints thinned = ThinPoints(points, 0.02, 10000);
   double sum = 0.0;
   for (const Vector3d& point : thinned.points) sum += point.z() - 0.012;

@@ -54,7 +54,9 @@ TEST(SignedDistanceField, HasTheGradientOfItsValue) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> x(-80.0, 280.0), y(-80.0, 240.0);
   for (int i = 0; i < 500; ++i) {
-    const Eigen::Vector2d p(x(random), y(random));
+    Eigen::Vector2d p;
+    p.y() = y(random);
+    p.x() = x(random);
     const SignedDistance d = field.At(p);
     constexpr double kStep = 1e-5;
     for (int k = 0; k < 2; ++k) {
