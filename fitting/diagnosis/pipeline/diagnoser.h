@@ -24,6 +24,8 @@
 namespace clothfit {
 
 class Diagnoser {
+  friend class DiagnoserPeer;  // of tests: steps in states that few recordings bring about
+
  public:
   Diagnoser(const Recording& recording, const FitConfig& baseline, const DiagnosisOptions& options)
       : recording_(WithHeldOutFrames(recording, options.held_out_share)),
@@ -73,7 +75,6 @@ class Diagnoser {
   void ForgetContacts(const RankedCandidate& kept);
   // A round by forecasts; empty where there are none.
   std::optional<bool> AddByForecasts(const Ranking& ranking);
-  double ShareOfForecasts(const FittedScene& before, const FittedScene& model) const;
   bool AddByWholeFits(Ranking ranking);
   std::vector<JudgedModel> FitWhole(const FittedScene& before,
                                     const std::vector<JudgedModel>& forecasts);
@@ -91,6 +92,9 @@ class Diagnoser {
   bool CatchesUp(std::vector<JudgedModel>* judged);
   void Judge(const FittedScene& before, std::vector<JudgedModel>* judged) const;
   void Keep(std::vector<JudgedModel> judged, Ranking ranking);
+  std::vector<Kept>::iterator FirstPhysics();
+  // The newest effect, a fault, before all physics; does nothing where there is none.
+  void PutFaultFirst();
   // What was kept by forecasts, fitted to all frames.
   void GoOnBeyondForecasts();
   // A model like another one, fitted as that is: to forecasts or to all frames.

@@ -42,6 +42,42 @@ void Diagnoser::Keep(std::vector<JudgedModel> judged, Ranking ranking) {
   } else if (!is_physics) {
     FitAgainWithoutFault();
   }
+  if (!is_physics) PutFaultFirst();
+}
+
+std::vector<Diagnoser::Kept>::iterator Diagnoser::FirstPhysics() {
+  return std::find_if(kept_.begin(), kept_.end(),
+                      [](const Kept& kept) { return kept.IsPhysics(); });
+}
+
+// A fault that was found beside physics was there without it, too: what physics explains is told
+// of recordings that are put right.
+void Diagnoser::PutFaultFirst() {
+  const auto first = FirstPhysics();
+  if (first == kept_.end()) return;
+  Say("fitting without the fault", 0.7);
+  const auto put_right = [&](const FittedScene& before) {
+    ModelStart start = GoOn(before);
+    start.recording = now_.fine.scene.recording;
+    return start;
+  };
+  BothMeshes with_fault = first->before;
+  const ModelStart without_physics = put_right(with_fault.fine);
+  for (auto kept = first; kept + 1 != kept_.end(); ++kept) {
+    const std::optional<FittedScene> again =
+        FitModel(kept->before.fine, put_right(kept->before.fine), 2 * kModelIterations, runner_,
+                 kEnoughToDecide);
+    std::optional<BothMeshes> both = again ? OnBoth(*again) : std::nullopt;
+    if (both) kept->before = *std::move(both);
+  }
+  kept_.back().before = std::move(with_fault);
+  if (forecasts_lack_ > 0.0) {
+    const std::optional<FittedScene> forecasts = FitToForecasts(
+        without_physics, now_.fine.scene.mesh.grid, {1}, runner_, &first->before.fine);
+    if (forecasts) forecasts_lack_ = LeftByForecasts(*forecasts);
+  }
+  std::rotate(first, kept_.end() - 1, kept_.end());
+  Spend("fitting without the fault");
 }
 
 // Backward elimination: a stiff patch that was kept for a stiff seam has nothing left to stand for
@@ -49,8 +85,7 @@ void Diagnoser::Keep(std::vector<JudgedModel> judged, Ranking ranking) {
 // the patch is not known, and like nothing but wind beside it.
 void Diagnoser::LookBack() {
   if (Stopped()) return;
-  const auto first_physics =
-      std::find_if(kept_.begin(), kept_.end(), [](const Kept& kept) { return kept.IsPhysics(); });
+  const auto first_physics = FirstPhysics();
   const auto first = static_cast<std::size_t>(first_physics - kept_.begin());
   const RankedCandidate second = kept_.back().candidate;
   const BothMeshes& before = first_physics->before;

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a second effect does to the first, and what becomes of an effect that explains too little,
+// in states that few recordings bring about.
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/fitted/refit.h"
+#include "fitting/diagnosis/gate/baseline_fit.h"
+#include "fitting/diagnosis/model/switch_on.h"
+#include "fitting/diagnosis/pipeline/diagnoser.h"
+#include "tests/support/strip.h"
+
+namespace clothfit {
+
+// A diagnosis of a strip on one mesh whose effects are kept by hand.
+class DiagnoserPeer {
+ public:
+  DiagnoserPeer(const Recording& recording, const std::vector<std::string>& terms)
+      : options_(OnlyAmong(terms)),
+        config_(Told(recording)),
+        diagnoser_(recording, config_, options_) {
+    base_ = FitBaseline(diagnoser_.recording_, config_, options_);
+    ranking_ = RankCandidates(base_, options_);
+    diagnoser_.meshes_.Set(base_, 9);
+    diagnoser_.now_ = {base_, base_};
+    diagnoser_.quality_ = diagnoser_.baseline_quality_ = AppraiseQuality(base_);
+  }
+
+  const FittedScene& base() const { return base_; }
+  const FittedScene& now() const { return diagnoser_.now_.fine; }
+  std::vector<std::string> effects() const { return diagnoser_.EffectsSoFar(); }
+
+  // With the effect besides.
+  JudgedModel Fit(const FittedScene& from, const std::string& effect) const {
+    const RankedCandidate& candidate = Find(effect);
+    const std::optional<FittedScene> fitted =
+        FitModel(from, SwitchOn(from, candidate, ranking_.faults), 10, diagnoser_.runner_);
+    if (!fitted) throw std::runtime_error("no fit with " + effect);
+    return {candidate, {*fitted, *fitted}};
+  }
+
+  // As the newest effect, held against the others of its round.
+  void Keep(const JudgedModel& model, const std::vector<JudgedModel>& round) {
+    diagnoser_.kept_.push_back({model.candidate, diagnoser_.now_, ranking_, round});
+    diagnoser_.now_ = model.model;
+  }
+
+  // A fault of a camera that changes nothing.
+  void KeepFault(const std::string& name) {
+    JudgedModel fault{{}, diagnoser_.now_};
+    fault.candidate.summary.name = name;
+    fault.candidate.faults = {0};
+    Keep(fault, {fault});
+  }
+
+  void LookBack() { diagnoser_.LookBack(); }
+  void TakeBack() {
+    diagnoser_.quality_ = AppraiseQuality(now());
+    diagnoser_.TakeBackWhatIsTooLittle();
+  }
+
+ private:
+  const RankedCandidate& Find(const std::string& effect) const {
+    for (const RankedCandidate& one : ranking_.candidates)
+      if (one.summary.name == effect) return one;
+    throw std::invalid_argument("no candidate " + effect);
+  }
+
+  DiagnosisOptions options_;
+  FitConfig config_;
+  Diagnoser diagnoser_;
+  FittedScene base_;
+  Ranking ranking_;
+};
+
+namespace {
+
+using testing::ElementsAre;
+
+DiagnoserPeer Peer(const std::map<std::string, double>& effects) {
+  return {MakeSyntheticRecording(Strip(effects)).recording, {"wind", "gravity_tilt", "hem"}};
+}
+
+// Tilt was kept for wind, which has been found since.
+TEST(LookBack, DropsWhatTheSecondEffectDoesWithout) {
+  DiagnoserPeer peer = Peer({{"wind.x", 3.0}});
+  const JudgedModel tilt = peer.Fit(peer.base(), "gravity_tilt");
+  peer.Keep(tilt, {tilt});
+  const JudgedModel both = peer.Fit(peer.now(), "wind");
+  peer.Keep(both, {both});
+  peer.LookBack();
+  EXPECT_THAT(peer.effects(), ElementsAre("wind"));
+  EXPECT_EQ(peer.now().config.parameters.at("gravity_tilt.angle_1").free, false);
+}
+
+// Wind looks like a tilt as long as the hem is not known.
+TEST(LookBack, PutsACompetitorInThePlaceOfTheFirst) {
+  DiagnoserPeer peer = Peer({{"wind.x", 3.0}, {"hem.high_v", 0.03}});
+  const JudgedModel tilt = peer.Fit(peer.base(), "gravity_tilt");
+  const JudgedModel wind = peer.Fit(peer.base(), "wind");
+  peer.Keep(tilt, {tilt, wind});
+  const JudgedModel both = peer.Fit(peer.now(), "hem");
+  peer.Keep(both, {both});
+  peer.LookBack();
+  EXPECT_THAT(peer.effects(), ElementsAre("wind", "hem"));
+  EXPECT_LT(peer.now().fit.cost_after, both.model.Cost());
+}
+
+TEST(LookBack, LeavesTwoEffectsThatAreThere) {
+  DiagnoserPeer peer = Peer({{"wind.x", 3.0}, {"hem.high_v", 0.03}});
+  const JudgedModel tilt = peer.Fit(peer.base(), "gravity_tilt");
+  const JudgedModel wind = peer.Fit(peer.base(), "wind");
+  peer.Keep(wind, {wind, tilt});
+  const JudgedModel both = peer.Fit(peer.now(), "hem");
+  peer.Keep(both, {both});
+  peer.LookBack();
+  EXPECT_THAT(peer.effects(), ElementsAre("wind", "hem"));
+}
+
+// A hem stands for little of a wind; the camera that was put right stays so.
+TEST(TakeBack, OfPhysicsThatExplainsTooLittleLeavesTheFaults) {
+  DiagnoserPeer peer = Peer({{"wind.x", 0.5}});
+  peer.KeepFault("camera cam1: pose");
+  const double before = peer.now().fit.cost_after;
+  const JudgedModel hem = peer.Fit(peer.now(), "hem");
+  peer.Keep(hem, {hem});
+  ASSERT_LT(peer.now().fit.cost_after, before);
+  peer.TakeBack();
+  EXPECT_THAT(peer.effects(), ElementsAre("camera cam1: pose"));
+  EXPECT_EQ(peer.now().fit.cost_after, before);
+}
+
+TEST(TakeBack, LeavesPhysicsThatExplainsIt) {
+  DiagnoserPeer peer = Peer({{"wind.x", 3.0}});
+  const JudgedModel wind = peer.Fit(peer.base(), "wind");
+  peer.Keep(wind, {wind});
+  peer.TakeBack();
+  EXPECT_THAT(peer.effects(), ElementsAre("wind"));
+}
+
+}  // namespace
+}  // namespace clothfit
