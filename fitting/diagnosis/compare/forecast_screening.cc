@@ -23,6 +23,9 @@ namespace {
 
 constexpr std::size_t kMostJudged = 4;  // that are fitted on the deciding mesh
 constexpr double kMayWin = 0.5;         // of what the best gains on the coarse one
+// The share that a model explains on the deciding mesh was 0.9 to 1.3 times that on the coarse one
+// (docs/adr/0026-second-effects-on-the-coarse-mesh.md).
+constexpr double kOnCoarse = 0.75;
 constexpr double kMayCome = 0.25;       // of what the best gains in forecasts of half that length
 constexpr int kScreeningIterations = 5, kIterations = 8;  // on the coarse mesh, of each length
 constexpr int kFirstLengths = 1;        // of forecasts, by which most models are put aside
@@ -76,6 +79,11 @@ bool CanForecast(const FittedScene& fitted) {
 double LeftByForecasts(const FittedScene& fitted) {
   const double observed = fitted.fit.misfit ? fitted.fit.misfit->observed : 0.0;
   return std::max(0.0, fitted.fit.cost_after - 0.5 * observed);
+}
+
+double ShareOfForecasts(const FittedScene& before, const FittedScene& model) {
+  const double gain = before.fit.cost_after - model.fit.cost_after, left = LeftByForecasts(before);
+  return left > 0.0 ? std::clamp(gain / left, 0.0, 1.0) : 0.0;
 }
 
 void JudgeModels(const FittedScene& before, std::vector<JudgedModel>* judged) {
@@ -183,13 +191,9 @@ void ForecastScreening::AddBarThroughBall(const FittedScene& base, const Ranking
 std::vector<JudgedModel> ForecastScreening::Decide(const FittedScene& current,
                                                    const FittedScene& base,
                                                    std::vector<FittedModel> models) const {
-  std::stable_sort(models.begin(), models.end(), IsCheaper);
   const double before = base.fit.cost_after;
   std::vector<FittedModel> chosen;
   for (FittedModel& model : models) {
-    Log(fmt::format("with {}: forecasts cost {:.6g} -> {:.6g} on {} particles",
-                    model.candidate.summary.name, before, model.scene.fit.cost_after,
-                    base.scene.mesh.num_particles()));
     const bool may_win = model.scene.fit.cost_after <=
                          before - kMayWin * (before - models.front().scene.fit.cost_after);
     if (may_win && chosen.size() < kMostJudged) chosen.push_back(model);
@@ -213,7 +217,7 @@ std::vector<JudgedModel> ForecastScreening::Decide(const FittedScene& current,
 
 std::optional<ForecastRound> ForecastScreening::Run(
     const FittedScene& current, const std::vector<FittedModel>& faults,
-    const std::vector<ContactShape>& contacts) const {
+    const std::vector<ContactShape>& contacts, double least_share) const {
   if (!CanForecast(current)) return {};
   Say("fitting forecasts", 0.45);
   const bool is_off = HasLargeResidual(current.scene, current.config, current.fit);
@@ -280,6 +284,18 @@ std::optional<ForecastRound> ForecastScreening::Run(
                       std::move(*fits[k])});
   }
   if (Stopped()) return {};
+  std::stable_sort(models.begin(), models.end(), IsCheaper);
+  for (const FittedModel& model : models) {
+    Log(fmt::format("with {}: forecasts cost {:.6g} -> {:.6g} on {} particles",
+                    model.candidate.summary.name, base->fit.cost_after, model.scene.fit.cost_after,
+                    base->scene.mesh.num_particles()));
+  }
+  const double share = models.empty() ? 0.0 : ShareOfForecasts(*base, models.front().scene);
+  if (share < kOnCoarse * least_share) {
+    Log(fmt::format("none explains more than {:.2g} % of what forecasts leave", 100.0 * share));
+    round.before = *base;
+    return round;
+  }
   std::optional<FittedScene> before =
       deciding == grid ? base : FitToForecasts(GoOn(*base), deciding, {1}, runner_, &*base);
   if (!before) return {};

@@ -18,7 +18,7 @@
 namespace clothfit {
 
 struct ForecastRound {
-  FittedScene before;               // the fit without, to forecasts on the deciding mesh
+  FittedScene before;  // the fit without, to forecasts on the mesh that models are judged on
   Ranking ranking;                  // of physics, along forecasts
   std::vector<JudgedModel> judged;  // the highest evidence first; both meshes are the deciding one
 };
@@ -35,10 +35,13 @@ class ForecastScreening {
 
   // `current`: the fit without, on the deciding mesh. `faults`: of the observation, that compete,
   // by the recordings that they were put right in. `contacts`: shapes of obstacles, which compete
-  // too. Empty where there are no forecasts, or where they cannot be fitted.
+  // too. `least_share`: of what forecasts leave beyond noise, that a model has to explain; none is
+  // judged where none comes near that on the coarse mesh. Empty where there are no forecasts, or
+  // where they cannot be fitted.
   std::optional<ForecastRound> Run(const FittedScene& current,
                                    const std::vector<FittedModel>& faults,
-                                   const std::vector<ContactShape>& contacts) const;
+                                   const std::vector<ContactShape>& contacts,
+                                   double least_share) const;
 
  private:
   std::vector<RankedCandidate> Entrants(const FittedScene& base, const Ranking& ranking,
@@ -49,7 +52,7 @@ class ForecastScreening {
   void AddBarThroughBall(const FittedScene& base, const Ranking& ranking, int last_length,
                          std::vector<RankedCandidate>* entrants,
                          std::vector<std::optional<FittedScene>>* fits) const;
-  // The models that may come first, on the deciding mesh.
+  // The models that may come first, on the deciding mesh; they are in order.
   std::vector<JudgedModel> Decide(const FittedScene& current, const FittedScene& base,
                                   std::vector<FittedModel> models) const;
   void Say(const std::string& stage, double fraction) const {
@@ -71,5 +74,7 @@ void JudgeModels(const FittedScene& before, std::vector<JudgedModel>* judged);
 
 // What a fit to forecasts leaves beyond noise, as a cost.
 double LeftByForecasts(const FittedScene& fitted);
+// Of that the share that a model, fitted alike, explains.
+double ShareOfForecasts(const FittedScene& before, const FittedScene& model);
 
 }  // namespace clothfit

@@ -46,7 +46,8 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
   const std::vector<FittedModel> faults =
       ModelScreening(baseline_, options_).FitFaults(now_.coarse, ranking);
   Spend("fitting faults");
-  std::optional<ForecastRound> round = screening.Run(now_.fine, faults, contacts_);
+  const double least_share = HasPhysics() ? kLeastShareBeside : options_.least_share;
+  std::optional<ForecastRound> round = screening.Run(now_.fine, faults, contacts_, least_share);
   Spend("forecasts");
   if (!round) return {};
   if (kept_.empty()) TellCandidates(round->ranking, ranking);
@@ -55,7 +56,7 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
   Judge(round->before, &judged);
   if (judged.empty() || Stopped()) return false;
   const double share = ShareOfForecasts(round->before, judged.front().model.fine);
-  const bool may_explain = share >= (HasPhysics() ? kLeastShareBeside : options_.least_share);
+  const bool may_explain = share >= least_share;
   std::vector<JudgedModel> whole;
   if (may_explain) {
     whole = FitWhole(round->before, judged);
@@ -82,12 +83,6 @@ void Diagnoser::ForgetContacts(const RankedCandidate& kept) {
       std::any_of(contacts_.begin(), contacts_.end(),
                   [&](const ContactShape& shape) { return shape.term == kept.term.name; });
   if (is_obstacle) contacts_.clear();
-}
-
-// Of what forecasts leave beyond noise.
-double Diagnoser::ShareOfForecasts(const FittedScene& before, const FittedScene& model) const {
-  const double gain = before.fit.cost_after - model.fit.cost_after, left = LeftByForecasts(before);
-  return left > 0.0 ? std::clamp(gain / left, 0.0, 1.0) : 0.0;
 }
 
 // The models of forecasts, the best first, fitted to all frames, the others where forecasts leave
