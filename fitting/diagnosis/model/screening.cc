@@ -84,8 +84,8 @@ std::optional<FittedScene> ModelScreening::FirstFit(const FittedScene& current,
 }
 
 // Physics by its score, whatever the null does as well: mesh and step are the deciding mesh's
-// business. Faults that are larger than in well-made recordings beside it. Far off, where a linear
-// score says little, default terms too, each by itself and all of it together.
+// business. Faults that are larger than in well-made recordings beside it. At large residuals,
+// where a linear score says little, default terms too, each by itself and all of it together.
 std::vector<RankedCandidate> ModelScreening::Entrants(const Ranking& ranking) const {
   std::vector<RankedCandidate> entrants;
   int num_physics = 0, num_faults = 0;

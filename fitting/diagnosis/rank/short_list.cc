@@ -59,7 +59,7 @@ std::string WhyNot(const RankedCandidate& candidate, bool has_points, bool may_b
     return fmt::format("the null does as much with p = {:.2g}", summary.p_value);
   // A fit in a local minimum errs by more, and otherwise, than the null tells.
   if (ranking.residual_rms > kLargeResidual && IsFault(candidate) && !candidate.Exceeds(kStandsOut))
-    return "the fit is far off, and it does not stand out of the null";
+    return "the fit leaves large residuals, and it does not stand out of the null";
   if (may_be_mesh && !IsFault(candidate)) return "mesh and step may make all that is left";
   if (IsFault(candidate) && !IsBeyondWellMade(candidate, ranking))
     return "no larger than in well-made recordings";
