@@ -83,7 +83,7 @@ std::optional<FittedScene> ModelScreening::FirstFit(const FittedScene& current,
   return model;
 }
 
-// Physics by its score, whatever the null does as well: mesh and step are the deciding mesh's
+// Physics by its score, whatever the null does as well: discretisation is the deciding mesh's
 // business. Faults that are larger than in well-made recordings beside it. At large residuals,
 // where a linear score says little, default terms too, each by itself and all of it together.
 std::vector<RankedCandidate> ModelScreening::Entrants(const Ranking& ranking) const {
