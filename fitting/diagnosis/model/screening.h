@@ -44,7 +44,7 @@ class ModelScreening {
                                           const std::vector<FittedModel>& models) const;
 
  private:
-  std::vector<RankedCandidate> Entrants(const Ranking& ranking) const;
+  std::vector<RankedCandidate> CandidatesToFit(const Ranking& ranking) const;
   // Fits each of them, and those further that may come first.
   std::vector<FittedModel> Screen(const FittedScene& current, const Ranking& ranking,
                                   const std::vector<RankedCandidate>& screened) const;
