@@ -27,7 +27,7 @@ struct DiagnoseOptions {
   ConfigOptions config;
   DiagnosisOptions diagnosis;
   std::string output;
-  bool no_projection = false, table_null = false, no_guide = false;
+  bool no_projection = false, table_null = false, no_nudge = false;
   bool force = false, resume = false, quiet = false;
 };
 
@@ -55,7 +55,7 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   if (!options.quiet) PrintWarnings(recording);
   options.diagnosis.project = !options.no_projection;
   options.diagnosis.simulate_null = !options.table_null;
-  options.diagnosis.nudge = !options.no_guide;
+  options.diagnosis.nudge = !options.no_nudge;
   options.diagnosis.stop = StopOnInterrupt();
   options.diagnosis.kept_fits = folder.KeptFits();
   options.diagnosis.log = [&folder](const std::string& line) { folder.AppendLog(line); };
@@ -113,8 +113,9 @@ void AddAblationOptions(CLI::App* command, DiagnoseOptions* options) {
                     "score candidates without taking out what others can do");
   command->add_flag("--table-null", options->table_null,
                     "noise alone instead of the null that is simulated again");
-  command->add_flag("--no-guide", options->no_guide,
-                    "score along the free motion only, not along a nudged one, too");
+  command->add_flag("--no-nudge", options->no_nudge,
+                    "locate the missing force along the free motion, never along a nudged one");
+  command->add_flag("--no-guide", options->no_nudge)->group("");  // the same, not listed
 }
 
 }  // namespace

@@ -114,8 +114,9 @@ void AddRunOptions(CLI::App* command, TrialsOptions* options) {
                     "candidates do not compete with the baseline and the faults");
   command->add_flag("--table-null", options->settings.table_null,
                     "chi-squared tables instead of a re-simulated null");
-  command->add_flag("--no-guide", options->settings.no_guide,
-                    "score candidates along the free motion only");
+  command->add_flag("--no-nudge", options->settings.no_guide,
+                    "locate missing forces along the free motion, never along a nudged one");
+  command->add_flag("--no-guide", options->settings.no_guide)->group("");  // the same, not listed
   command->add_flag("--no-true-model", options->settings.no_true_model,
                     "do not find what the true model would predict, which costs a fit a trial");
   command->add_flag("--keep-recordings", options->settings.keep_recordings,

@@ -61,10 +61,10 @@ Diagnosis Diagnose(const Recording& recording, const Config& config,
                    const DiagnosisOptions& options) {
   return AtBoundary([&] {
     clothfit::Recording used = recording.data().recording;
-    const FitConfig& told = config.data().config;
-    told.Check("config");
-    if (told.leave_out_outliers) LeaveOutOutliers(&used);
-    CheckFittable(MakeScene(used, told), told);
+    const FitConfig& given = config.data().config;
+    given.Check("config");
+    if (given.leave_out_outliers) LeaveOutOutliers(&used);
+    CheckFittable(MakeScene(used, given), given);
     clothfit::DiagnosisOptions all = ToInternal(options);
     std::optional<DiagnosisFolder> folder;
     if (!options.folder.empty()) {
@@ -72,7 +72,7 @@ Diagnosis Diagnose(const Recording& recording, const Config& config,
       all.kept_fits = folder->KeptFits();
       all.log = [&folder](const std::string& line) { folder->AppendLog(line); };
     }
-    const clothfit::Diagnosis found = clothfit::Diagnose(used, told, all);
+    const clothfit::Diagnosis found = clothfit::Diagnose(used, given, all);
     if (folder) folder->Write(found);
     return ToDiagnosis(found);
   });

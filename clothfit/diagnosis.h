@@ -38,7 +38,7 @@ struct Model {
   std::vector<std::string> effects;  // all that are on, the newest last
   std::vector<Amount> amounts;
   double log_evidence = 0.0;  // for the newest effect, natural logarithm of the odds
-  double explained = 0.0;     // share of what the baseline left that is gone
+  double explained = 0.0;     // share of the baseline's residual that is gone
   bool kept = false;
 };
 
@@ -51,7 +51,7 @@ struct Diagnosis {
   std::vector<std::string>
       cannot_tell;                    // what the recording cannot tell from the first, itself too
   double residual_rms = 0.0;          // of the baseline's fit, in sigmas
-  double discretisation_rms = 0.0;    // that mesh and step make, in sigmas
+  double discretisation_rms = 0.0;    // the discretisation error, in sigmas
   std::vector<Candidate> candidates;  // best first
   std::vector<Model> models;          // that were fitted
   Config config;                      // of the answer, else of the baseline: fit it, simulate it

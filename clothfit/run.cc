@@ -135,10 +135,10 @@ Array ToFrames(const std::vector<Eigen::VectorXd>& frames, int num_particles) {
 
 Run Fit(const Recording& recording, const Config& config, const FitOptions& options) {
   return AtBoundary([&] {
-    const FitConfig& told = config.data().config;
-    if (!options.folder.empty()) return FitInto(options.folder, recording, told, options, nullptr);
+    const FitConfig& given = config.data().config;
+    if (!options.folder.empty()) return FitInto(options.folder, recording, given, options, nullptr);
     const auto passing = std::make_shared<const PassingFolder>();
-    return FitInto(passing->path / "run", recording, told, options, passing);
+    return FitInto(passing->path / "run", recording, given, options, passing);
   });
 }
 

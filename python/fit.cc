@@ -176,7 +176,7 @@ void AddDiagnosis(py::module_* module) {
                     "effects that the recording cannot tell from the first, itself among them")
       .def_readonly("residual_rms", &Diagnosis::residual_rms, "of the baseline's fit, in sigmas")
       .def_readonly("discretisation_rms", &Diagnosis::discretisation_rms,
-                    "that mesh and step make, in sigmas")
+                    "the discretisation error, of mesh and step, in sigmas")
       .def_readonly("candidates", &Diagnosis::candidates, "best first")
       .def_readonly("models", &Diagnosis::models, "that were fitted")
       .def_readonly("config", &Diagnosis::config, "of the answer; fit and Simulation take it");

@@ -7,7 +7,7 @@
 namespace clothfit {
 
 enum class Role {
-  kOrdinary,      // of every cloth and its world: there unless switched off
+  kOrdinary,      // of every cloth and its world, on unless switched off
   kMayBeMissing,  // off, and looked for: physics that a cloth may have and a model seldom has
   kContact,       // keeps apart what is known to be there
   kVariant,       // a second form of a term that is looked for

@@ -94,9 +94,9 @@ double RootMeanSquare(const Eigen::VectorXd& values) {
   return values.norm() / std::sqrt(std::max<double>(1.0, static_cast<double>(values.size())));
 }
 
-// How much of the error is there, 0 or more: what is found of its visible part (`squares`: of its
-// rows), which no entry makes up for, or as much of that as explains what is left beyond noise,
-// whichever is larger. Of the other part nothing is seen, so that it is taken to be as much.
+// How much of the error is there, 0 or more: the amount found of its visible part (`squares`: of
+// its rows), which no entry makes up for, or the amount of it that explains the residual beyond
+// noise, whichever is larger. Of the other part nothing is seen, so that it is taken to be as much.
 double Amplitude(const Misfit& misfit, double squares, double found) {
   if (!(squares > 0.0)) return 1.0;
   const double beyond_noise = std::max(0.0, misfit.chi_square - misfit.limit);

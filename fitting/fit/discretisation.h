@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What mesh and step do to a fit, and how far its markers and tracks are met.
+// The discretisation error of a fit, by mesh and step, and how far its markers and tracks are met.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct JointPointFit {
   std::vector<PointFit> of_each;
 };
 
-// Of the fitted markers and tracks at theta, without the error of mesh and step: one simulation.
+// Of the fitted markers and tracks at theta, without the discretisation error: one simulation.
 // Empty as below.
 std::optional<Misfit> MisfitOfPoints(const Scene& scene, const FitConfig& config,
                                      const Eigen::VectorXd& theta);
@@ -32,7 +32,7 @@ std::optional<Misfit> MisfitOfPoints(const Scene& scene, const FitConfig& config
 // Of the fitted markers and tracks at theta; empty where there are none, or they cannot be
 // simulated.
 //
-// The error of mesh and step is estimated from one simulation on the finer mesh (FinerSide) with
+// The discretisation error is estimated from one simulation on the finer mesh (FinerSide) with
 // half the step, as if both errors were of second order (Richardson): the converged simulation lies
 // 1 / (1 - 1 / kFiner^2) times as far off as the finer one, a little more than that of the step.
 // Where a mesh is no grid or a finer simulation fails it is not known. Recordings that are

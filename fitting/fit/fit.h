@@ -108,7 +108,8 @@ struct FitResult {
 };
 
 // Runs the fit. `resume` goes on from a checkpoint of the same scene and config. tells_misfit: with
-// a misfit of markers and tracks, and intervals that hold what mesh and step do, see AppraiseFit.
+// a misfit of markers and tracks, and intervals that hold the discretisation error, see
+// AppraiseFit.
 FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks = {},
                  const FitCheckpoint* resume = nullptr, bool tells_misfit = false);
 

@@ -36,7 +36,7 @@ class Fitter {
   void OnlyComeNear();
   // It begins where a coarser one has ended.
   void BeginNear() { is_near_ = true; }
-  // Its result tells noise from what mesh and step leave (MeasurePoints).
+  // Its result tells noise from the discretisation error (MeasurePoints).
   void TellMisfit() { tells_misfit_ = true; }
   void Begin(const FitCheckpoint* resume);
   // Instead of what follows: fits windows alone, the first most_lengths of num_lengths lengths. See

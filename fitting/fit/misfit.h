@@ -25,13 +25,13 @@ struct Misfit {
   // So many residuals say as much as one, of what is smooth in time and over the cloth: 1 plus the
   // correlations of one residual with all others.
   double correlation = 1.0;
-  // Root mean square of what mesh and step are thought to be wrong by
-  // (fitting/fit/discretisation.h); how many times that the residuals suggest; and the chi-square
-  // of what is left without what is found of it. Empty where they are not known.
+  // Root mean square of the discretisation error (fitting/fit/discretisation.h); how many times it
+  // is in the residuals, by their estimate; and the chi-square of the residuals without so much of
+  // it. Empty where they are not known.
   std::optional<double> discretisation, amplitude, without_discretisation;
 
   bool IsNoise() const { return chi_square <= limit; }
-  // No more than noise and what mesh and step leave.
+  // No more than noise and discretisation error.
   bool IsNoiseAndMesh() const {
     return std::min(chi_square, without_discretisation.value_or(chi_square)) <= limit;
   }

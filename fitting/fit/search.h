@@ -72,7 +72,7 @@ SearchResult Search(const Scene& scene, const FitConfig& config, const SearchOpt
 
 // A whole fit with report and intervals, by whatever the config asks for: RunFit's, followed where
 // it stalls by a search of the fabric on the hard error; or Search. Of markers and tracks it tells
-// noise from what mesh and step leave (MeasurePoints).
+// noise from the discretisation error (MeasurePoints).
 FitResult FitByStrategy(const Scene& scene, const FitConfig& config,
                         const FitCallbacks& callbacks = {});
 

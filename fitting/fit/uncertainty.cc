@@ -93,8 +93,8 @@ std::string Describe(const std::vector<FreeEntry>& entries, const Eigen::VectorX
       "the combination {} is not determined by the recording; it is held at the priors", names);
 }
 
-// What the data know of the free vector: information and gradient at the size that residuals really
-// have, with the amount of the error of mesh and step marginalised.
+// The data's information on the free vector: matrix and gradient at the size that residuals really
+// have, with the amount of the discretisation error marginalised.
 struct DataKnow {
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;

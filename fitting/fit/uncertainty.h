@@ -15,9 +15,9 @@ namespace clothfit {
 // Errors beyond independent noise that the intervals have to hold.
 struct ModelErrors {
   double correlation = 1.0;  // residuals that say as much as one: variances grow by it
-  // What mesh and step are wrong by, in sigmas, as far as the free entries make up for it: e. Its
-  // products with the Jacobian and with itself. It is one more unknown how many times it is there:
-  // 0, give or take `amplitude`. Empty where e is not known.
+  // The discretisation error e in sigmas, as far as the free entries make up for it. Its products
+  // with the Jacobian and with itself. It is one more unknown how many times it is there: 0, give
+  // or take `amplitude`. Empty where e is not known.
   Eigen::VectorXd by_entries;
   double squares = 0.0, amplitude = 0.0;
 };

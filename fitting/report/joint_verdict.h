@@ -13,8 +13,8 @@
 
 namespace clothfit {
 
-// Good: converged, with residuals in all recordings that noise, mesh and step may leave. Partial:
-// better than the start in all. Else poor.
+// Good: converged, with residuals in all recordings that noise and discretisation error may leave.
+// Partial: better than the start in all. Else poor.
 PageVerdict JudgeJointFit(const nlohmann::ordered_json& summary);
 
 // sqrt(3) sigmas of a coordinate for the distance of a marker, sqrt(2) for that of a track: what

@@ -92,15 +92,15 @@ MeshCase RunCase(const Motion& motion, const SyntheticRecording& truth, int part
   config.resolution = {particles, particles};
   config.buckling = buckles;
   config.max_iterations = options.max_iterations;
-  FitConfig told = config;
+  FitConfig truth_config = config;
   for (const auto& [name, value] : truth.truth_parameters) {
-    const auto setting = told.parameters.find(name);
-    if (setting != told.parameters.end()) setting->second.value = value;
+    const auto setting = truth_config.parameters.find(name);
+    if (setting != truth_config.parameters.end()) setting->second.value = value;
   }
   const std::vector<NamedParameter> table = MakeParameterTable();
   const Scene scene = MakeScene(truth.recording, config);
-  const FreeParameters known(told, scene, table);
-  result.at_truth = Follow(truth, scene, told, known, known.start());
+  const FreeParameters known(truth_config, scene, table);
+  result.at_truth = Follow(truth, scene, truth_config, known, known.start());
   if (!options.fit) return result;
   if (motion.in_wind) SetFree("mesh study", UniformWind::kName, true, &config);
   const FitResult fit = FitByStrategy(scene, config);

@@ -93,6 +93,21 @@ TEST(CommandLine, GroupsOptionsAndTellsDefaults) {
   EXPECT_THAT(fit, HasSubstr("(default: lm)"));
 }
 
+TEST(CommandLine, TakesAnOlderNameOfAnOptionAndDoesNotListIt) {
+  const TestFolder folder;
+  for (const char* command : {"diagnose", "trials"}) {
+    const std::string help = RunCommand({"help", command}, folder.path()).out;
+    EXPECT_THAT(help, HasSubstr("--no-nudge"));
+    EXPECT_THAT(help, testing::Not(HasSubstr("--no-guide")));
+  }
+  const std::vector<std::string> list = {"trials", "--list", "unlisted", "--only", "vortex"};
+  for (const char* option : {"--no-nudge", "--no-guide"}) {
+    std::vector<std::string> words = list;
+    words.emplace_back(option);
+    EXPECT_EQ(RunCommand(words, folder.path()).status, 0) << option;
+  }
+}
+
 TEST(CommandLine, TakesTheBeginningsOfCommands) {
   const TestFolder folder;
   const std::string check = RunCommand({"check", "--help"}, folder.path()).out;

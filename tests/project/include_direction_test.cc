@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Includes flow one way: autodiff_sim <- tracking <- fitting <- apps <- clothfit, and inside each
-// of these and of their rooms that have rooms themselves from floor to floor.
+// of these and of their rooms that have rooms themselves from floor to floor. The page on the
+// architecture names every room.
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -21,10 +22,11 @@ namespace {
 // A floor is one or more rooms; a room may include itself and the floors before its own.
 using Floors = std::vector<std::set<std::string>>;
 
-// By folder; "" is the project's own.
+// By folder; "" is the project's own. A room "" has the folder's files that lie in no room.
 const std::map<std::string, Floors> kRooms = {
     {"",
      {{"autodiff_sim"}, {"tracking"}, {"fitting"}, {"apps"}, {"clothfit"}, {"python", "examples"}}},
+    {"apps", {{"launcher", "report"}, {""}}},
     {"autodiff_sim",
      {{"base"}, {"linear", "mesh"}, {"contact"}, {"term"}, {"terms"}, {"step"}, {"scenes"}}},
     {"tracking",
@@ -60,6 +62,7 @@ const std::map<std::string, Floors> kRooms = {
       {"law"},
       {"answer"},
       {"pipeline"}}},
+    {"fitting/trials", {{"terms", "finite_elements"}, {""}}},
 };
 const Floors& kLayers = kRooms.at("");
 
@@ -178,6 +181,39 @@ TEST(IncludeDirection, ReportsEveryWrongInclude) {
                            "tracking/features/rays.cc:4: #include \"../fitting/fit.h\"",
                            "tracking/features/rays.cc:5: #include \"rays.h\"",
                            "tracking/features/rays.cc:6: #include \"tracking/import/colmap.h\""));
+}
+
+// The words of a page in the first columns of its picture, and the folders that it quotes.
+std::set<std::string> RoomsNamedIn(const std::vector<std::string>& page) {
+  constexpr std::size_t kRoomColumns = 46;  // descriptions begin there
+  static const std::regex kWord("[a-z_]+"), kQuoted("`([a-z_]+/)*([a-z_]+)/`");
+  const std::sregex_iterator end;
+  std::set<std::string> rooms;
+  for (const std::string& line : page) {
+    const std::string picture = line.rfind("    ", 0) == 0 ? line.substr(0, kRoomColumns) : "";
+    for (std::sregex_iterator i(picture.begin(), picture.end(), kWord); i != end; ++i)
+      rooms.insert(i->str());
+    for (std::sregex_iterator i(line.begin(), line.end(), kQuoted); i != end; ++i)
+      rooms.insert(i->str(2));
+  }
+  return rooms;
+}
+
+TEST(IncludeDirection, ThePageNamesEveryRoom) {
+  const std::vector<SourceFile> docs = ReadFolders(CLOTHFIT_SOURCE_DIR, {"docs"});
+  const auto page = std::find_if(docs.begin(), docs.end(), [](const SourceFile& file) {
+    return file.path == "docs/architecture.md";
+  });
+  ASSERT_NE(page, docs.end());
+  const std::set<std::string> named = RoomsNamedIn(page->lines);
+  for (const auto& [folder, floors] : kRooms) {
+    for (const std::set<std::string>& floor : floors) {
+      for (const std::string& room : floor)
+        EXPECT_TRUE(room.empty() || named.count(room) > 0) << folder << "/" << room;
+    }
+  }
+  EXPECT_EQ(RoomsNamedIn({"    tracking   files", "of `fitting/runs/`, not `step.h` or law"}),
+            (std::set<std::string>{"tracking", "files", "runs"}));
 }
 
 // Of any two rooms of a folder at most one may include the other.

@@ -43,12 +43,12 @@ enum class Verdict {
   kNamed,             // effects are kept
   kObservationFault,  // the only thing wrong is the observation
   kNoneOfTheAbove,    // something is missing, and no candidate explains most of it
-  kUndecided,         // the baseline's fit came to no minimum, so what it leaves tells nothing
+  kUndecided,         // the baseline's fit came to no minimum, so its residuals tell nothing
   kInterrupted,
 };
 std::string ToString(Verdict verdict);
 
-// What was learned where no effect explains what is missing.
+// A law that was learned where no effect explains the missing force.
 struct Law {
   Model model;          // with its coefficients as parameters
   std::string formula;  // with units and range
@@ -74,11 +74,11 @@ struct Diagnosis {
   FitConfig baseline;
   FitResult baseline_fit;
   double residual_rms = 0.0;        // of the baseline's fit, in sigmas
-  double discretisation_rms = 0.0;  // that mesh and step make, in sigmas
+  double discretisation_rms = 0.0;  // D, in sigmas
   std::optional<Misfit> misfit;     // of the baseline's markers and tracks
   // Of the whole residual against the null; not a number where that was not asked for.
   double gate_p_value = std::numeric_limits<double>::quiet_NaN();
-  // What is left when the observation's faults have taken their part, in sigmas: of the recording
+  // The residual when the observation's faults have taken their part, in sigmas: of the recording
   // (not a number as above), and of every draw of the null.
   double left_rms = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> null_left_rms;

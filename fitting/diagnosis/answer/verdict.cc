@@ -16,7 +16,7 @@ double MostOfIt(double unexplained, bool is_lost) {
 
 namespace {
 
-// Would a full step of the fit explain half of what it leaves beyond noise?
+// Would a full step of the fit explain half of its residual beyond noise?
 bool PromisesMost(double promised, double unexplained) {
   constexpr double kMost = 0.5;
   const double beyond = unexplained * unexplained;

@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a diagnosis comes to.
+// The verdict of a diagnosis.
 #pragma once
 
 #include "fitting/diagnosis/answer/diagnosis.h"
 
 namespace clothfit {
 
-// What is known once the last round is over.
+// All that the verdict is read from once the last round is over.
 struct Outcome {
   bool has_physics = false;   // was physics kept?
-  bool is_explained = false;  // does the last fit leave no more than noise, and mesh and step?
-  double explained = 0.0;     // share of what was beyond that without physics
-  double unexplained = 0.0;   // root mean square beyond noise that the last fit leaves, sigmas
-  double mesh = 0.0;          // what mesh and step do, likewise; 0 where that is not known
+  bool is_explained = false;  // does the last fit leave no more than noise and D?
+  double explained = 0.0;     // share of the residual beyond them without physics
+  double unexplained = 0.0;   // residual of the last fit beyond noise, delta, sigmas
+  double mesh = 0.0;          // the discretisation error D, sigmas; 0 where it is not known
   double most = 0.9;          // the share that named physics has to explain
 };
 

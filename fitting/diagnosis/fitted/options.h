@@ -34,7 +34,7 @@ struct DiagnosisOptions {
   // Ablations.
   bool project = true;  // candidates compete after the baseline and the faults took their part
   bool simulate_null = true;  // false: chi-squared tables
-  bool nudge = true;          // false: no scores along a nudged motion
+  bool nudge = true;          // false: the force is located along the free motion
   std::function<void(const std::string& stage, double fraction)> progress;
   std::function<void(const std::string&)> log;
   // Called after each effect with what an interrupted diagnosis would answer.

@@ -89,8 +89,8 @@ std::optional<Rows> EvaluateRows(
 // Beyond so many rows not every frame is looked at.
 inline constexpr int kMostRows = 20000;
 
-// Residuals (rows of `frames`) when what is simulated is `fine` and what predicts has the mesh of
-// `coarse`: between the two lies what mesh and step leave out. Both must be of one recording.
+// Residuals (rows of `frames`) where `fine` stands for the recording and the mesh of `coarse`
+// predicts it: their discretisation error. Both must be of one recording.
 std::optional<Eigen::VectorXd> ResidualsOfOtherSteps(const FittedScene& fine,
                                                      const FittedScene& coarse,
                                                      const RowFrames& frames);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The baseline's own fit: what it leaves is what a diagnosis looks at, so that it may not end in a
-// local minimum of the cost.
+// The baseline's own fit: a diagnosis explains its residuals, so that it may not end in a local
+// minimum of the cost.
 #pragma once
 
 #include "fitting/diagnosis/fitted/options.h"

@@ -6,7 +6,7 @@
 
 namespace clothfit {
 
-// p-value of what the baseline leaves below which something is missing.
+// p-value of the baseline's residuals below which something is missing.
 inline constexpr double kGate = 0.01;
 
 }  // namespace clothfit

@@ -210,7 +210,7 @@ DiscretisationErrors MeasureDiscretisationErrors(const FittedScene& fitted, cons
     if (!seen) continue;
     std::optional<Refit> refit = FitAgain(drawn, frames, baseline, *seen, way, stop);
     // A lively cloth can go elsewhere altogether, and then it is no recording like this one.
-    constexpr double kLikeThisOne = 3.0;  // times what the fit leaves of the recording itself
+    constexpr double kLikeThisOne = 3.0;  // times the residuals of the recording itself
     const bool is_alike = refit && refit->left.norm() <= kLikeThisOne * baseline.residuals.norm();
     if (!is_alike) {
       ++errors.num_elsewhere;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a fit leaves where nothing is missing: the fitted baseline simulated on a finer mesh with a
-// shorter step, seen by cameras and markers with the errors of well-made ones, with noise.
+// Residuals of a fit where nothing is missing, the null: the fitted baseline simulated on a finer
+// mesh with a shorter step, seen by cameras and markers with the errors of well-made ones, with
+// noise.
 #pragma once
 
 #include <atomic>
@@ -19,10 +20,10 @@ namespace clothfit {
 // One sigma of the amounts of numerical error that are taken out where a force is located.
 inline constexpr double kDiscretisationSigma = 2.0;
 
-// What mesh and step leave: of recordings on the finer mesh with half the step, at parameters drawn
-// around the fit. The baseline was fitted to them again, and these are what that leaves: a fit
-// takes most of what mesh and step change for material parameters. They are larger by the error
-// that the finer mesh still has.
+// Discretisation errors: residuals of twins, which are simulated on the finer mesh with half the
+// step, at parameters drawn around the fit, after the baseline was fitted to them again. Such a fit
+// takes most effects of mesh and step for material parameters. The residuals are larger by the
+// error that the finer mesh still has.
 struct DiscretisationErrors {
   Eigen::Index num_rows = 0;
   std::vector<Eigen::VectorXd> at_draws;  // rows

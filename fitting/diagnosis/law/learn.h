@@ -20,11 +20,11 @@ struct LearnedFit {
   std::vector<std::string> names;  // of the coefficients that are kept
 };
 
-// Scores the families of features as candidates are scored, fits the best two (far off, from the
-// material parameters that the config `given` has, too, nudged to what was observed), takes out of
-// the better one what its own 95 % intervals hold for nothing, and fits again until all that is
-// left is something; then looks for a second family beside it, unless the first leaves no more than
-// the null. Nothing where no family passes the null.
+// Scores the families of features as candidates are scored, fits the best two (FitFirst; at large
+// residuals from the material parameters of the config `given`, too), takes out of the better one
+// the coefficients whose own 95 % intervals hold 0, and fits again until none does; then looks for
+// a second family beside it, unless the first leaves no more than the null. Nothing where no family
+// passes the null.
 std::optional<LearnedFit> LearnLaw(const FittedScene& baseline, const FitConfig& given,
                                    const Ranking& ranking, const DiagnosisOptions& options);
 

@@ -153,7 +153,7 @@ class PatchSearch {
     if (candidate.score > best_.score) best_ = candidate;
   }
 
-  // Sums over the knots; what is left are the nodes' equations.
+  // Sums over the knots, which leaves the nodes' equations.
   void ReduceTime(const Eigen::VectorXd& weights, Eigen::MatrixXd* information,
                   Eigen::VectorXd* data) const {
     const int size = layout_.per_knot();
@@ -167,7 +167,7 @@ class PatchSearch {
     }
   }
 
-  // Sums over the nodes; what is left are the knots' equations.
+  // Sums over the nodes, which leaves the knots' equations.
   void ReducePlace(const Eigen::VectorXd& weights, Eigen::MatrixXd* information,
                    Eigen::VectorXd* data) const {
     Eigen::MatrixXd pattern = Eigen::MatrixXd::Zero(layout_.size(), 3 * layout_.num_knots);

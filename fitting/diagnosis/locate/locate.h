@@ -39,8 +39,8 @@ Eigen::MatrixXd MapStatistics(const MissingForce& missing, const Eigen::MatrixXd
 
 // Share of recordings without a missing force, the observed one counted among them, whose map's
 // largest statistic is at least the observed one's. Each (node, knot) is first put in units of what
-// all of these show there, so that a place where mesh and step err is not held for a find. Without
-// nulls from a chi-squared table, as if the residuals were noise alone.
+// all of these show there, so that a place with a large discretisation error is not held for a
+// find. Without nulls from a chi-squared table, as if the residuals were noise alone.
 double MapPValue(const MissingForce& missing);
 
 struct LocateOptions {

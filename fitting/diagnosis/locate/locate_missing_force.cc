@@ -84,7 +84,7 @@ class MissingForceLocator {
     return true;
   }
 
-  // The faults' columns, then those of mesh and step.
+  // The faults' columns, then the discretisation errors.
   RowMajorMatrix NuisanceColumns(int frame, const State& state) const {
     const RowMajorMatrix of_faults =
         FaultColumns(fitted_.scene, fitted_.config, observations_, faults_, frame, state);

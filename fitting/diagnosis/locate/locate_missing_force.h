@@ -24,13 +24,13 @@ struct LocatedForce {
 };
 
 // Nothing where the simulation fails, or where no frame after the first is observed. `errors`:
-// those of the fit's mesh and step, where they are known.
+// the discretisation errors of the fit, where they are known.
 std::optional<LocatedForce> LocateMissingForce(const FittedScene& fitted,
                                                const DiagnosisOptions& options,
                                                const DiscretisationErrors* errors = nullptr);
 
-// Residuals of recordings in which nothing is missing, one a column: noise of unit variance, what
-// mesh and step leave of a simulation of the baseline, and well-made recordings' faults.
+// Residuals of recordings in which nothing is missing, one a column: noise of unit variance,
+// discretisation errors of the baseline, and well-made recordings' faults.
 // fault_columns: d residuals / d faults, rows x faults.
 Eigen::MatrixXd DrawNullResiduals(const std::vector<Eigen::VectorXd>& numerical,
                                   const Eigen::MatrixXd& fault_columns,

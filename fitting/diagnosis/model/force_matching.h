@@ -3,7 +3,7 @@
 //
 // What else could make the force that a fitted model's effect makes. Two effects that a recording
 // cannot tell apart push the cloth alike along the motion that both explain; scores around a
-// baseline that is far off need not say so, nor where the other would begin.
+// baseline with large residuals need not say so, nor where the other would begin.
 #pragma once
 
 #include <vector>

@@ -83,11 +83,11 @@ std::optional<FittedScene> ModelScreening::FirstFit(const FittedScene& current,
   return model;
 }
 
-// Physics by its score, whatever the null does as well: mesh and step are the deciding mesh's
-// business. Faults that are larger than in well-made recordings beside it. Far off, where a linear
-// score says little, default terms too, each by itself and all of it together.
-std::vector<RankedCandidate> ModelScreening::Entrants(const Ranking& ranking) const {
-  std::vector<RankedCandidate> entrants;
+// Physics by its score, whatever the null does as well: discretisation is the deciding mesh's
+// business. Faults that are larger than in well-made recordings beside it. At large residuals,
+// where a linear score says little, default terms too, each by itself and all of it together.
+std::vector<RankedCandidate> ModelScreening::CandidatesToFit(const Ranking& ranking) const {
+  std::vector<RankedCandidate> chosen;
   int num_physics = 0, num_faults = 0;
   for (const RankedCandidate& candidate : ranking.candidates) {
     const Candidate& c = candidate.summary;
@@ -96,15 +96,15 @@ std::vector<RankedCandidate> ModelScreening::Entrants(const Ranking& ranking) co
     int& count = is_physics ? num_physics : num_faults;
     if (!is_worth_it || count >= (is_physics ? options_.max_models : kMostFaults)) continue;
     ++count;
-    entrants.push_back(candidate);
+    chosen.push_back(candidate);
   }
-  if (ranking.residual_rms < kLargeResidual) return entrants;
+  if (ranking.residual_rms < kLargeResidual) return chosen;
   for (const RankedCandidate& candidate : ranking.candidates) {
-    if (!IsAmong(entrants, candidate.summary.name) && IsDefaultTerm(candidate))
-      entrants.push_back(candidate);
+    if (!IsAmong(chosen, candidate.summary.name) && IsDefaultTerm(candidate))
+      chosen.push_back(candidate);
   }
-  if (const std::optional<RankedCandidate> all = AllDefaultTerms(ranking)) entrants.push_back(*all);
-  return entrants;
+  if (const std::optional<RankedCandidate> all = AllDefaultTerms(ranking)) chosen.push_back(*all);
+  return chosen;
 }
 
 std::vector<FittedModel> ModelScreening::RunAll(const std::vector<RankedCandidate>& screened,
@@ -142,7 +142,7 @@ std::vector<FittedModel> ModelScreening::Screen(
 
 std::vector<FittedModel> ModelScreening::Run(const FittedScene& current,
                                              const Ranking& ranking) const {
-  std::vector<FittedModel> models = Screen(current, ranking, Entrants(ranking));
+  std::vector<FittedModel> models = Screen(current, ranking, CandidatesToFit(ranking));
   if (!models.empty() && models.front().candidate.faults.empty())
     Merge(FitCompetitors(current, ranking, models), &models);
   for (const FittedModel& model : models) {
@@ -155,7 +155,7 @@ std::vector<FittedModel> ModelScreening::Run(const FittedScene& current,
 
 std::vector<FittedModel> ModelScreening::FitFaults(const FittedScene& current,
                                                    const Ranking& ranking) const {
-  std::vector<RankedCandidate> faults = Entrants(ranking);
+  std::vector<RankedCandidate> faults = CandidatesToFit(ranking);
   faults.erase(std::remove_if(faults.begin(), faults.end(),
                               [](const RankedCandidate& one) { return one.faults.empty(); }),
                faults.end());

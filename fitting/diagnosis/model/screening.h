@@ -26,7 +26,7 @@ inline constexpr double kNearBest = 0.9;
 class ModelScreening {
  public:
   // `baseline`: the config that a diagnosis was given, whose material parameters models begin from
-  // where the fitted one is far off. Both must outlive this.
+  // where the fitted one leaves large residuals. Both must outlive this.
   ModelScreening(const FitConfig& baseline, const DiagnosisOptions& options)
       : baseline_(baseline), options_(options), runner_(options) {}
 
@@ -44,7 +44,7 @@ class ModelScreening {
                                           const std::vector<FittedModel>& models) const;
 
  private:
-  std::vector<RankedCandidate> Entrants(const Ranking& ranking) const;
+  std::vector<RankedCandidate> CandidatesToFit(const Ranking& ranking) const;
   // Fits each of them, and those further that may come first.
   std::vector<FittedModel> Screen(const FittedScene& current, const Ranking& ranking,
                                   const std::vector<RankedCandidate>& screened) const;

@@ -31,7 +31,7 @@ ModelStart WithEffectOf(const FittedScene& model, const RankedCandidate& candida
                         const FittedScene& fitted);
 
 // From the material parameters that a config was given, where that is free, and with a candidate's
-// amounts where a fit of its term begins: an estimate that was made far off may be anything.
+// amounts where a fit of its term begins: an estimate made at large residuals may be anything.
 ModelStart FromNothing(const FitConfig& given, ModelStart start, const RankedCandidate& candidate);
 
 // The start of an effect that was just switched on, at the share of its linear estimate that comes
@@ -40,8 +40,9 @@ ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,
                        const RankedCandidate& candidate, const FitRunner& runner);
 
 // The same of a candidate that was just switched on. Of physics by windows that grow, which do not
-// ask for a good start; where there are none, from its best share and, where that is left far off,
-// from nothing, too: material parameters that had to stand for what was missing are no good start.
+// ask for a good start; where there are none, from its best share and, where that leaves large
+// residuals, from nothing, too: material parameters that had to stand for missing physics are no
+// good start.
 std::optional<FittedScene> FitFirst(const FittedScene& fitted, const ModelStart& start,
                                     const FitConfig& given, const RankedCandidate& candidate,
                                     int most_iterations, const FitRunner& runner);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every simulation has by default (drag of still air, dampings, friction of
-// the ground), where a baseline lacks it. A cloth without it may be so lively that no derivative of
-// its motion tells anything; but such physics has values to begin with, and is tried with them.
+// Default terms: ordinary physics (Role::kOrdinary) that a baseline lacks, such as drag of still
+// air, dampings, friction of the ground. A cloth without it may be so lively that no derivative of
+// its motion tells anything; but such physics has initial values, and is tried with them.
 #pragma once
 
 #include <optional>

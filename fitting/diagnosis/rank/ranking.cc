@@ -163,7 +163,7 @@ void Ranker::Scale() {
   gram_ = scale_.asDiagonal() * gram_ * scale_.asDiagonal();
 }
 
-// What mesh and step leave when baseline and faults have taken their part, in sigmas.
+// D_0: the discretisation error when baseline and faults have taken their part, in sigmas.
 double Ranker::DiscretisationRms(const Projection& projection) const {
   const auto sum_of = [&](int column) {
     return projection.gram()(column, column) / (scale_[column] * scale_[column]);
@@ -415,8 +415,8 @@ Ranking Ranker::Run() {
         null_scores[k] = std::max(null_scores[k], scorer.Of(projected[k]).decrease);
     }
     Judge(projection, null_scores, &candidate);
-    // What stands out by its pattern is there to be explained, however much mesh and step may
-    // leave: where it can be held to simulated recordings of the baseline.
+    // A candidate that stands out by its pattern is there to be explained, however large the
+    // discretisation error: where it can be held to simulated recordings of the baseline.
     if (HasPoints(fitted_.scene) && candidate.summary.p_value < kByItsPattern)
       ranking.explainable = std::max(ranking.explainable, candidate.summary.score);
     ranking.candidates.push_back(std::move(candidate));

@@ -51,12 +51,12 @@ struct RankedCandidate {
 struct Ranking {
   std::vector<RankedCandidate> candidates;  // the highest score first
   std::vector<Fault> faults;
-  double gate_p_value = 1.0;          // of what is left when the faults have taken their part
+  double gate_p_value = 1.0;          // of the residual when the faults have taken their part
   double left_rms = 0.0;              // root mean square of the same, in sigmas
   std::vector<double> null_left_rms;  // the same of every draw of the null
-  double unexplained = 0.0;           // the same in sums of squares, above what the null leaves
+  double unexplained = 0.0;           // the same in sums of squares, above that of the null
   double residual_rms = 0.0,
-         discretisation_rms = 0.0;  // in sigmas: of all rows, and of mesh and step alone
+         discretisation_rms = 0.0;  // in sigmas: of all rows, and of the twins, D_0
   double null_mean = 0.0;           // sum of squares that the null leaves
   // The most that all candidates together could take of it, above what they take of the null.
   double explainable = 0.0;
@@ -66,9 +66,10 @@ struct Ranking {
   // Cosine of two candidates' effects after projection; 0 for observation faults.
   double Cosine(const RankedCandidate& a, const RankedCandidate& b) const;
   std::optional<Projection> projection;
-  // Of the fit's mesh and step: for a later ranking or location on the same ones.
+  // The discretisation errors of the fit: for a later ranking or location on the same mesh and
+  // step.
   std::shared_ptr<const DiscretisationErrors> errors;
-  // What they do to a prediction of held-out frames, root mean square; 0 where that is not known.
+  // D_h, their part in a prediction of held-out frames, root mean square; 0 where it is not known.
   double PredictionError() const { return errors ? errors->held_out_rms : 0.0; }
 };
 
@@ -76,12 +77,12 @@ struct Ranking {
 struct RankingStart {
   std::shared_ptr<const DiscretisationErrors> errors;  // null: measured
   CandidateSet set = CandidateSet::kCatalogue;
-  int draws = 3;        // of the errors of mesh and step, where they are measured
+  int draws = 3;        // of the discretisation error, where it is measured
   int probes = 8;       // places, times and shapes of a candidate that are looked at first
   int refinements = 2;  // of the best ones' places and shapes
 };
 
-// Forecasts are held to noise alone, what mesh and step do to them is not asked.
+// Forecasts are held to noise alone, without their discretisation error.
 // Throws std::runtime_error where the fitted scene cannot be simulated.
 Ranking RankCandidates(const FittedScene& fitted, const DiagnosisOptions& options,
                        const RankingStart& start = {});

@@ -59,7 +59,7 @@ std::string WhyNot(const RankedCandidate& candidate, bool has_points, bool may_b
     return fmt::format("the null does as much with p = {:.2g}", summary.p_value);
   // A fit in a local minimum errs by more, and otherwise, than the null tells.
   if (ranking.residual_rms > kLargeResidual && IsFault(candidate) && !candidate.Exceeds(kStandsOut))
-    return "the fit is far off, and it does not stand out of the null";
+    return "the fit leaves large residuals, and it does not stand out of the null";
   if (may_be_mesh && !IsFault(candidate)) return "mesh and step may make all that is left";
   if (IsFault(candidate) && !IsBeyondWellMade(candidate, ranking))
     return "no larger than in well-made recordings";
@@ -77,7 +77,8 @@ void ShortList(bool has_points, const DiagnosisOptions& options, Ranking* rankin
   std::vector<double> p_values;
   for (const RankedCandidate& c : ranking->candidates) p_values.push_back(c.summary.p_value);
   const std::vector<double> rates = FalseDiscoveryRates(p_values);
-  // Of outlines alone nothing is validated against mesh and step, so that more has to be left.
+  // Of outlines alone no model is validated against the discretisation error: the residual has to
+  // be larger.
   const bool may_be_mesh = !has_points && ranking->gate_p_value >= kGate;
   double of_fault = HUGE_VAL;  // the lowest score of a fault that is short-listed
   for (std::size_t i = 0; i < ranking->candidates.size(); ++i) {

@@ -17,8 +17,8 @@ namespace clothfit {
 struct HeldOutValidation {
   double before = 0.0, after = 0.0;
   double improvement_lower95 = 0.0;  // of before - after, by a block bootstrap
-  double noise = 0.0;                // what the observations' noise alone comes to
-  double irreducible = 0.0;          // what mesh, step and noise alone may make of `before`
+  double noise = 0.0;                // of the observations alone
+  double irreducible = 0.0;  // the part of `before` that noise and discretisation error may make
   bool is_validated = false;
   bool is_in_pixels = false;
   // Of a fault of one source: the errors are its own alone, along a motion that follows whatever
@@ -28,7 +28,7 @@ struct HeldOutValidation {
 
 // Errors that no model of the physics takes away, in the unit of the errors.
 struct IrreducibleError {
-  double noise = 0.0, discretisation = 0.0;  // of the observations; of mesh and step
+  double noise = 0.0, discretisation = 0.0;  // of the observations; D_h
 };
 
 // The fall of the root mean square error and the lower end of its one-sided 95 % interval, by a

@@ -16,8 +16,8 @@ namespace clothfit {
 std::optional<int> FaultySource(const RankedCandidate& candidate, const Ranking& ranking);
 
 // A model against the fit without what it has. `source`: a camera is put right where it looks, by
-// its own tracks, where there are markers, too. by_mesh: what mesh and step do to a prediction (m
-// or px, root mean square), which an improvement has to exceed; it does nothing to a source.
+// its own tracks, where there are markers, too. by_mesh: D_h, the discretisation error of a
+// prediction (m or px, root mean square), which an improvement has to exceed; a source has none.
 HeldOutValidation ValidateOnHeldOut(const FittedScene& model, const FittedScene& before,
                                     std::optional<int> source, double by_mesh, std::uint64_t seed);
 

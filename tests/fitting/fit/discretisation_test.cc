@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What mesh and step do to a fit, against fits and simulations on finer meshes.
+// The discretisation error of a fit, against fits and simulations on finer meshes.
 #include "fitting/fit/discretisation.h"
 
 #include <cmath>

@@ -21,7 +21,7 @@ TEST(Verdict, NamesPhysicsThatLeavesTooLittleToAskFor) {
   const Diagnosis diagnosis;
   EXPECT_EQ(VerdictOf(diagnosis, WithPhysics(0.85, 0.9)), Verdict::kNamed);
   EXPECT_EQ(VerdictOf(diagnosis, {true, true, 0.85, 1.5}), Verdict::kNamed);
-  // Mesh and step may make what is left.
+  // The residual may be discretisation error.
   EXPECT_EQ(VerdictOf(diagnosis, {true, false, 0.85, 1.5, 2.0}), Verdict::kNamed);
   EXPECT_EQ(VerdictOf(diagnosis, {true, false, 0.85, 1.5, 1.2}), Verdict::kNoneOfTheAbove);
 }

@@ -38,7 +38,7 @@ const RankedCandidate& Named(const Ranking& ranking, std::string_view name) {
   return *found;
 }
 
-// What mesh and step leave: noise of so many sigmas.
+// Discretisation errors: noise of so many sigmas.
 std::shared_ptr<const DiscretisationErrors> ErrorsOf(const FittedScene& fitted, double sigmas) {
   const ObservationResiduals observations(fitted.scene, fitted.config);
   const Eigen::Index rows = RowFrames(fitted.scene, observations, kMostRows).num_rows();

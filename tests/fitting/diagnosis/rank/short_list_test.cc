@@ -98,12 +98,12 @@ TEST(ShortList, AFaultHasToBeLargerThanWellMadeRecordingsHaveIt) {
 }
 
 TEST(ShortList, WithLargeResidualsAFaultHasToStandOutTwice) {
-  Ranking far_off = Ranked({Shift(0.004, 0.003, 0.5)});
-  EXPECT_EQ(WhyNot(far_off), "");
-  far_off.residual_rms = 2.5;
-  EXPECT_EQ(WhyNot(far_off), "the fit is far off, and it does not stand out of the null");
-  far_off.candidates.front().summary.detection_limit = 0.001;
-  EXPECT_EQ(WhyNot(far_off), "");
+  Ranking large = Ranked({Shift(0.004, 0.003, 0.5)});
+  EXPECT_EQ(WhyNot(large), "");
+  large.residual_rms = 2.5;
+  EXPECT_EQ(WhyNot(large), "the fit leaves large residuals, and it does not stand out of the null");
+  large.candidates.front().summary.detection_limit = 0.001;
+  EXPECT_EQ(WhyNot(large), "");
 }
 
 TEST(ShortList, PhysicsThatExplainsMoreCompetesWithAFault) {

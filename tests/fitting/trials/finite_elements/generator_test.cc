@@ -3,6 +3,8 @@
 //
 // The trials' second generator: its energy against its forces, a plate and a membrane by hand, and
 // the cloth that it simulates against clothfit's own.
+#include "fitting/trials/finite_elements/generator.h"
+
 #include <cmath>
 #include <random>
 
@@ -10,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include "fitting/trials/finite_elements/cloth.h"
-#include "fitting/trials/finite_elements/generator.h"
 #include "fitting/trials/recording.h"
 
 namespace clothfit {

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The terms of trials keep the contract of autodiff_sim/term/term.h, as clothfit's own do.
+#include "fitting/trials/terms/trial_terms.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/gradient_check.h"
-#include "fitting/trials/terms/trial_terms.h"
 #include "tests/autodiff_sim/terms/term_sample.h"
 
 namespace clothfit {
