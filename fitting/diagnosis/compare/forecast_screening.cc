@@ -26,7 +26,7 @@ constexpr double kMayWin = 0.5;         // of what the best gains on the coarse 
 // The share that a model explains on the deciding mesh was 0.9 to 1.3 times that on the coarse one
 // (docs/adr/0026-second-effects-on-the-coarse-mesh.md).
 constexpr double kOnCoarse = 0.75;
-constexpr double kMayCome = 0.25;       // of what the best gains in forecasts of half that length
+constexpr double kMayCome = 0.25;  // of what the best gains in forecasts of half that length
 constexpr int kScreeningIterations = 5, kIterations = 8;  // on the coarse mesh, of each length
 constexpr int kFirstLengths = 1;        // of forecasts, by which most models are put aside
 constexpr std::size_t kMostStarts = 2;  // of a model
@@ -101,22 +101,22 @@ void JudgeModels(const FittedScene& before, std::vector<JudgedModel>* judged) {
   });
 }
 
-std::vector<RankedCandidate> ForecastScreening::Entrants(
+std::vector<RankedCandidate> ForecastScreening::CandidatesToFit(
     const FittedScene& base, const Ranking& ranking,
     const std::vector<ContactShape>& contacts) const {
-  std::vector<RankedCandidate> entrants, obstacles;
+  std::vector<RankedCandidate> candidates, obstacles;
   int count = 0;
   for (const RankedCandidate& candidate : ranking.candidates) {
     if (candidate.summary.kind != CandidateKind::kPhysics) continue;
     if (std::optional<RankedCandidate> obstacle = AtContacts(base, candidate, contacts)) {
       obstacles.push_back(*std::move(obstacle));
     } else if (candidate.summary.share >= options_.least_share && count < options_.max_models) {
-      entrants.push_back(candidate);
+      candidates.push_back(candidate);
       ++count;
     }
   }
-  entrants.insert(entrants.end(), obstacles.begin(), obstacles.end());
-  return entrants;
+  candidates.insert(candidates.end(), obstacles.begin(), obstacles.end());
+  return candidates;
 }
 
 // From either sign of its amount, where both are likely; of more starts from the cheapest ones.
@@ -157,23 +157,24 @@ std::optional<FittedScene> ForecastScreening::FitPhysics(const FittedScene& base
 // Few points of a cloth do not tell a bar from a ball by the force that they lack, but forecasts
 // do: a bar begins where the ball has ended, too, if that explains more.
 void ForecastScreening::AddBarThroughBall(const FittedScene& base, const Ranking& ranking,
-                                          int last_length, std::vector<RankedCandidate>* entrants,
+                                          int last_length, std::vector<RankedCandidate>* candidates,
                                           std::vector<std::optional<FittedScene>>* fits) const {
   const auto find = [&](const std::string& term) {
-    const auto found = std::find_if(entrants->begin(), entrants->end(),
-                                    [&](const auto& entrant) { return entrant.term.name == term; });
-    return static_cast<std::size_t>(found - entrants->begin());
+    const auto found =
+        std::find_if(candidates->begin(), candidates->end(),
+                     [&](const auto& candidate) { return candidate.term.name == term; });
+    return static_cast<std::size_t>(found - candidates->begin());
   };
   const std::size_t ball = find("obstacle_sphere"), bar = find("obstacle_capsule");
-  if (ball == entrants->size() || bar == entrants->size() || Stopped()) return;
+  if (ball == candidates->size() || bar == candidates->size() || Stopped()) return;
   const std::optional<FittedScene>&of_ball = (*fits)[ball], &of_bar = (*fits)[bar];
   if (!of_ball || (of_bar && of_bar->fit.cost_after <= of_ball->fit.cost_after)) return;
   const auto fitted = [&](const std::string& name) {
     return of_ball->values.parameters.at(name).value;
   };
-  Probe shape = (*entrants)[ball].probe;
+  Probe shape = (*candidates)[ball].probe;
   for (auto& [name, value] : shape) value = fitted(name);
-  RankedCandidate through = (*entrants)[bar];
+  RankedCandidate through = (*candidates)[bar];
   const Eigen::VectorXd stiffness =
       Eigen::VectorXd::Constant(1, fitted("obstacle_sphere.stiffness"));
   through.other_starts.clear();
@@ -184,7 +185,7 @@ void ForecastScreening::AddBarThroughBall(const FittedScene& base, const Ranking
   through.other_starts.pop_back();
   std::optional<FittedScene> fit = FitPhysics(base, ranking, through, last_length);
   if (!fit || (of_bar && of_bar->fit.cost_after <= fit->fit.cost_after)) return;
-  (*entrants)[bar] = std::move(through);
+  (*candidates)[bar] = std::move(through);
   (*fits)[bar] = std::move(fit);
 }
 
@@ -215,9 +216,10 @@ std::vector<JudgedModel> ForecastScreening::Decide(const FittedScene& current,
   return judged;
 }
 
-std::optional<ForecastRound> ForecastScreening::Run(
-    const FittedScene& current, const std::vector<FittedModel>& faults,
-    const std::vector<ContactShape>& contacts, double least_share) const {
+std::optional<ForecastRound> ForecastScreening::Run(const FittedScene& current,
+                                                    const std::vector<FittedModel>& faults,
+                                                    const std::vector<ContactShape>& contacts,
+                                                    double least_share) const {
   if (!CanForecast(current)) return {};
   Say("fitting forecasts", 0.45);
   const bool is_off = HasLargeResidual(current.scene, current.config, current.fit);
@@ -242,13 +244,13 @@ std::optional<ForecastRound> ForecastScreening::Run(
   by.draws = 0;
   by.refinements = 1;
   round.ranking = RankCandidates(*looked_at, options_, by);
-  std::vector<RankedCandidate> entrants = Entrants(*base, round.ranking, contacts);
+  std::vector<RankedCandidate> candidates = CandidatesToFit(*base, round.ranking, contacts);
   std::vector<std::string> names;
-  for (const RankedCandidate& entrant : entrants) names.push_back(entrant.summary.name);
+  for (const RankedCandidate& candidate : candidates) names.push_back(candidate.summary.name);
   Log(fmt::format("forecasts leave {:.3g} sigmas; looked at: {}", round.ranking.residual_rms,
                   fmt::join(names, ", ")));
   Say("fitting forecasts with what could be missing", 0.55);
-  const std::size_t count = entrants.size() + faults.size();
+  const std::size_t count = candidates.size() + faults.size();
   const auto for_all = [&](std::size_t some, const std::function<void(std::size_t)>& work) {
     ParallelFor(static_cast<int>(some), NumThreads(0), [&](int i, int) {
       if (!Stopped()) work(static_cast<std::size_t>(i));
@@ -257,16 +259,16 @@ std::optional<ForecastRound> ForecastScreening::Run(
   // And the baseline once more: all begin where its longest forecasts have ended.
   std::vector<std::optional<FittedScene>> fits(count + 1);
   for_all(fits.size(), [&](std::size_t k) {
-    if (k < entrants.size()) {
-      fits[k] = FitPhysics(*base, round.ranking, entrants[k], first_lengths);
+    if (k < candidates.size()) {
+      fits[k] = FitPhysics(*base, round.ranking, candidates[k], first_lengths);
     } else {
       ModelStart without = GoOn(*base);
-      if (k < count) without.recording = faults[k - entrants.size()].scene.scene.recording;
+      if (k < count) without.recording = faults[k - candidates.size()].scene.scene.recording;
       fits[k] =
           FitToForecasts(without, grid, {0, first_lengths, kScreeningIterations}, runner_, &*base);
     }
   });
-  AddBarThroughBall(*base, round.ranking, first_lengths, &entrants, &fits);
+  AddBarThroughBall(*base, round.ranking, first_lengths, &candidates, &fits);
   const double nothing = fits.back() ? fits.back()->fit.cost_after : first->fit.cost_after;
   double least = nothing;
   for (const auto& fit : fits)
@@ -280,8 +282,9 @@ std::optional<ForecastRound> ForecastScreening::Run(
   std::vector<FittedModel> models;
   for (std::size_t k = 0; k < count; ++k) {
     if (!fits[k]) continue;
-    models.push_back({k < entrants.size() ? entrants[k] : faults[k - entrants.size()].candidate,
-                      std::move(*fits[k])});
+    models.push_back(
+        {k < candidates.size() ? candidates[k] : faults[k - candidates.size()].candidate,
+         std::move(*fits[k])});
   }
   if (Stopped()) return {};
   std::stable_sort(models.begin(), models.end(), IsCheaper);

@@ -19,7 +19,7 @@ namespace clothfit {
 
 struct ForecastRound {
   FittedScene before;  // the fit without, to forecasts on the mesh that models are judged on
-  Ranking ranking;                  // of physics, along forecasts
+  Ranking ranking;     // of physics, along forecasts
   std::vector<JudgedModel> judged;  // the highest evidence first; both meshes are the deciding one
 };
 
@@ -29,7 +29,7 @@ bool CanForecast(const FittedScene& fitted);
 class ForecastScreening {
  public:
   // `baseline`: the config that a diagnosis was given, whose material parameters fits begin from
-  // where the fitted one is far off. Both must outlive this.
+  // where the fitted one leaves large residuals. Both must outlive this.
   ForecastScreening(const FitConfig& baseline, const DiagnosisOptions& options)
       : baseline_(baseline), options_(options), runner_(options) {}
 
@@ -44,13 +44,13 @@ class ForecastScreening {
                                    double least_share) const;
 
  private:
-  std::vector<RankedCandidate> Entrants(const FittedScene& base, const Ranking& ranking,
-                                        const std::vector<ContactShape>& contacts) const;
+  std::vector<RankedCandidate> CandidatesToFit(const FittedScene& base, const Ranking& ranking,
+                                               const std::vector<ContactShape>& contacts) const;
   std::optional<FittedScene> FitPhysics(const FittedScene& base, const Ranking& ranking,
                                         const RankedCandidate& candidate, int last_length) const;
-  // fits: of the entrants, in their order.
+  // fits: of the candidates, in their order.
   void AddBarThroughBall(const FittedScene& base, const Ranking& ranking, int last_length,
-                         std::vector<RankedCandidate>* entrants,
+                         std::vector<RankedCandidate>* candidates,
                          std::vector<std::optional<FittedScene>>* fits) const;
   // The models that may come first, on the deciding mesh; they are in order.
   std::vector<JudgedModel> Decide(const FittedScene& current, const FittedScene& base,

@@ -217,7 +217,7 @@ bool Diagnoser::AddEffect() {
 }
 
 // Points from the config's own start: where the coarse mesh has ended may be a local minimum. What
-// is far off after the first iterations explains nothing, however far it is fitted.
+// leaves large residuals after the first iterations explains nothing, however far it is fitted.
 BothMeshes Diagnoser::FitBaselineOnBoth(const FittedScene& coarse) const {
   std::optional<FittedScene> fine = meshes_.FitFromItsOwnStart(coarse, kIterationsToBeNear);
   if (!fine) {

@@ -41,8 +41,8 @@ class Diagnoser {
   struct Kept {
     RankedCandidate candidate;
     BothMeshes before;
-    Ranking ranking;                  // of what was missing before
-    std::vector<JudgedModel> rivals;  // all that were fitted in that round, itself among them
+    Ranking ranking;                       // of what was missing before
+    std::vector<JudgedModel> competitors;  // all that were fitted in that round, itself among them
     bool IsPhysics() const { return candidate.faults.empty(); }
   };
 
@@ -101,7 +101,7 @@ class Diagnoser {
   std::optional<FittedScene> FitLike(const FittedScene& other, const ModelStart& start,
                                      int most_iterations) const;
   // What has two physical effects now: drops the first of them where the recording does not speak
-  // for it beside the second, or puts a rival in its place.
+  // for it beside the second, or puts a competitor in its place.
   void LookBack();
   std::optional<BothMeshes> OnBoth(const FittedScene& fine) const;
   void PutInPlaceOf(std::size_t first, std::vector<JudgedModel> both);

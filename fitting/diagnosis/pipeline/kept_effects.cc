@@ -95,13 +95,16 @@ void Diagnoser::LookBack() {
   Spend("fitting without what was found");
   if (!alone) return;
   std::vector<JudgedModel> both = {{first_physics->candidate, now_}};
-  for (const JudgedModel& rival : first_physics->rivals) {
-    const bool is_other = rival.candidate.summary.name != first_physics->candidate.summary.name &&
-                          rival.candidate.summary.name != second.summary.name;
-    if (!is_other || !rival.candidate.faults.empty() || Stopped()) continue;
-    std::optional<FittedScene> beside = FitLike(
-        rival.model.fine, WithEffectOf(now_.fine, second, rival.model.fine), kModelIterations);
-    if (beside) both.push_back({rival.candidate, {rival.model.coarse, std::move(*beside)}});
+  for (const JudgedModel& competitor : first_physics->competitors) {
+    const bool is_other =
+        competitor.candidate.summary.name != first_physics->candidate.summary.name &&
+        competitor.candidate.summary.name != second.summary.name;
+    if (!is_other || !competitor.candidate.faults.empty() || Stopped()) continue;
+    std::optional<FittedScene> beside =
+        FitLike(competitor.model.fine, WithEffectOf(now_.fine, second, competitor.model.fine),
+                kModelIterations);
+    if (beside)
+      both.push_back({competitor.candidate, {competitor.model.coarse, std::move(*beside)}});
   }
   Spend("another effect in its place");
   Judge(*alone, &both);

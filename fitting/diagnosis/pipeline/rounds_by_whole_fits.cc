@@ -73,7 +73,8 @@ std::vector<JudgedModel> Diagnoser::Decide(const std::vector<FittedModel>& model
 }
 
 // Its effect is put on the baseline there, by windows where there are points; else it goes on from
-// the baseline's material or, far off, where that had to stand for what was missing, from its own.
+// the baseline's material or, where that leaves large residuals since it had to stand for what was
+// missing, from its own.
 std::optional<BothMeshes> Diagnoser::RefineModel(const FittedModel& model) const {
   const FittedScene& fine = now_.fine;
   const bool is_one_mesh = fine.scene.mesh.grid == model.scene.scene.mesh.grid;

@@ -34,7 +34,7 @@ TEST(ForecastScreening, PutsWhatIsMissingFirst) {
   const FittedScene baseline = BaselineOf({{"wind.y", 0.8}});
   const DiagnosisOptions options = Among({"wind", "hem", "gravity_tilt", "added_mass"});
   const std::optional<ForecastRound> round =
-      ForecastScreening(baseline.config, options).Run(baseline, {}, {});
+      ForecastScreening(baseline.config, options).Run(baseline, {}, {}, options.least_share);
   ASSERT_TRUE(round);
   EXPECT_TRUE(round->before.of_forecasts);
   ASSERT_FALSE(round->judged.empty());
@@ -45,13 +45,23 @@ TEST(ForecastScreening, PutsWhatIsMissingFirst) {
   EXPECT_LT(LeftByForecasts(best.model.fine), 0.5 * LeftByForecasts(round->before));
 }
 
+// On the coarse mesh no model explains three quarters of more than all.
+TEST(ForecastScreening, JudgesNoneWhereNoneExplainsEnough) {
+  const FittedScene baseline = BaselineOf({{"wind.y", 0.8}});
+  const std::optional<ForecastRound> round =
+      ForecastScreening(baseline.config, Among({"wind"})).Run(baseline, {}, {}, 1.4);
+  ASSERT_TRUE(round);
+  EXPECT_FALSE(round->ranking.candidates.empty());
+  EXPECT_TRUE(round->judged.empty());
+}
+
 // Where nothing is missing, states that are a little wrong may speak for something; it explains
 // next to nothing of what forecasts leave.
 TEST(ForecastScreening, FindsNoExplanationWhereNothingIsMissing) {
   const FittedScene baseline = BaselineOf({});
   const DiagnosisOptions options = Among({"wind", "hem", "added_mass"});
   const std::optional<ForecastRound> round =
-      ForecastScreening(baseline.config, options).Run(baseline, {}, {});
+      ForecastScreening(baseline.config, options).Run(baseline, {}, {}, options.least_share);
   ASSERT_TRUE(round);
   for (const JudgedModel& one : round->judged) {
     const auto whole = FitBeyondForecasts(one.model.fine, 12, FitRunner());
