@@ -61,7 +61,10 @@ class DiagnoserPeer {
     Keep(fault, {fault});
   }
 
+  double CostWithoutPhysics() const { return diagnoser_.WithoutPhysics().Cost(); }
+
   void LookBack() { diagnoser_.LookBack(); }
+  void PutFaultFirst() { diagnoser_.PutFaultFirst(); }
   void TakeBack() {
     diagnoser_.quality_ = AppraiseQuality(now());
     diagnoser_.TakeBackWhatIsTooLittle();
@@ -123,6 +126,23 @@ TEST(LookBack, LeavesTwoEffectsThatAreThere) {
   peer.Keep(both, {both});
   peer.LookBack();
   EXPECT_THAT(peer.effects(), ElementsAre("wind", "hem"));
+}
+
+// Wind is told of a recording that is put right, however late the camera was found.
+TEST(PutFaultFirst, TellsOfPhysicsWithoutTheFault) {
+  const std::string pose = "camera cam1: pose";
+  DiagnoserPeer peer(SeenAskew({{"wind.x", 3.0}}, {0.03, -0.02, 0.0}), {"wind"});
+  const JudgedModel wind = peer.Fit(peer.base(), "wind");
+  peer.Keep(wind, {wind});
+  const JudgedModel both = peer.Fit(peer.now(), pose);
+  peer.Keep(both, {both});
+  ASSERT_THAT(peer.effects(), ElementsAre("wind", pose));
+  ASSERT_EQ(peer.CostWithoutPhysics(), peer.base().fit.cost_after);
+  peer.PutFaultFirst();
+  EXPECT_THAT(peer.effects(), ElementsAre(pose, "wind"));
+  EXPECT_LT(peer.CostWithoutPhysics(), 0.5 * peer.base().fit.cost_after);
+  EXPECT_GT(peer.CostWithoutPhysics(), 1.5 * both.model.Cost());
+  EXPECT_EQ(peer.now().fit.cost_after, both.model.Cost());
 }
 
 // A hem stands for little of a wind; the camera that was put right stays so.

@@ -93,17 +93,6 @@ TEST(TwoEffects, MayBeACamerasFaultAndWind) {
   EXPECT_THAT(diagnosis.confidence_set, Contains("wind"));
 }
 
-// However late the camera is found: wind is told by recordings that are put right.
-TEST(TwoEffects, MayBeWindAndASmallerFault) {
-  const Recording recording = SeenAskew({{"wind.x", 3.0}}, {0.012, -0.008, 0.0});
-  const Diagnosis diagnosis = Diagnose(recording, Told(recording), OnlyAmong({"wind"}));
-  ASSERT_FALSE(diagnosis.models.empty());
-  ASSERT_THAT(diagnosis.models.front().effects, ElementsAre("wind")) << diagnosis.words;
-  EXPECT_THAT(diagnosis.effects, ElementsAre(kPose, "wind")) << diagnosis.words;
-  EXPECT_EQ(diagnosis.verdict, Verdict::kNamed);
-  ExpectToldAlike(diagnosis);
-}
-
 // Of what is left with the camera put right wind explains half; the rest is of a term that is not
 // looked for, so much of it that mesh and step do not make as much.
 TEST(TwoEffects, AreNotAllThatIsMissing) {
