@@ -109,7 +109,7 @@ void AddJobStudy(CLI::App* parent, const Study& study, Action* action) {
   BeginGroup(command, "The study");
   command->add_flag(
       "--full", options->full,
-      "the size of the paper's experiments, for a cluster; else minutes of two cores");
+      "about the size of the paper's experiments, for a cluster; else minutes of two cores");
   command->add_option("--seed", options->seed, "of recordings, starts and searches")
       ->type_name("N");
   if (study.uses_recordings) {

@@ -52,10 +52,10 @@ void StudyOptions::Check() const {
 StudyOptions FullSize() {
   StudyOptions options;
   options.full = true;
-  options.frames = 150;
+  options.frames = 300;
   options.generator = 61;
   options.picture = 640;
-  options.particles = 21;
+  options.particles = 31;
   options.fabric = {"stretch.stiffness", "stretch.damping",     "shear.stiffness",
                     "shear.damping",     "bending.stiffness",   "bending.damping",
                     "air_drag.normal",   "air_drag.tangential", "ground.friction"};
