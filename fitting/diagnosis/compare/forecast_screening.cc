@@ -189,31 +189,32 @@ void ForecastScreening::AddBarThroughBall(const FittedScene& base, const Ranking
   (*fits)[bar] = std::move(fit);
 }
 
-std::vector<JudgedModel> ForecastScreening::Decide(const FittedScene& current,
-                                                   const FittedScene& base,
-                                                   std::vector<FittedModel> models) const {
+bool ForecastScreening::Decide(const FittedScene& current, const FittedScene& base,
+                               const std::vector<FittedModel>& models, ForecastRound* round) const {
   const double before = base.fit.cost_after;
-  std::vector<FittedModel> chosen;
-  for (FittedModel& model : models) {
+  std::vector<const FittedModel*> chosen;
+  for (const FittedModel& model : models) {
     const bool may_win = model.scene.fit.cost_after <=
                          before - kMayWin * (before - models.front().scene.fit.cost_after);
-    if (may_win && chosen.size() < kMostJudged) chosen.push_back(model);
+    if (may_win && chosen.size() < kMostJudged) chosen.push_back(&model);
   }
   Say("forecasts on the deciding mesh", 0.65);
   const std::array<int, 2>& grid = current.scene.mesh.grid;
-  std::vector<std::optional<FittedScene>> fits(chosen.size());
-  ParallelFor(static_cast<int>(chosen.size()), NumThreads(0), [&](int i, int) {
+  std::vector<std::optional<FittedScene>> fits(1 + chosen.size());
+  ParallelFor(static_cast<int>(fits.size()), NumThreads(0), [&](int i, int) {
     const auto k = static_cast<std::size_t>(i);
-    const FittedScene& coarse = chosen[k].scene;
+    const FittedScene& coarse = k == 0 ? base : chosen[k - 1]->scene;
     if (Stopped()) return;
     fits[k] = coarse.scene.mesh.grid == grid
                   ? coarse
                   : FitToForecasts(GoOn(coarse), grid, {1}, runner_, &coarse);
   });
-  std::vector<JudgedModel> judged;
+  if (!fits[0]) return false;
+  round->before = *std::move(fits[0]);
   for (std::size_t k = 0; k < chosen.size(); ++k)
-    if (fits[k]) judged.push_back({chosen[k].candidate, {*fits[k], *fits[k]}});
-  return judged;
+    if (fits[k + 1]) round->judged.push_back({chosen[k]->candidate, {*fits[k + 1], *fits[k + 1]}});
+  JudgeModels(round->before, &round->judged);
+  return true;
 }
 
 std::optional<ForecastRound> ForecastScreening::Run(const FittedScene& current,
@@ -224,7 +225,6 @@ std::optional<ForecastRound> ForecastScreening::Run(const FittedScene& current,
   Say("fitting forecasts", 0.45);
   const bool is_off = HasLargeResidual(current.scene, current.config, current.fit);
   const ModelStart start = is_off ? WithMaterialOf(baseline_, GoOn(current)) : GoOn(current);
-  const std::array<int, 2>& deciding = current.scene.mesh.grid;
   const std::array<int, 2> grid = ScreeningGrid(current.scene.mesh);
   const int first_lengths =
       std::min(kFirstLengths, NumForecastLengths(current.scene, start.config));
@@ -299,12 +299,7 @@ std::optional<ForecastRound> ForecastScreening::Run(const FittedScene& current,
     round.before = *base;
     return round;
   }
-  std::optional<FittedScene> before =
-      deciding == grid ? base : FitToForecasts(GoOn(*base), deciding, {1}, runner_, &*base);
-  if (!before) return {};
-  round.before = std::move(*before);
-  round.judged = Decide(current, *base, std::move(models));
-  JudgeModels(round.before, &round.judged);
+  if (!Decide(current, *base, models, &round)) return {};
   return round;
 }
 

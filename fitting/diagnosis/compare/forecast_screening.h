@@ -52,9 +52,10 @@ class ForecastScreening {
   void AddBarThroughBall(const FittedScene& base, const Ranking& ranking, int last_length,
                          std::vector<RankedCandidate>* candidates,
                          std::vector<std::optional<FittedScene>>* fits) const;
-  // The models that may come first, on the deciding mesh; they are in order.
-  std::vector<JudgedModel> Decide(const FittedScene& current, const FittedScene& base,
-                                  std::vector<FittedModel> models) const;
+  // Fits the baseline and the models that may come first on the deciding mesh; they are in order.
+  // False where the baseline's fit fails.
+  bool Decide(const FittedScene& current, const FittedScene& base,
+              const std::vector<FittedModel>& models, ForecastRound* round) const;
   void Say(const std::string& stage, double fraction) const {
     if (options_.progress) options_.progress(stage, fraction);
   }

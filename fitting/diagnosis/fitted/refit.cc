@@ -167,6 +167,7 @@ std::optional<FittedScene> FitToForecasts(const ModelStart& start, const std::ar
   config.resolution = grid;
   FitConfig quick = config;
   quick.max_iterations = std::min(config.max_iterations, lengths.most_iterations);
+  quick.function_tolerance = std::max(config.function_tolerance, kEnoughForDiagnosis);
   Scene scene = MakeScene(start.recording, config, after != nullptr ? &after->scene : nullptr);
   if (!FitsWindows(scene, config)) return {};
   const FreeParameters free(config, scene, MakeParameterTable());

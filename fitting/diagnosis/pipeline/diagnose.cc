@@ -211,9 +211,7 @@ bool Diagnoser::AddEffect() {
     is_added = AddByForecasts(ranking);
     if (!is_added) ranking = RankCandidates(now_.coarse, options_, {last_ranking_.errors});
   }
-  if (!is_added) is_added = AddByWholeFits(std::move(ranking));
-  if (*is_added) quality_.reset();
-  return *is_added;
+  return is_added ? *is_added : AddByWholeFits(std::move(ranking));
 }
 
 // Points from the config's own start: where the coarse mesh has ended may be a local minimum. What

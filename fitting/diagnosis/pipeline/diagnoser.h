@@ -108,6 +108,7 @@ class Diagnoser {
   void FitAgainWithoutFault();
   // before: the fit without, fitted as the model is.
   Model Describe(const JudgedModel& one, const FittedScene& before) const;
+  void DescribeAll(const std::vector<JudgedModel>& judged, const FittedScene& before);
   // candidate: what the model has and the fit before has not, with the ranking that it is of.
   HeldOutValidation ValidateOn(const FittedScene& model, const FittedScene& before,
                                const RankedCandidate& candidate, const Ranking& ranking) const;

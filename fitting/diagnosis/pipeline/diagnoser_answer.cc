@@ -189,7 +189,7 @@ void Diagnoser::TellFit() {
 
 void Diagnoser::TellSoFar() {
   if (Stopped()) return;
-  quality_ = AppraiseQuality(now_.fine);
+  if (!quality_) quality_ = AppraiseQuality(now_.fine);
   Diagnoser interrupted(*this);
   interrupted.Answer();
   Diagnosis& so_far = interrupted.diagnosis_;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/answer/parameter_intervals.h"
 #include "fitting/diagnosis/compare/forecast_screening.h"
 #include "fitting/diagnosis/compare/separating_motion.h"
@@ -34,6 +35,7 @@ void Diagnoser::Keep(std::vector<JudgedModel> judged, Ranking ranking) {
   if (is_first) TellApart(judged);
   BothMeshes before = std::move(now_);
   now_ = judged.front().model;
+  quality_.reset();
   RankedCandidate candidate = judged.front().candidate;
   kept_.push_back({std::move(candidate), std::move(before), std::move(ranking), std::move(judged)});
   if (is_physics && !is_first) LookBack();
@@ -191,6 +193,15 @@ Model Diagnoser::Describe(const JudgedModel& one, const FittedScene& before) con
   described.parameters.insert(described.parameters.end(), estimates.begin(), estimates.end());
   described.validation = ValidateOn(fine, now_.fine, one.candidate, last_ranking_);
   return described;
+}
+
+void Diagnoser::DescribeAll(const std::vector<JudgedModel>& judged, const FittedScene& before) {
+  const std::size_t first = diagnosis_.models.size();
+  diagnosis_.models.resize(first + judged.size());
+  ParallelFor(static_cast<int>(judged.size()), NumThreads(0), [&](int i, int) {
+    const auto k = static_cast<std::size_t>(i);
+    diagnosis_.models[first + k] = Describe(judged[k], before);
+  });
 }
 
 HeldOutValidation Diagnoser::ValidateOn(const FittedScene& model, const FittedScene& before,

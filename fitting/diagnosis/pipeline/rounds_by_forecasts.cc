@@ -3,6 +3,7 @@
 //
 // Rounds by forecasts: how an effect is found and decided upon where there are points.
 #include <algorithm>
+#include <future>
 #include <optional>
 #include <utility>
 
@@ -63,7 +64,7 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
     if (whole.empty()) return false;
     OrderByAllFrames(whole, &judged);
   }
-  for (const JudgedModel& one : judged) diagnosis_.models.push_back(Describe(one, round->before));
+  DescribeAll(judged, round->before);
   if (!may_explain) {
     Log(fmt::format("{} explains {:.2g} % of what forecasts leave: no explanation",
                     judged.front().candidate.summary.name, 100.0 * share));
@@ -156,9 +157,17 @@ void Diagnoser::GoOnBeyondForecasts() {
     if (!next || next->fit.cost_after >= fine->fit.cost_after) break;
     fine = std::move(next);
   }
-  std::optional<BothMeshes> both =
-      fine ? meshes_.Coarsen(*fine, kModelIterations) : std::optional<BothMeshes>();
-  if (both) now_ = std::move(*both);
+  if (fine && !Stopped()) {
+    // One simulation does not fill two cores.
+    std::future<FitQuality> appraising =
+        std::async(std::launch::async, [&] { return AppraiseQuality(*fine); });
+    std::optional<BothMeshes> both = meshes_.Coarsen(*fine, kModelIterations);
+    FitQuality quality = appraising.get();
+    if (both) {
+      now_ = *std::move(both);
+      quality_ = std::move(quality);
+    }
+  }
   Spend("fitting what was kept to all frames");
 }
 

@@ -37,7 +37,7 @@ bool Diagnoser::AddByWholeFits(Ranking ranking) {
     quality_.reset();
     return AddEffect();
   }
-  for (const JudgedModel& one : judged) diagnosis_.models.push_back(Describe(one, now_.fine));
+  DescribeAll(judged, now_.fine);
   if (judged.front().log_evidence < kStrongEvidence) return false;
   diagnosis_.models[diagnosis_.models.size() - judged.size()].is_kept = true;
   Keep(std::move(judged), std::move(ranking));
