@@ -9,6 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/files/version.h"
+#include "tracking/text/json_text.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -40,7 +41,7 @@ JobList ReadJobList(const fs::path& folder) {
   }
   JobList list;
   try {
-    const nlohmann::json json = nlohmann::json::parse(ReadTextFile(file));
+    const nlohmann::json json = nlohmann::json::parse(ReadJsonText(file));
     if (json.at("format") != kJobListFormat)
       throw InputError(file.string(), std::string("format: expected ") + kJobListFormat);
     const auto version = json.at("clothfit").get<std::string>();

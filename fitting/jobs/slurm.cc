@@ -15,6 +15,7 @@
 #include "fitting/jobs/shell.h"
 #include "tracking/files/output_folder.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/text/json_text.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -36,7 +37,7 @@ std::vector<SlurmArray> ReadSubmitted(const fs::path& folder) {
   const fs::path file = SubmittedFile(folder);
   if (!fs::exists(file)) return {};
   try {
-    return nlohmann::json::parse(ReadTextFile(file)).get<std::vector<SlurmArray>>();
+    return nlohmann::json::parse(ReadJsonText(file)).get<std::vector<SlurmArray>>();
   } catch (const nlohmann::json::exception& error) {
     throw InputError(file.string(),
                      std::string("does not say what was submitted: ") + error.what());

@@ -12,6 +12,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/files/version.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/text/json_text.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -32,7 +33,7 @@ std::vector<std::string> FilesOfOne() {
 // An interrupted run has a checkpoint, or had no time for one.
 bool IsFinished(const fs::path& folder) {
   if (IsThere(folder / kCheckpoint) || !IsThere(folder / kSummary)) return false;
-  const nlohmann::json summary = nlohmann::json::parse(ReadTextFile(folder / kSummary), nullptr,
+  const nlohmann::json summary = nlohmann::json::parse(ReadJsonText(folder / kSummary), nullptr,
                                                        false);  // discarded where it is damaged
   return !summary.is_object() || summary.value("status", "") != ToString(FitStatus::kInterrupted);
 }

@@ -55,8 +55,9 @@ const std::vector<Target>& Targets() {
       "masks/cam0/000000.png",  "images/cam0/000001.png", "masks",
       "images/cam0/000002.png", "background/cam0.png"};
   static const std::vector<std::string> kRun = {
-      "config.yaml",     "summary.json", "log.txt",       "trajectory.npy", "mesh.obj",
-      "parameters.yaml", "progress.csv", "residuals.csv", "checkpoint.bin", ".clothfit.json"};
+      "config.yaml",    "summary.json",    "log.txt",         "trajectory.npy",
+      "mesh.obj",       "parameters.yaml", "progress.csv",    "residuals.csv",
+      "checkpoint.bin", ".clothfit.json",  "report/more.json"};
   static const std::vector<Target> targets = {
       {"rec", kScene, {"check", "rec"}},
       {"rec", kScene, {"simulate", "rec", "-o", "out", "--frames", "3"}, true},
@@ -109,6 +110,9 @@ class Folders {
                   "refinement: 1\nmarkers: [3, 3]\n");
     Make({"fit", "rec", "-o", "run", "--max-iterations", "1", "--window", "0", "--quiet"});
     folder_.Write("run/points.csv", "frame,u,v\n0,0,0\n3,0.1,0.2\n");
+    folder_.Write("run/report/more.json",
+                  R"({"sections": [{"id": "a", "title": "A", "blocks": [{"kind": "text",
+                      "paragraphs": ["of a stranger"], "more": 1}], "more": 2}]})");
     const std::vector<std::string> pictures = {"--preset",
                                                "experiment-3",
                                                "--size",
