@@ -13,6 +13,7 @@
 #include <map>
 #include <mutex>
 #include <random>
+#include <sstream>
 #include <thread>
 
 #include <fmt/format.h>
@@ -226,6 +227,15 @@ bool IsClothfitsOwn(const std::string& line) {
   return line.rfind("clothfit: ", 0) == 0 || line.rfind("  ", 0) == 0 || line.find(" %") == 3;
 }
 
+// The first line that a terminal would not show as it is; empty where there is none.
+std::string SteeringLine(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (Printable(line, 4 * line.size() + 1) != line)
+      return "LINE that steers: " + Printable(line, 200);
+  return "";
+}
+
 // What is wrong with the way in which a command ended; empty where all is as promised.
 std::string Fault(const CommandResult& result, bool ended_in_time) {
   constexpr double kMostMemory = 2e9;
@@ -251,10 +261,10 @@ std::string Fault(const CommandResult& result, bool ended_in_time) {
     }
     ++lines;
     if (line.size() > kLongest) return fmt::format("LINE of {} bytes", line.size());
-    if (Printable(line, 2 * kLongest) != line) return "LINE that steers: " + Printable(line, 200);
+    if (const std::string steering = SteeringLine(line); !steering.empty()) return steering;
   }
   if (result.status == 2 && lines != 1) return fmt::format("{} LINES: {}", lines, result.err);
-  return "";
+  return SteeringLine(result.out);
 }
 
 // Nonsense that was taken for a motion.
