@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 
 // Ends the parsing at the first level too many; of all else it takes no note.
-class Levels : public nlohmann::json_sax<Json> {
+class JsonLevels : public nlohmann::json_sax<Json> {
  public:
   bool AreFew() const { return depth_ <= kMostJsonLevels; }
 
@@ -47,7 +47,7 @@ class Levels : public nlohmann::json_sax<Json> {
 };
 
 bool IsShallowIn(std::string_view bytes, Json::input_format_t format) {
-  Levels levels;
+  JsonLevels levels;
   Json::sax_parse(bytes, &levels, format);
   return levels.AreFew();
 }
