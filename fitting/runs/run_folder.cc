@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
 #include "fitting/files/version.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/text/json_text.h"
@@ -87,8 +88,7 @@ RunFolder RunFolder::OfRecording(const std::string& name) const {
 }
 
 RunFolder RunFolder::Open(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::is_directory(folder, error)) throw InputError(folder.string(), "no such folder");
+  CheckInputFolder(folder);
   const std::optional<FolderKind> kind = KindOfFolder(folder);
   if (kind == FolderKind::kRun) return RunFolder(folder);
   if (kind == FolderKind::kDiagnosis && KindOfFolder(folder / kOfDiagnosis) == FolderKind::kRun)
