@@ -4,8 +4,6 @@
 // clothfit check: is a recording right, and what is in it?
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/next_step.h"
@@ -30,23 +28,22 @@ int RunCheckCommand(const std::string& folder) {
   CheckSimulable(scene);
   CheckAffordable(scene, WorkOfFit(scene, config));
   CheckContact(scene, config);
-  fmt::print("{}", DescribeRecording(recording));
+  Print("{}", DescribeRecording(recording));
   std::fflush(stdout);
   PrintWarnings(recording);
   Recording without = recording;
   LeaveOutOutliers(&without);
   const std::string swaps = DescribeSwaps(without);
   if (!swaps.empty())
-    fmt::print(Terminal(), "clothfit: warning: wrong labels, which fits put right: {}\n", swaps);
+    Print(Terminal(), "clothfit: warning: wrong labels, which fits put right: {}\n", swaps);
   const std::string outliers = DescribeOutliers(without);
   if (!outliers.empty())
-    fmt::print(Terminal(), "clothfit: warning: gross errors, which fits leave out: {}\n", outliers);
+    Print(Terminal(), "clothfit: warning: gross errors, which fits leave out: {}\n", outliers);
   const std::vector<std::string> unknown = HandlesUnknownInHeldOutFrames(scene);
   if (!unknown.empty()) {
-    fmt::print(
-        Terminal(),
-        "clothfit: warning: held-out frames cannot be judged: where {} {} then is not known\n",
-        JoinNames(unknown), unknown.size() == 1 ? "is" : "are");
+    Print(Terminal(),
+          "clothfit: warning: held-out frames cannot be judged: where {} {} then is not known\n",
+          JoinNames(unknown), unknown.size() == 1 ? "is" : "are");
   }
   PrintNext("clothfit fit " + ShellWord(folder));
   return kExitSuccess;

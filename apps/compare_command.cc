@@ -142,12 +142,12 @@ int RunCompareCommand(CompareOptions options) {
   display.Finish();
   WriteComparison(folder / "comparison.json", comparison);
   WriteTables(folder, comparison);
-  if (!options.quiet) fmt::print("{}\n{}\n", ComparisonAsMarkdown(comparison), folder.string());
+  if (!options.quiet) Print("{}\n{}\n", ComparisonAsMarkdown(comparison), folder.string());
   if (!options.quiet && !*callbacks.stop)
     PrintNext("clothfit report " + ShellWord(folder.string()));
   std::fflush(stdout);
   if (!*callbacks.stop) return kExitSuccess;
-  fmt::print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
+  Print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
   return kExitInterrupted;
 }
 

@@ -157,19 +157,15 @@ void LeaveOutOutliers(const FitConfig& config, Recording* recording) {
 
 void PrintOutliers(const Recording& recording, const std::string& name) {
   const std::string swaps = DescribeSwaps(recording);
-  if (!swaps.empty())
-    std::fprintf(Terminal(), "clothfit: %sput right: %s\n", Prefix(name).c_str(), swaps.c_str());
+  if (!swaps.empty()) Print(Terminal(), "clothfit: {}put right: {}\n", Prefix(name), swaps);
   const std::string outliers = DescribeOutliers(recording);
   if (!outliers.empty())
-    std::fprintf(Terminal(), "clothfit: %sleft out as gross errors: %s\n", Prefix(name).c_str(),
-                 outliers.c_str());
+    Print(Terminal(), "clothfit: {}left out as gross errors: {}\n", Prefix(name), outliers);
 }
 
 void PrintWarnings(const Recording& recording, const std::string& name) {
-  for (const std::string& warning : Warnings(recording)) {
-    std::fprintf(Terminal(), "clothfit: %swarning: %s\n", Prefix(name).c_str(),
-                 Printable(warning).c_str());
-  }
+  for (const std::string& warning : Warnings(recording))
+    Print(Terminal(), "clothfit: {}warning: {}\n", Prefix(name), warning);
 }
 
 void PrintWarnings(const Scene& scene, const std::string& name) {
@@ -177,10 +173,8 @@ void PrintWarnings(const Scene& scene, const std::string& name) {
   if (scene.silhouettes) warnings = scene.silhouettes->warnings;
   if (scene.clouds)
     warnings.insert(warnings.end(), scene.clouds->warnings.begin(), scene.clouds->warnings.end());
-  for (const std::string& warning : warnings) {
-    std::fprintf(Terminal(), "clothfit: %swarning: %s\n", Prefix(name).c_str(),
-                 Printable(warning).c_str());
-  }
+  for (const std::string& warning : warnings)
+    Print(Terminal(), "clothfit: {}warning: {}\n", Prefix(name), warning);
 }
 
 }  // namespace clothfit

@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/interrupt.h"
@@ -40,8 +38,7 @@ void LeaveOutClouds(const Recording& recording, bool quiet, FitConfig* config) {
                      "has clouds alone, by which a diagnosis cannot go; expected markers, tracks "
                      "or masks, too");
   }
-  if (!quiet)
-    fmt::print(Terminal(), "clothfit: warning: a diagnosis does not go by clouds: left out\n");
+  if (!quiet) Print(Terminal(), "clothfit: warning: a diagnosis does not go by clouds: left out\n");
 }
 
 int RunDiagnoseCommand(DiagnoseOptions options) {
@@ -69,12 +66,12 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   const Diagnosis diagnosis = Diagnose(recording, config, options.diagnosis);
   display.Finish();
   folder.Write(diagnosis);
-  if (!options.quiet) fmt::print("{}\n{}\n", diagnosis.words, folder.path().string());
+  if (!options.quiet) Print("{}\n{}\n", diagnosis.words, folder.path().string());
   if (diagnosis.verdict != Verdict::kInterrupted) {
     if (!options.quiet) PrintNext("clothfit report " + ShellWord(folder.path().string()));
     return kExitSuccess;
   }
-  fmt::print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
+  Print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
   return kExitInterrupted;
 }
 

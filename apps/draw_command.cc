@@ -5,10 +5,9 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/pictures/picture.h"
 
@@ -29,7 +28,7 @@ int RunDrawCommand(DrawOptions options) {
   options.picture.elevation = options.elevation * kDegree;
   const RunFolder run = RunFolder::Open(options.run);
   DrawRun(ReadFittedRun(run), run, options.picture, options.output, OverwriteIf(options.force));
-  fmt::print("picture: {}\n", options.output);
+  Print("picture: {}\n", options.output);
   PrintNext("clothfit report " + ShellWord(options.run));
   return kExitSuccess;
 }

@@ -13,6 +13,7 @@
 
 #include "apps/commands.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/report/run_record.h"
 #include "fitting/runs/surface_evaluation.h"
@@ -61,7 +62,7 @@ int RunEvaluateCommand(const EvaluateOptions& options) {
   const RunFolder run = RunFolder::Open(options.run);
   const SurfaceEvaluation evaluation = EvaluateSurface(run, options.truth);
   if (!options.output.empty()) WriteOutputFile(options.output, SurfaceAsCsv(evaluation), overwrite);
-  fmt::print("{}{}", SurfaceAsMarkdown(evaluation), IntervalsAgainstTruth(run, options.truth));
+  Print("{}{}", SurfaceAsMarkdown(evaluation), IntervalsAgainstTruth(run, options.truth));
   PrintNext("clothfit report " + ShellWord(options.run));
   return kExitSuccess;
 }

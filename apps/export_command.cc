@@ -10,6 +10,7 @@
 
 #include "apps/commands.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/export/export.h"
 #include "fitting/jobs/shell.h"
@@ -52,7 +53,7 @@ int RunExportCommand(const ExportOptions& options) {
   const RunFolder run = RunFolder::Open(options.run);
   const int frames =
       ExportRun(run, format.name, options.overlay, options.output, OverwriteIf(options.force));
-  fmt::print("{} frames: {}\n", frames, options.output);
+  Print("{} frames: {}\n", frames, options.output);
   PrintNext(format.name == "gltf" ? "open " + ShellWord(options.output) + ", in Blender for example"
                                   : "read " + ShellWord(options.output) + " in another program");
   return kExitSuccess;

@@ -6,8 +6,6 @@
 #include <iterator>
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/fit_options.h"
 #include "apps/fit_result_text.h"
@@ -60,8 +58,8 @@ FitResult FitWithDisplay(const Scene& scene, const FitConfig& config, const RunF
 
 int Report(const FitResult& result, const RunFolder& run, bool quiet) {
   if (!quiet) {
-    fmt::print("{}\n{}\nrun: {}\n", DescribeFitResult(result),
-               DescribeVerdict(JudgeFit(FactsOf(ReadRunRecord(run)))), run.path().string());
+    Print("{}\n{}\nrun: {}\n", DescribeFitResult(result),
+          DescribeVerdict(JudgeFit(FactsOf(ReadRunRecord(run)))), run.path().string());
   }
   return EndOfFit(result.status, run, quiet);
 }

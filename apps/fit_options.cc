@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/next_step.h"
 #include "apps/terminal.h"
@@ -38,15 +36,15 @@ int EndOfFit(FitStatus status, const RunFolder& run, bool quiet) {
       if (!quiet) PrintNext("clothfit report " + folder);
       return kExitSuccess;
     case FitStatus::kNotConverged:
-      fmt::print(Terminal(),
-                 "clothfit: warning: not converged; 'clothfit fit --resume -o {} "
-                 "--max-iterations N' goes on\n",
-                 folder);
+      Print(Terminal(),
+            "clothfit: warning: not converged; 'clothfit fit --resume -o {} "
+            "--max-iterations N' goes on\n",
+            folder);
       if (!quiet) PrintNext("clothfit report " + folder);
       return kExitSuccess;
     case FitStatus::kInterrupted:
-      fmt::print(Terminal(), "clothfit: interrupted; 'clothfit fit --resume -o {}' goes on\n",
-                 run.path().string());
+      Print(Terminal(), "clothfit: interrupted; 'clothfit fit --resume -o {}' goes on\n",
+            run.path().string());
       return kExitInterrupted;
     case FitStatus::kFailed:
       break;
@@ -68,14 +66,14 @@ std::optional<Recording> TrackIntoRun(const Recording& recording, const RunFolde
   run.Add({"observations/"});
   const TrackingResult found =
       TrackWithDisplay(recording, options.tracking, folder, Overwrite::kAllow, options.quiet);
-  if (!options.quiet) fmt::print("{}\n\n", DescribeTracking(recording, found));
+  if (!options.quiet) Print("{}\n\n", DescribeTracking(recording, found));
   std::fflush(stdout);
   if (found.num_frames == recording.frame_count) return ReadRecording(folder);
   std::error_code ignored;  // half of the observations would be taken for all
   std::filesystem::remove(folder / "recording.yaml", ignored);
-  fmt::print(Terminal(),
-             "clothfit: interrupted before the fit began; 'clothfit fit --force' "
-             "begins again\n");
+  Print(Terminal(),
+        "clothfit: interrupted before the fit began; 'clothfit fit --force' "
+        "begins again\n");
   return std::nullopt;
 }
 

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/fit_options.h"
 #include "apps/fit_result_text.h"
 #include "apps/interrupt.h"
 #include "apps/progress_display.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/report/joint_verdict.h"
+#include "fitting/report/run_record.h"
 #include "fitting/runs/fit_run.h"
 #include "fitting/runs/joint_run.h"
 #include "tracking/files/output_folder.h"
@@ -122,8 +122,8 @@ int ReportAll(const FitResult& result, const std::vector<JointRecording>& record
   if (!quiet) {
     std::vector<std::string> names;
     for (const JointRecording& one : recordings) names.push_back(one.name);
-    fmt::print("{}\n{}\nrun: {}\n", DescribeJointResult(result, names),
-               DescribeVerdict(JudgeJointFit(ReadJointSummary(run.path()))), run.path().string());
+    Print("{}\n{}\nrun: {}\n", DescribeJointResult(result, names),
+          DescribeVerdict(JudgeJointFit(ReadJointSummary(run.path()))), run.path().string());
   }
   return EndOfFit(result.status, run, quiet);
 }

@@ -10,6 +10,7 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/fit/gradient_report.h"
 #include "fitting/jobs/shell.h"
@@ -39,14 +40,14 @@ const char* VerdictText(GradientVerdict verdict) {
 }
 
 void PrintReport(const GradientReport& report, int frames) {
-  fmt::print("{} residuals of {} frames, {} evaluations\n\n", report.num_residuals, frames,
-             report.check.evaluations);
-  fmt::print("  {:<32}{:>16}{:>20}  {}\n", "derivative along", "relative error", "difference's own",
-             "verdict");
+  Print("{} residuals of {} frames, {} evaluations\n\n", report.num_residuals, frames,
+        report.check.evaluations);
+  Print("  {:<32}{:>16}{:>20}  {}\n", "derivative along", "relative error", "difference's own",
+        "verdict");
   for (size_t i = 0; i < report.names.size(); ++i) {
     const ColumnCheck& column = report.check.columns[i];
-    fmt::print("  {:<32}{:>16.2e}{:>20.2e}  {}\n", report.names[i], column.relative_error,
-               column.difference_error, VerdictText(column.verdict));
+    Print("  {:<32}{:>16.2e}{:>20.2e}  {}\n", report.names[i], column.relative_error,
+          column.difference_error, VerdictText(column.verdict));
   }
 }
 

@@ -4,11 +4,11 @@
 // clothfit import colmap and opencv: cameras.yaml from calibrations.
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "apps/config_options.h"
 #include "apps/import_commands.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/printable.h"
 #include "tracking/camera/world_change.h"
 #include "tracking/import/colmap.h"
 #include "tracking/import/opencv.h"
@@ -46,14 +46,14 @@ int ImportCameras(std::vector<Camera> cameras, std::vector<std::string> notes,
   OutputFolder output = OpenRecording(folder, "import cameras", OverwriteIf(options.force));
   WriteCameras(cameras, &output);
   if (MissingOptions(start).empty()) WriteStart(start, &output);
-  fmt::print("{}: {} cameras\n", (folder / "cameras.yaml").string(), cameras.size());
+  Print("{}: {} cameras\n", (folder / "cameras.yaml").string(), cameras.size());
   for (const Camera& camera : cameras) {
     const Eigen::Array3d millimetres = (CameraCentre(camera) * 1e3).array().round();
     const Eigen::Array3d centre = millimetres / 1e3 + 0.0;  // no "-0.000"
-    fmt::print("{}: {} x {} px, at ({:.3f}, {:.3f}, {:.3f}) m\n", camera.name, camera.width,
-               camera.height, centre.x(), centre.y(), centre.z());
+    Print("{}: {} x {} px, at ({:.3f}, {:.3f}, {:.3f}) m\n", camera.name, camera.width,
+          camera.height, centre.x(), centre.y(), centre.z());
   }
-  for (const std::string& note : notes) fmt::print("{}\n", note);
+  for (const std::string& note : notes) Print("{}\n", Printable(note));
   PrintWhatIsMissing(folder, start);
   return kExitSuccess;
 }

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // clothfit import: makes recordings, or parts of them, of what other programs write.
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/import_commands.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/shell.h"
 #include "tracking/import/corner_placement.h"
@@ -69,12 +68,12 @@ void AddSceneOptions(CLI::App* command, SceneOptions* options) {
 
 void PrintWhatIsMissing(const std::filesystem::path& folder, const SceneStart& start) {
   if (!std::filesystem::exists(folder / "recording.yaml")) {
-    fmt::print("{} is not written: it needs {} too\n", (folder / "recording.yaml").string(),
-               JoinNames(MissingOptions(start)));
+    Print("{} is not written: it needs {} too\n", (folder / "recording.yaml").string(),
+          JoinNames(MissingOptions(start)));
   }
   if (!std::filesystem::exists(folder / "cameras.yaml")) {
-    fmt::print("{} is needed too: see 'clothfit import colmap' and 'opencv'\n",
-               (folder / "cameras.yaml").string());
+    Print("{} is needed too: see 'clothfit import colmap' and 'opencv'\n",
+          (folder / "cameras.yaml").string());
   }
   if (std::filesystem::exists(folder / "recording.yaml") &&
       std::filesystem::exists(folder / "cameras.yaml"))

@@ -4,12 +4,12 @@
 // clothfit import markers: a recording of motion capture.
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/import_commands.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
+#include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/shell.h"
 #include "tracking/import/take_file.h"
 #include "tracking/import/take_recording.h"
@@ -64,12 +64,12 @@ int RunImportMarkers(const MarkersOptions& options) {
   files["layout.csv"] = layout;
   output.Begin(NamesOf(files));
   output.WriteAll(files);
-  fmt::print("{}: {} frames at {} Hz, {} markers, {} handles, cloth of {:.4f} x {:.4f} m\n",
-             options.output, recording.frame_count, recording.frame_rate,
-             imported.uv.size() - recording.handles.size(), recording.handles.size(),
-             recording.cloth.size.x(), recording.cloth.size.y());
-  for (const std::string& note : notes) fmt::print("{}\n", note);
-  fmt::print("{}", layout);
+  Print("{}: {} frames at {} Hz, {} markers, {} handles, cloth of {:.4f} x {:.4f} m\n",
+        options.output, recording.frame_count, recording.frame_rate,
+        imported.uv.size() - recording.handles.size(), recording.handles.size(),
+        recording.cloth.size.x(), recording.cloth.size.y());
+  for (const std::string& note : notes) Print("{}\n", Printable(note));
+  Print("{}", layout);
   PrintNext("clothfit check " + ShellWord(options.output));
   return kExitSuccess;
 }

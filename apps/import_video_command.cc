@@ -4,11 +4,11 @@
 // clothfit import video: videos put into a recording.
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "apps/import_commands.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/input_file.h"
+#include "autodiff_sim/base/printable.h"
 #include "tracking/camera/camera_file.h"
 #include "tracking/import/video.h"
 
@@ -44,10 +44,10 @@ int RunImportVideo(const VideoOptions& options) {
   SceneStart start = options.scene.Start(cameras, &notes);
   const ImportedVideos imported =
       ImportVideos(videos, start, options.output, OverwriteIf(options.force));
-  fmt::print("{}: {} cameras, {} frames at {:g} Hz\n", options.output, videos.size(),
-             imported.frame_count, imported.frame_rate);
+  Print("{}: {} cameras, {} frames at {:g} Hz\n", options.output, videos.size(),
+        imported.frame_count, imported.frame_rate);
   notes.insert(notes.end(), imported.notes.begin(), imported.notes.end());
-  for (const std::string& note : notes) fmt::print("{}\n", note);
+  for (const std::string& note : notes) Print("{}\n", Printable(note));
   start.frame_count = imported.frame_count;
   start.frame_rate = imported.frame_rate;
   PrintWhatIsMissing(options.output, start);

@@ -81,9 +81,9 @@ int Gather(const fs::path& folder) {
   const PlanResult result = GatherResults(plan, folder);
   const int status = FinishJobs(result, folder, false);
   if (result.jobs.complete) return status;
-  fmt::print(Terminal(), "clothfit: error: {} of {} jobs have no result; see clothfit status {}\n",
-             plan.list.jobs.size() - result.jobs.results.size(), plan.list.jobs.size(),
-             ShellWord(folder.string()));
+  Print(Terminal(), "clothfit: error: {} of {} jobs have no result; see clothfit status {}\n",
+        plan.list.jobs.size() - result.jobs.results.size(), plan.list.jobs.size(),
+        ShellWord(folder.string()));
   return kExitFailure;
 }
 
@@ -136,7 +136,7 @@ void AddStatusCommand(CLI::App* app, Action* action) {
   status->footer("Example:\n  clothfit status studies/cameras");
   status->callback([=] {
     *action = [=] {
-      fmt::print("{}", DescribeStatus(*folder, ReadJobList(*folder)));
+      Print("{}", DescribeStatus(*folder, ReadJobList(*folder)));
       return kExitSuccess;
     };
   });

@@ -43,7 +43,7 @@ int Submit(const JobOptions& options) {
   slurm.sbatch = options.sbatch;
   const std::string submitted = SubmitToSlurm(folder, ReadJobList(folder), slurm);
   if (!options.quiet) {
-    fmt::print("{}", submitted);
+    Print("{}", submitted);
     PrintNext("clothfit status " + ShellWord(options.output));
   }
   return kExitSuccess;
@@ -123,18 +123,18 @@ int RunAllJobs(const JobPlan& plan, const fs::path& folder, int threads, bool qu
   display.Finish();
   const int status = FinishJobs(result, folder, quiet);
   if (!*run.stop) return status;
-  fmt::print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
+  Print(Terminal(), "clothfit: interrupted; the same command with --resume goes on\n");
   return kExitInterrupted;
 }
 
 int FinishJobs(const PlanResult& result, const fs::path& folder, bool quiet) {
-  if (!quiet && !result.table.empty()) fmt::print("{}\n{}\n", result.table, folder.string());
+  if (!quiet && !result.table.empty()) Print("{}\n{}\n", result.table, folder.string());
   if (result.jobs.CountProblems() == 0) {
     if (!quiet && result.jobs.complete) PrintNext("clothfit report " + ShellWord(folder.string()));
     return kExitSuccess;
   }
-  fmt::print(Terminal(), "clothfit: error: {} of the jobs failed; the first: {}\n",
-             result.jobs.CountProblems(), result.jobs.FirstProblem());
+  Print(Terminal(), "clothfit: error: {} of the jobs failed; the first: {}\n",
+        result.jobs.CountProblems(), result.jobs.FirstProblem());
   return kExitFailure;
 }
 

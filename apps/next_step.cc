@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/next_step.h"
 
-#include <fmt/format.h>
+#include "apps/terminal.h"
 
 namespace clothfit {
 
-void PrintNext(const std::string& text) { fmt::print("next: {}\n", text); }
+void PrintNext(const std::string& text) { Print("next: {}\n", text); }
 
 }  // namespace clothfit

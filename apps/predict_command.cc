@@ -5,10 +5,9 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/runs/prediction.h"
 
@@ -27,7 +26,7 @@ int RunPredictCommand(const PredictOptions& options) {
   const FittedRun fitted = ReadFittedRun(run);
   const std::vector<PredictionQuery> queries = ReadQueries(options.points, fitted.scene);
   WritePredictions(options.output, queries, Predict(fitted, run, queries), overwrite);
-  fmt::print("{} points: {}\n", queries.size(), options.output);
+  Print("{} points: {}\n", queries.size(), options.output);
   PrintNext("clothfit draw " + ShellWord(options.run) + " -o cloth.png");
   return kExitSuccess;
 }

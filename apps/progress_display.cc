@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "apps/terminal.h"
+#include "autodiff_sim/base/printable.h"
 
 namespace clothfit {
 namespace {
@@ -64,7 +65,7 @@ void ProgressDisplay::Show(const FitProgress& progress, int recorded_frames) {
 
 void ProgressDisplay::Show(const std::string& stage, const std::string& state, double fraction) {
   done_ = std::max(done_, std::isfinite(fraction) ? fraction : 0.0);
-  const std::string rest = "  " + stage + (state.empty() ? "" : ", " + state);
+  const std::string rest = "  " + Printable(stage + (state.empty() ? "" : ", " + state));
   const double seconds = SecondsSince(start_);
   const std::string text = ProgressText(done_, seconds, false) + rest;
   if (!is_terminal_) return ShowLine(stage, text + "\n");

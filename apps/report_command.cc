@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/next_step.h"
 #include "apps/report/assets.h"
+#include "apps/terminal.h"
+#include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/report/page_file.h"
 #include "fitting/runs/recording_list.h"
@@ -66,14 +66,13 @@ int RunReportCommand(const ReportCommandOptions& options) {
   for (PageFile& one : of_recordings)
     one.Write(MakeReport(one.path().parent_path(), PageAssets(), options.report).html);
   whole_page.Write(page.html);
-  fmt::print("{}\n", page.verdict.headline);
-  for (const std::string& sentence : page.verdict.sentences) fmt::print("  {}\n", sentence);
-  for (const std::string& note : page.notes) fmt::print("  {}\n", note);
-  fmt::print("report: {} ({:.1f} MB)\n", file.string(),
-             1e-6 * static_cast<double>(page.html.size()));
+  Print("{}\n", page.verdict.headline);
+  for (const std::string& sentence : page.verdict.sentences) Print("  {}\n", Printable(sentence));
+  for (const std::string& note : page.notes) Print("  {}\n", Printable(note));
+  Print("report: {} ({:.1f} MB)\n", file.string(), 1e-6 * static_cast<double>(page.html.size()));
   if (!of_recordings.empty())
-    fmt::print("and of each recording: {}\n",
-               (folder / RunFolder::PlaceOf("NAME") / "report.html").string());
+    Print("and of each recording: {}\n",
+          (folder / RunFolder::PlaceOf("NAME") / "report.html").string());
   PrintNext("open " + ShellWord(file.string()) + " in a browser");
   return kExitSuccess;
 }

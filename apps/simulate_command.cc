@@ -9,6 +9,7 @@
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
@@ -44,10 +45,10 @@ int RunSimulateCommand(const SimulateOptions& options) {
   const RunFolder run(options.output, ExistingIf(options.force));
   StepReport steps;
   const int reached = SimulateIntoRun(scene, config, run, frames - 1, &steps);
-  fmt::print("{} frames of {} particles: {}\n", reached, scene.mesh.num_particles(),
-             run.path().string());
+  Print("{} frames of {} particles: {}\n", reached, scene.mesh.num_particles(),
+        run.path().string());
   const std::string contact = DescribeContact(scene, config, steps);
-  if (!contact.empty()) fmt::print("{}\n", contact);
+  if (!contact.empty()) Print("{}\n", contact);
   if (steps.intersections > 0) {
     throw std::runtime_error(fmt::format(
         "the cloth passes through itself, an obstacle or the ground, {} times after all steps; "

@@ -52,13 +52,12 @@ int RunRecoveryCommand(RecoveryStudyOptions options) {
   const std::vector<RecoveredSeed> seeds =
       RunRecoveryStudy(options.recovery, [](const RecoveredSeed& seed) {
         const Coverage coverage = CountCoverage({seed});
-        fmt::print(Terminal(), "seed {}: {} in {:.0f} s, {} of {} determined parameters covered\n",
-                   seed.seed, ToString(seed.status), seed.seconds, coverage.covered,
-                   coverage.total);
+        Print(Terminal(), "seed {}: {} in {:.0f} s, {} of {} determined parameters covered\n",
+              seed.seed, ToString(seed.status), seed.seconds, coverage.covered, coverage.total);
       });
   output.WriteAll(
       {{"recovery.csv", RecoveryAsCsv(seeds)}, {"recovery.md", RecoveryAsMarkdown(seeds)}});
-  fmt::print("{}", RecoveryAsMarkdown(seeds));
+  Print("{}", RecoveryAsMarkdown(seeds));
   PrintNext("clothfit report " + ShellWord(options.output));
   return kExitSuccess;
 }
@@ -128,7 +127,7 @@ int RunTrackingStudy(const TrackingStudyOptions& options) {
     output.WriteAll({{"tracking.md", table + filters}, {"tracking.csv", course}});
     if (found.num_frames < recording.frame_count) return kExitInterrupted;
   }
-  fmt::print("{}{}", table, filters);
+  Print("{}{}", table, filters);
   PrintNext("clothfit report " + ShellWord(options.output));
   return kExitSuccess;
 }
@@ -167,12 +166,12 @@ int RunChaosCommand(ChaosStudyOptions options) {
                       ExistingIf(options.force));
   output.Begin({"chaos.csv", "chaos.md", "chaos.svg", "chaos.png"});
   const ChaosResult result =
-      RunChaosStudy(options.chaos, [](int frame) { fmt::print(Terminal(), "frame {}\n", frame); });
+      RunChaosStudy(options.chaos, [](int frame) { Print(Terminal(), "frame {}\n", frame); });
   output.WriteAll({{"chaos.csv", ChaosAsCsv(result)},
                    {"chaos.md", ChaosAsMarkdown(options.chaos, result)},
                    {"chaos.svg", ChaosAsSvg(result)}});
   DrawChaos(options.chaos, result, (output.path() / "chaos.png").string());
-  fmt::print("{}", ChaosAsMarkdown(options.chaos, result));
+  Print("{}", ChaosAsMarkdown(options.chaos, result));
   if (result.complete) {
     PrintNext("clothfit report " + ShellWord(options.output));
     return kExitSuccess;
@@ -223,14 +222,14 @@ int RunMeshCommand(MeshCommandOptions options) {
                       ExistingIf(options.force));
   output.Begin({"mesh.csv", "mesh.md", "mesh.svg"});
   const std::vector<MeshCase> cases = RunMeshStudy(options.study, [](const MeshCase& one) {
-    fmt::print(Terminal(), "{}, {} springs, {} particles: {:.1f} mm\n", one.motion,
-               one.buckles ? "buckling" : "plain", one.particles, 1e3 * one.at_truth.fitted);
+    Print(Terminal(), "{}, {} springs, {} particles: {:.1f} mm\n", one.motion,
+          one.buckles ? "buckling" : "plain", one.particles, 1e3 * one.at_truth.fitted);
   });
   const std::string table = MeshStudyAsMarkdown(cases);
   output.WriteAll({{"mesh.csv", MeshStudyAsCsv(cases)},
                    {"mesh.md", table},
                    {"mesh.svg", MeshStudyAsSvg(cases)}});
-  fmt::print("{}", table);
+  Print("{}", table);
   PrintNext("clothfit report " + ShellWord(options.output));
   return kExitSuccess;
 }

@@ -9,11 +9,10 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/shell.h"
 #include "tracking/synthetic/keys.h"
@@ -67,10 +66,9 @@ int RunSynthesizeCommand(const SynthesizeOptions& options) {
       Synthesize(made, options.output, OverwriteIf(options.force),
                  [&](double share, const std::string& stage) { display.Show(stage, "", share); });
   display.Finish();
-  fmt::print("{}: {} frames, {} markers, {} tracks, {} pictures\n", options.output,
-             made.frame_count, synthetic.recording.markers.size(),
-             synthetic.recording.tracks.size(),
-             made.images ? made.frame_count * made.num_cameras : 0);
+  Print("{}: {} frames, {} markers, {} tracks, {} pictures\n", options.output, made.frame_count,
+        synthetic.recording.markers.size(), synthetic.recording.tracks.size(),
+        made.images ? made.frame_count * made.num_cameras : 0);
   PrintNext("clothfit fit " + ShellWord(options.output));
   return kExitSuccess;
 }

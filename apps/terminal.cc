@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/terminal.h"
 
+#include <algorithm>
 #include <array>
 #include <csignal>
+#include <string>
 
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "autodiff_sim/base/printable.h"
 #include "autodiff_sim/base/sanitized.h"
 
 namespace clothfit {
@@ -46,6 +49,19 @@ void TakeTerminal() {
   terminal = stream;
   setvbuf(terminal, nullptr, _IOLBF, BUFSIZ);
   std::signal(SIGABRT, ShowWhatIsAside);
+}
+
+void PrintLines(std::FILE* stream, std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    // An escaped byte takes four.
+    shown += stream == stdout ? Printable(line, 4 * line.size() + 1) : Printable(line);
+    if (end < text.size()) shown += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  std::fwrite(shown.data(), 1, shown.size(), stream);
 }
 
 }  // namespace clothfit

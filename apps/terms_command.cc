@@ -13,6 +13,7 @@
 
 #include "apps/commands.h"
 #include "apps/next_step.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/names.h"
 #include "autodiff_sim/terms/parameter_table.h"
@@ -91,21 +92,20 @@ std::string KindOf(const TermInfo& term) {
 constexpr const char* kCloth = "cloth";  // what the cloth is, beside the terms
 
 void PrintTerm(const TermInfo& term) {
-  fmt::print("\n{}: {} ({})\n  {}\n", term.name, term.doc, term.reference, KindOf(term));
-  for (const Parameter& p : term.parameters)
-    fmt::print("{}", ParameterRow(term.name + "." + p.name, p));
+  Print("\n{}: {} ({})\n  {}\n", term.name, term.doc, term.reference, KindOf(term));
+  for (const Parameter& p : term.parameters) Print("{}", ParameterRow(term.name + "." + p.name, p));
 }
 
 void PrintCloth() {
   const std::vector<NamedParameter> table = MakeParameterTable();
-  fmt::print("\n{}: what the cloth is\n", kCloth);
+  Print("\n{}: what the cloth is\n", kCloth);
   for (int i = 0; i < kNumClothParameters; ++i)
-    fmt::print("{}", ParameterRow(table[i].name, table[i].parameter));
+    Print("{}", ParameterRow(table[i].name, table[i].parameter));
 }
 
 void PrintSummary() {
-  fmt::print("{:<22}{}\n", kCloth, "what the cloth is");
-  for (const TermInfo& term : AllTerms()) fmt::print("{:<22}{}\n", term.name, term.doc);
+  Print("{:<22}{}\n", kCloth, "what the cloth is");
+  for (const TermInfo& term : AllTerms()) Print("{:<22}{}\n", term.name, term.doc);
   PrintNext("clothfit terms TERM for its parameters, --all for those of all");
 }
 
@@ -120,8 +120,8 @@ void PrintTables(const std::vector<std::string>& names) {
   const auto is_asked = [&names](const std::string& name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
   };
-  fmt::print("  {:<28}{:<12}{:>10}{:>10}  {:<22}{:<8}{}\n", "parameter", "unit", "initial", "off",
-             "bounds", "scale", "meaning");
+  Print("  {:<28}{:<12}{:>10}{:>10}  {:<22}{:<8}{}\n", "parameter", "unit", "initial", "off",
+        "bounds", "scale", "meaning");
   if (is_asked(kCloth)) PrintCloth();
   for (const TermInfo& term : AllTerms()) {
     if (is_asked(term.name)) PrintTerm(term);
@@ -165,7 +165,7 @@ void PrintJson() {
                              {"needs", ToString(term.needs)},
                              {"parameters", std::move(parameters)}});
   }
-  fmt::print("{}\n", json.dump(2));
+  Print("{}\n", json.dump(2));
 }
 
 }  // namespace

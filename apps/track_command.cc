@@ -6,8 +6,6 @@
 #include <cstdio>
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/interrupt.h"
@@ -38,16 +36,16 @@ int RunTrackCommand(const TrackOptions& options) {
                                                  OverwriteIf(options.force), options.quiet);
   const double seconds = SecondsSince(start);
   if (!options.quiet) {
-    fmt::print("{}\n", DescribeTracking(recording, result));
-    fmt::print("{:.1f} s, {:.1f} pictures a second\nrecording: {}\n", seconds,
-               static_cast<double>(result.pictures.size()) / seconds, options.output);
+    Print("{}\n", DescribeTracking(recording, result));
+    Print("{:.1f} s, {:.1f} pictures a second\nrecording: {}\n", seconds,
+          static_cast<double>(result.pictures.size()) / seconds, options.output);
     if (result.num_frames == recording.frame_count)
       PrintNext("clothfit fit " + ShellWord(options.output));
     std::fflush(stdout);
   }
   if (result.num_frames == recording.frame_count) return kExitSuccess;
-  fmt::print(Terminal(), "clothfit: interrupted after frame {}; what was found is in {}\n",
-             result.num_frames - 1, options.output);
+  Print(Terminal(), "clothfit: interrupted after frame {}; what was found is in {}\n",
+        result.num_frames - 1, options.output);
   return kExitInterrupted;
 }
 

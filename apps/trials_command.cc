@@ -15,6 +15,7 @@
 #include "apps/interrupt.h"
 #include "apps/job_options.h"
 #include "apps/progress_display.h"
+#include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/trials/effect_table.h"
@@ -41,7 +42,7 @@ int PrintEffects(const TrialsOptions& options, const std::vector<Trial>& trials)
       [&](double share) { display.Show("effects", fmt::format("{:.0f} %", 100.0 * share), share); },
       stop);
   display.Finish();
-  fmt::print("{}", EffectsAsMarkdown(effects));
+  Print("{}", EffectsAsMarkdown(effects));
   return *stop ? kExitInterrupted : kExitSuccess;
 }
 
@@ -50,7 +51,7 @@ int RunTrialsCommand(const TrialsOptions& options) {
   const TrialSettings& settings = options.settings;
   const std::vector<Trial> trials = MakeTrialPlan("PLAN", settings.plan, settings.size);
   if (options.list) {
-    fmt::print("{}", DescribePlan(trials));
+    Print("{}", DescribePlan(trials));
     return kExitSuccess;
   }
   if (options.effects) return PrintEffects(options, trials);

@@ -128,7 +128,9 @@ JobPlan BatchPlan(JobList list, const fs::path& folder) {
   JobPlan plan;
   plan.list = std::move(list);
   plan.work = [folder](const Job& job, const JobContext& context) {
-    return RunBatchFit(folder, job.input.get<BatchFit>(), context);
+    auto fit = job.input.get<BatchFit>();
+    fit.name = job.name;
+    return RunBatchFit(folder, fit, context);
   };
   plan.report = [folder](const std::vector<JobResult>& results) {
     return WriteBatchTables(folder, results);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "tracking/recording/limits.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -33,13 +34,16 @@ std::vector<Eigen::VectorXd> ReadNpy(const std::filesystem::path& file, const st
       row = static_cast<size_t>(components) * std::stoul(match[2]);
     }
   }
-  if (match.empty() || bytes.size() - begin != frames * row * sizeof(double)) {
+  // Frames of no points would need no bytes, however many there are said to be.
+  const bool is_possible = !match.empty() && begin <= bytes.size() &&
+                           frames <= std::size_t{kMostFrames} && (row > 0 || frames == 0);
+  if (!is_possible || bytes.size() - begin != frames * row * sizeof(double)) {
     throw InputError(file.string(), fmt::format("is damaged; expected an .npy file of doubles, "
                                                 "frames x points{}",
                                                 components == 3 ? " x 3" : ""));
   }
   std::vector<Eigen::VectorXd> result(frames, Eigen::VectorXd(static_cast<Eigen::Index>(row)));
-  for (size_t f = 0; f < frames && row > 0; ++f) {
+  for (size_t f = 0; f < frames; ++f) {
     std::memcpy(result[f].data(), &bytes[begin + f * row * sizeof(double)], row * sizeof(double));
   }
   return result;

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/printable.h"
 #include "fitting/files/version.h"
+#include "tracking/text/json_text.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -17,6 +19,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kJobListFormat = "clothfit-jobs/1";
+
+// Files and folders are named by it.
+void CheckJobName(const std::string& name, const fs::path& file) {
+  if (!name.empty() && name.front() != '.' && name.find('/') == std::string::npos &&
+      Printable(name) == name)
+    return;
+  throw InputError(file.string(), "jobs: name " + Quoted(name) +
+                                      ": expected one without slashes and control characters that "
+                                      "does not start with a dot");
+}
 
 }  // namespace
 
@@ -40,7 +52,7 @@ JobList ReadJobList(const fs::path& folder) {
   }
   JobList list;
   try {
-    const nlohmann::json json = nlohmann::json::parse(ReadTextFile(file));
+    const nlohmann::json json = nlohmann::json::parse(ReadJsonText(file));
     if (json.at("format") != kJobListFormat)
       throw InputError(file.string(), std::string("format: expected ") + kJobListFormat);
     const auto version = json.at("clothfit").get<std::string>();
@@ -51,8 +63,10 @@ JobList ReadJobList(const fs::path& folder) {
     }
     list.command = json.at("command").get<std::string>();
     list.options = json.at("options");
-    for (const nlohmann::json& job : json.at("jobs"))
+    for (const nlohmann::json& job : json.at("jobs")) {
       list.jobs.push_back({job.at("name"), job.at("input"), job.at("stage")});
+      CheckJobName(list.jobs.back().name, file);
+    }
   } catch (const nlohmann::json::exception& error) {
     throw InputError(file.string(), std::string("is no list of jobs: ") + error.what());
   }

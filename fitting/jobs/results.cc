@@ -4,7 +4,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "tracking/files/whole_file.h"
-#include "tracking/text/text.h"
+#include "tracking/text/json_text.h"
 
 namespace clothfit {
 namespace {
@@ -36,7 +36,7 @@ std::optional<JobResult> ReadJobResult(const fs::path& folder, const std::string
   const fs::path file = ResultFile(folder, name);
   if (!fs::exists(file)) return std::nullopt;
   try {
-    const nlohmann::json json = nlohmann::json::parse(ReadTextFile(file));
+    const nlohmann::json json = nlohmann::json::parse(ReadJsonText(file));
     return JobResult{name, json.at("output"), json.at("problem").get<std::string>(),
                      json.at("seconds").get<double>()};
   } catch (const nlohmann::json::exception& error) {

@@ -3,6 +3,7 @@
 #include "fitting/jobs/slurm.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -11,10 +12,12 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/results.h"
 #include "fitting/jobs/shell.h"
 #include "tracking/files/output_folder.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/text/json_text.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -32,11 +35,29 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SlurmArray, id, first, last, jobs_a_task, tas
 
 fs::path SubmittedFile(const fs::path& folder) { return folder / kSlurmFolder / "submitted.json"; }
 
-std::vector<SlurmArray> ReadSubmitted(const fs::path& folder) {
+// Whether it is of jobs of the list, each in one task; its id becomes the name of logs.
+bool IsPossible(const SlurmArray& array, const JobList& list) {
+  const int jobs = static_cast<int>(list.jobs.size());
+  const std::vector<int>& tasks = array.tasks;
+  return ParseInteger(array.id) && array.first >= 0 && array.first <= array.last &&
+         array.last < jobs && array.jobs_a_task >= 1 && array.jobs_a_task <= jobs &&
+         std::adjacent_find(tasks.begin(), tasks.end(), std::greater_equal<>()) == tasks.end() &&
+         (tasks.empty() ||
+          (tasks.front() >= 0 && tasks.back() <= (array.last - array.first) / array.jobs_a_task));
+}
+
+std::vector<SlurmArray> ReadSubmitted(const fs::path& folder, const JobList& list) {
   const fs::path file = SubmittedFile(folder);
   if (!fs::exists(file)) return {};
   try {
-    return nlohmann::json::parse(ReadTextFile(file)).get<std::vector<SlurmArray>>();
+    auto arrays = nlohmann::json::parse(ReadJsonText(file)).get<std::vector<SlurmArray>>();
+    for (const SlurmArray& array : arrays) {
+      if (IsPossible(array, list)) continue;
+      throw InputError(file.string(), "array " + Quoted(array.id) +
+                                          ": expected a number, and tasks of jobs in " +
+                                          kJobListFile);
+    }
+    return arrays;
   } catch (const nlohmann::json::exception& error) {
     throw InputError(file.string(),
                      std::string("does not say what was submitted: ") + error.what());
@@ -100,7 +121,7 @@ std::string AsRanges(const std::vector<int>& tasks) {
 class Submission {
  public:
   Submission(const fs::path& folder, const JobList& list, const SlurmOptions& options)
-      : folder_(fs::canonical(folder)), options_(options), submitted_(ReadSubmitted(folder)) {
+      : folder_(fs::canonical(folder)), options_(options), submitted_(ReadSubmitted(folder, list)) {
     name_ = "clothfit-" + list.command;
     std::replace(name_.begin(), name_.end(), ' ', '-');
   }
@@ -170,9 +191,9 @@ class Submission {
   std::vector<std::string> ids_;
 };
 
-void RefuseWhereJobsAreQueued(const fs::path& folder) {
+void RefuseWhereJobsAreQueued(const fs::path& folder, const JobList& list) {
   std::string problem;
-  const std::map<std::string, std::string> queue = ReadQueue(ReadSubmitted(folder), &problem);
+  const std::map<std::string, std::string> queue = ReadQueue(ReadSubmitted(folder, list), &problem);
   if (!problem.empty()) throw InputError("--slurm", problem);
   if (queue.empty()) return;
   const std::string task = queue.begin()->first;
@@ -188,7 +209,7 @@ std::string SubmitToSlurm(const fs::path& folder, const JobList& list,
   // Locked until all is submitted. That of the jobs is not, since they may begin before.
   OutputFolder own(folder / kSlurmFolder, FolderKind::kSlurm, list.command, Existing::kResume);
   own.Begin({});
-  RefuseWhereJobsAreQueued(folder);
+  RefuseWhereJobsAreQueued(folder, list);
   Submission submission(folder, list, options);
   for (int first = 0; first < static_cast<int>(list.jobs.size());) {
     const SlurmArray array = OpenTasks(folder, list, first, options.array_size);
@@ -200,8 +221,9 @@ std::string SubmitToSlurm(const fs::path& folder, const JobList& list,
   return submission.told();
 }
 
-std::map<int, SlurmTask> FindSlurmTasks(const fs::path& folder, std::string* problem) {
-  const std::vector<SlurmArray> arrays = ReadSubmitted(folder);
+std::map<int, SlurmTask> FindSlurmTasks(const fs::path& folder, const JobList& list,
+                                        std::string* problem) {
+  const std::vector<SlurmArray> arrays = ReadSubmitted(folder, list);
   const std::map<std::string, std::string> queue = ReadQueue(arrays, problem);
   std::map<int, SlurmTask> tasks;
   for (const SlurmArray& array : arrays) {

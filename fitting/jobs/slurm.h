@@ -34,6 +34,7 @@ struct SlurmTask {
 };
 // Of each job that was submitted, by its number, the task that does it. `problem`: in words, where
 // Slurm does not answer; no task has a state then.
-std::map<int, SlurmTask> FindSlurmTasks(const std::filesystem::path& folder, std::string* problem);
+std::map<int, SlurmTask> FindSlurmTasks(const std::filesystem::path& folder, const JobList& list,
+                                        std::string* problem);
 
 }  // namespace clothfit

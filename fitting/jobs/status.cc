@@ -3,10 +3,13 @@
 #include "fitting/jobs/status.h"
 
 #include <deque>
-#include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
+#include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/results.h"
 #include "fitting/jobs/slurm.h"
 
@@ -18,7 +21,12 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLastLines = 3;  // of a log
 
 std::string EndOfLog(const fs::path& log) {
-  std::ifstream stream(log);
+  std::istringstream stream;
+  try {
+    if (IsThere(log)) stream.str(ReadInputFile(log));
+  } catch (const InputError& error) {
+    return std::string(error.what()) + "\n";
+  }
   std::deque<std::string> last;
   for (std::string line; std::getline(stream, line);) {
     if (line.empty()) continue;
@@ -26,7 +34,7 @@ std::string EndOfLog(const fs::path& log) {
     if (last.size() > kLastLines) last.pop_front();
   }
   std::string text = log.string() + (last.empty() ? " says nothing\n" : " ends\n");
-  for (const std::string& line : last) text += "      " + line + "\n";
+  for (const std::string& line : last) text += "      " + Printable(line) + "\n";
   return text;
 }
 
@@ -51,7 +59,7 @@ void CountWithoutResult(const SlurmTask& task, JobCounts* counts, const std::str
 
 std::string DescribeStatus(const fs::path& folder, const JobList& list) {
   std::string problem;
-  std::map<int, SlurmTask> tasks = FindSlurmTasks(folder, &problem);
+  std::map<int, SlurmTask> tasks = FindSlurmTasks(folder, list, &problem);
   // Looked at afterwards, so that who has just ended has a result.
   const fs::path results = folder / kResultFolder;
   const std::set<std::string> ended = NamesOfResults(results);

@@ -10,7 +10,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/files/npy_file.h"
-#include "tracking/text/text.h"
+#include "tracking/text/json_text.h"
 
 namespace clothfit {
 namespace {
@@ -65,7 +65,7 @@ ObstacleSurface ReadObstacle(const fs::path& folder, const ReportJson& json) {
 
 void ReadExtra(const fs::path& file, const ReportScene& report, ReportExtras* extras) {
   try {
-    const ReportJson json = ReportJson::parse(ReadTextFile(file));
+    const ReportJson json = ReportJson::parse(ReadJsonText(file));
     for (const ReportJson& section : json.value("sections", ReportJson::array())) {
       for (const char* key : {"id", "title", "blocks"}) section.at(key);
       extras->sections.push_back(section);

@@ -6,7 +6,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/files/version.h"
-#include "tracking/text/text.h"
+#include "tracking/text/json_text.h"
 
 namespace clothfit {
 
@@ -18,7 +18,7 @@ fs::path RequireFile(const fs::path& file, const std::string& expected) {
 }
 
 nlohmann::ordered_json ReadRecordFile(const fs::path& file, const std::string& remedy) {
-  nlohmann::ordered_json record = nlohmann::ordered_json::parse(ReadTextFile(file), nullptr, false);
+  nlohmann::ordered_json record = nlohmann::ordered_json::parse(ReadJsonText(file), nullptr, false);
   if (!record.is_object()) throw InputError(file.string(), "is damaged; expected a JSON object");
   const auto found = record.find("clothfit");
   const std::string version =

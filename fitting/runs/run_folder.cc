@@ -10,8 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
 #include "fitting/files/version.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/text/json_text.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -32,7 +34,7 @@ std::vector<std::string> FilesOfOne() {
 // An interrupted run has a checkpoint, or had no time for one.
 bool IsFinished(const fs::path& folder) {
   if (IsThere(folder / kCheckpoint) || !IsThere(folder / kSummary)) return false;
-  const nlohmann::json summary = nlohmann::json::parse(ReadTextFile(folder / kSummary), nullptr,
+  const nlohmann::json summary = nlohmann::json::parse(ReadJsonText(folder / kSummary), nullptr,
                                                        false);  // discarded where it is damaged
   return !summary.is_object() || summary.value("status", "") != ToString(FitStatus::kInterrupted);
 }
@@ -86,8 +88,7 @@ RunFolder RunFolder::OfRecording(const std::string& name) const {
 }
 
 RunFolder RunFolder::Open(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::is_directory(folder, error)) throw InputError(folder.string(), "no such folder");
+  CheckInputFolder(folder);
   const std::optional<FolderKind> kind = KindOfFolder(folder);
   if (kind == FolderKind::kRun) return RunFolder(folder);
   if (kind == FolderKind::kDiagnosis && KindOfFolder(folder / kOfDiagnosis) == FolderKind::kRun)

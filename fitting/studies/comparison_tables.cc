@@ -13,6 +13,7 @@
 #include "fitting/pictures/line_chart.h"
 #include "fitting/studies/comparison.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/text/json_text.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -233,7 +234,7 @@ void WriteComparison(const std::filesystem::path& file, const Comparison& compar
 
 Comparison ReadComparison(const std::filesystem::path& file) {
   try {
-    const Json json = Json::parse(ReadTextFile(file));
+    const Json json = Json::parse(ReadJsonText(file));
     if (json.at("format") != kFormat) throw std::invalid_argument("another format");
     Comparison comparison;
     comparison.recording = json.at("recording").get<std::string>();

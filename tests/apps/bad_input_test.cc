@@ -257,6 +257,18 @@ TEST_F(BadInput, LinesThatSteerATerminal) {
   EXPECT_LT(line.size(), 500u);
 }
 
+// On the standard output as on the other.
+TEST_F(BadInput, NamesThatSteerATerminal) {
+  UseMesh(
+      "v 0 0 1\nv 0.4 0 1\nv 0 0.4 1\nv 0.4 0.4 1\nvt 0 0\nvt 0.4 0\nvt 0 0.4\nvt 0.4 0.4\n"
+      "f 1/1 2/2 3/3\nf 2/2 4/4 3/3\n");
+  fs::rename(path() / "rec" / "cloth.obj", path() / "rec" / "a\x1b[2J.obj");
+  Replace("rec/recording.yaml", "cloth.obj", "\"a\\x1b[2J.obj\"");
+  const CommandResult result = RunCommand({"check", "rec"}, path());
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("initially mesh a\\x1b[2J.obj\n"));
+}
+
 TEST_F(BadInput, CalibrationsNestedTooDeep) {
   std::string deep, list = "%YAML:1.0\n---\nK: ", items = list, maps = list;
   for (int i = 0; i < 100'000; ++i) {

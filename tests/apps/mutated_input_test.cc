@@ -13,6 +13,7 @@
 #include <map>
 #include <mutex>
 #include <random>
+#include <sstream>
 #include <thread>
 
 #include <fmt/format.h>
@@ -55,8 +56,9 @@ const std::vector<Target>& Targets() {
       "masks/cam0/000000.png",  "images/cam0/000001.png", "masks",
       "images/cam0/000002.png", "background/cam0.png"};
   static const std::vector<std::string> kRun = {
-      "config.yaml",     "summary.json", "log.txt",       "trajectory.npy", "mesh.obj",
-      "parameters.yaml", "progress.csv", "residuals.csv", "checkpoint.bin", ".clothfit.json"};
+      "config.yaml",    "summary.json",    "log.txt",         "trajectory.npy",
+      "mesh.obj",       "parameters.yaml", "progress.csv",    "residuals.csv",
+      "checkpoint.bin", ".clothfit.json",  "report/more.json"};
   static const std::vector<Target> targets = {
       {"rec", kScene, {"check", "rec"}},
       {"rec", kScene, {"simulate", "rec", "-o", "out", "--frames", "3"}, true},
@@ -109,6 +111,9 @@ class Folders {
                   "refinement: 1\nmarkers: [3, 3]\n");
     Make({"fit", "rec", "-o", "run", "--max-iterations", "1", "--window", "0", "--quiet"});
     folder_.Write("run/points.csv", "frame,u,v\n0,0,0\n3,0.1,0.2\n");
+    folder_.Write("run/report/more.json",
+                  R"({"sections": [{"id": "a", "title": "A", "blocks": [{"kind": "text",
+                      "paragraphs": ["of a stranger"], "more": 1}], "more": 2}]})");
     const std::vector<std::string> pictures = {"--preset",
                                                "experiment-3",
                                                "--size",
@@ -222,6 +227,15 @@ bool IsClothfitsOwn(const std::string& line) {
   return line.rfind("clothfit: ", 0) == 0 || line.rfind("  ", 0) == 0 || line.find(" %") == 3;
 }
 
+// The first line that a terminal would not show as it is; empty where there is none.
+std::string SteeringLine(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (Printable(line, 4 * line.size() + 1) != line)
+      return "LINE that steers: " + Printable(line, 200);
+  return "";
+}
+
 // What is wrong with the way in which a command ended; empty where all is as promised.
 std::string Fault(const CommandResult& result, bool ended_in_time) {
   constexpr double kMostMemory = 2e9;
@@ -247,10 +261,10 @@ std::string Fault(const CommandResult& result, bool ended_in_time) {
     }
     ++lines;
     if (line.size() > kLongest) return fmt::format("LINE of {} bytes", line.size());
-    if (Printable(line, 2 * kLongest) != line) return "LINE that steers: " + Printable(line, 200);
+    if (const std::string steering = SteeringLine(line); !steering.empty()) return steering;
   }
   if (result.status == 2 && lines != 1) return fmt::format("{} LINES: {}", lines, result.err);
-  return "";
+  return SteeringLine(result.out);
 }
 
 // Nonsense that was taken for a motion.

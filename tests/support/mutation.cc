@@ -200,6 +200,14 @@ const std::vector<Way>& Ways() {
          static const std::vector<std::string> kBrackets = {"[", "{a: ", "{\"a\":", "[[", "- "};
          return InsertAnywhere(text, Repeated(OneOf(kBrackets, random), 60'000), random);
        }},
+      {"lists in lists",
+       [](std::string text, std::mt19937* random) {
+         static const std::vector<std::pair<std::string, std::string>> kPairs = {
+             {"[", "]"}, {"{\"a\":", "}"}, {"[{\"a\":", "}]"}};
+         const auto& [open, close] = OneOf(kPairs, random);
+         const std::size_t levels = OneOf(std::vector<std::size_t>{50, 60'000}, random);
+         return ReplaceNumber(text, Repeated(open, levels) + "1" + Repeated(close, levels), random);
+       }},
       {"elements",
        [](std::string text, std::mt19937* random) {
          return InsertAnywhere(text, Repeated("<a>", 100'000), random);

@@ -9,7 +9,7 @@
 #include "autodiff_sim/base/error.h"
 #include "tracking/files/earlier_version.h"
 #include "tracking/files/whole_file.h"
-#include "tracking/text/text.h"
+#include "tracking/text/json_text.h"
 
 namespace clothfit {
 namespace {
@@ -61,7 +61,7 @@ Manifest ParseManifest(const fs::path& file) {
   if (!fs::is_regular_file(fs::symlink_status(file, error))) FailDamaged(file);
   Manifest manifest;
   try {
-    const nlohmann::json json = nlohmann::json::parse(ReadTextFile(file));
+    const nlohmann::json json = nlohmann::json::parse(ReadJsonText(file));
     if (json.at("format") != kManifestFormat) FailDamaged(file);
     manifest.kind = KindNamed(json.at("kind").get<std::string>(), file);
     manifest.files = json.at("files").get<std::map<std::string, std::set<std::string>>>();

@@ -3,6 +3,7 @@
 #include "tracking/files/output_file.h"
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
 #include "tracking/files/whole_file.h"
 
 namespace clothfit {
@@ -12,8 +13,7 @@ namespace fs = std::filesystem;
 void CheckMayWrite(const fs::path& file, Overwrite overwrite) {
   std::error_code error;
   const fs::path folder = file.parent_path();
-  if (!folder.empty() && !fs::is_directory(folder, error))
-    throw InputError(folder.string(), "no such folder");
+  if (!folder.empty()) CheckInputFolder(folder);
   const fs::file_status status = fs::symlink_status(file, error);
   if (status.type() == fs::file_type::not_found) return;
   if (status.type() == fs::file_type::none)

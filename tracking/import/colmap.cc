@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
 #include "tracking/import/colmap_text.h"
 #include "tracking/text/text.h"
 
@@ -153,7 +154,7 @@ std::string Difference(const Camera& a, const Camera& b) {
 }  // namespace
 
 ColmapCameras ReadColmapCameras(const fs::path& folder, ColmapNaming naming) {
-  if (!fs::is_directory(folder)) throw InputError(folder.string(), "no such folder");
+  CheckInputFolder(folder);
   if (!fs::exists(folder / "cameras.txt") && fs::exists(folder / "cameras.bin")) {
     throw InputError((folder / "cameras.txt").string(),
                      "no such file; turn the binary model into text with 'colmap model_converter "

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tracking/import/marker_take.h"
+#include "tracking/text/csv.h"
 
 namespace clothfit {
 
@@ -34,8 +35,8 @@ struct TakeInFile {
   std::set<std::string> bodies;      // names of rigid bodies
 };
 
-// Frames times markers that a take may have: an hour of 50 markers at 240 Hz, 1.4 GB.
-inline constexpr std::size_t kMostPlaces = 45'000'000;
+// Frames times markers that a take may have: they become the rows of its markers.csv.
+inline constexpr std::size_t kMostPlaces = kMostTableRows;
 
 // Reads a file by its content: C3D, CSV of OptiTrack Motive or Vicon Nexus, TRC, TSV of Qualisys,
 // or a plain table (table_formats.h, c3d.h). Turned to z up, lengths in metres.

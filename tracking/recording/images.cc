@@ -105,9 +105,10 @@ void CheckPictures(const Recording& recording) {
   ParallelFor(cameras, 0, [&](int camera, int /*worker*/) {
     const CameraFiles& files = recording.files[static_cast<size_t>(camera)];
     const Camera& of_camera = CameraAt(recording, camera);
-    if (files.background) ReadPng(*files.background, of_camera);
-    for (const auto& [frame, file] : files.images) ReadPng(file, of_camera);
+    if (files.background) LoadPicture(*files.background, cv::IMREAD_COLOR, of_camera);
+    for (const auto& [frame, file] : files.images) LoadPicture(file, cv::IMREAD_COLOR, of_camera);
     for (const auto& [frame, file] : files.masks) ReadMask(file, of_camera);
+    for (const auto& [frame, file] : files.depth) LoadDepthPicture(recording, camera, frame);
     if (!files.images.empty() || !files.video) return;
     ImageReader reader(recording, camera);
     for (int frame = 0; frame < recording.frame_count; ++frame)

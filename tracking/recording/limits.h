@@ -22,15 +22,21 @@ inline constexpr Limits kDensity{1e-4, 1000.0};  // kg/m^2: far below and above 
 inline constexpr double kMostGravity = 1000.0;   // m/s^2, a hundred times that of the Earth
 // m, from the origin of the world: rays are traced in single precision, which there is 1 mm.
 inline constexpr double kFarthest = 10'000.0;
-inline constexpr Limits kLength{1e-6, 10'000.0};   // m, of obstacles
-inline constexpr Limits kSigma{1e-9, 10'000.0};    // m or px
-inline constexpr Limits kFocalLength{1e-3, 1e7};   // px
+inline constexpr Limits kLength{1e-6, 10'000.0};  // m, of obstacles
+// rad, of an obstacle: a wheel that turns for a day. The squares of larger ones overflow.
+inline constexpr double kMostRotation = 1e6;
+inline constexpr Limits kSigma{1e-9, 10'000.0};   // m or px
+inline constexpr Limits kFocalLength{1e-3, 1e7};  // px
+// px, of where a lens points and of tracks: no picture is near that large.
+inline constexpr double kFarthestPixel = 1e7;
 inline constexpr double kMostDistortion = 1e6;     // of any coefficient; of a lens a few at most
 inline constexpr int kMostPictureSide = 20'000;    // px
 inline constexpr double kMostPicturePixels = 1e8;  // in colour 300 MB, and several are kept
 inline constexpr int kMostThings = 1000;           // cameras, handles, obstacles
 // Of one file: a laser scanner's; what a fit takes of it is a thousandth.
 inline constexpr int kMostCloudPoints = 10'000'000;
+// At which the cloth is at first: a dense system is solved to interpolate them, in seconds.
+inline constexpr int kMostPlacedPoints = 3000;
 inline constexpr int kLongestName = 100;  // bytes: names become those of files
 
 inline bool IsPictureSize(double width, double height) {

@@ -50,7 +50,10 @@ void CheckTracks(const Recording& recording, const std::vector<int>& lines) {
       throw InputError(place, fmt::format("there is no camera number {}", track.camera));
     }
     CheckOnCloth(recording, track.uv, place);
-    if (!track.pixel.allFinite()) throw InputError(place, "expected finite x, y");
+    if (!track.pixel.allFinite() || track.pixel.cwiseAbs().maxCoeff() > kFarthestPixel) {
+      throw InputError(place, fmt::format("expected finite x, y of at most {:g} px, found {}, {}",
+                                          kFarthestPixel, track.pixel.x(), track.pixel.y()));
+    }
     const auto [first, is_new] =
         line_of_key.try_emplace({track.frame, track.camera, track.id}, line);
     if (!is_new) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "tracking/recording/limits.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"
 
@@ -103,9 +104,12 @@ std::vector<ObstacleDescription::Pose> ReadObstaclePath(const std::filesystem::p
 
 std::vector<PlacedPoint> ReadPlacedPoints(const std::filesystem::path& file) {
   std::vector<PlacedPoint> points;
-  ReadCsv(file, {"u", "v", "x", "y", "z"}, [&](const CsvRow& row) {
-    points.push_back({row.Vector2(0), row.Vector3(2)});
-  });
+  ReadCsv(
+      file, {"u", "v", "x", "y", "z"},
+      [&](const CsvRow& row) {
+        points.push_back({row.Vector2(0), row.Vector3(2)});
+      },
+      kMostPlacedPoints);
   return points;
 }
 

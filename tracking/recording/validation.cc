@@ -70,10 +70,9 @@ void CheckPlacement(const Recording& recording, const FlatPlacement& flat) {
 void CheckPlacement(const Recording& recording, const PointPlacement& placement) {
   const std::string place = YamlPlace(recording, "cloth.initial.points");
   const std::vector<PlacedPoint>& points = placement.points;
-  constexpr size_t kMaxPoints = 3000;  // a dense system is solved to interpolate them: seconds
-  if (points.size() < 3 || points.size() > kMaxPoints) {
-    throw InputError(place,
-                     fmt::format("expected 3..{} points, found {}", kMaxPoints, points.size()));
+  if (points.size() < 3 || points.size() > size_t{kMostPlacedPoints}) {
+    throw InputError(
+        place, fmt::format("expected 3..{} points, found {}", kMostPlacedPoints, points.size()));
   }
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   std::set<std::pair<double, double>> seen;
@@ -117,6 +116,14 @@ void CheckName(const std::string& name, std::set<std::string>* seen, const std::
                                         Quoted(name)));
   }
   if (!seen->insert(name).second) throw InputError(place, "'" + name + "' appears twice");
+}
+
+void CheckTurn(const Eigen::Vector3d& rotation, const std::string& place) {
+  CheckFinite(rotation, place);
+  const double largest = rotation.cwiseAbs().maxCoeff();
+  if (largest <= kMostRotation) return;
+  throw InputError(place,
+                   fmt::format("expected radians, at most {:g}, found {}", kMostRotation, largest));
 }
 
 void CheckRotation(const Eigen::Matrix3d& rotation, const std::string& place) {
@@ -256,7 +263,7 @@ void CheckObstacles(const Recording& recording) {
     }
     for (const ObstacleDescription::Pose& pose : obstacle.path) {
       CheckPosition(pose.position, place + (frames == 1 ? ".position" : ".path"));
-      CheckFinite(pose.rotation, place + (frames == 1 ? ".rotation" : ".path"));
+      CheckTurn(pose.rotation, place + (frames == 1 ? ".rotation" : ".path"));
     }
   }
 }
@@ -310,14 +317,14 @@ void CheckCameras(const Recording& recording) {
     }
     CheckWithin(camera.fx, kFocalLength, place + ".K: fx");
     CheckWithin(camera.fy, kFocalLength, place + ".K: fy");
-    const bool finite =
-        std::isfinite(camera.cx) && std::isfinite(camera.cy) &&
+    const bool bounded =
+        std::abs(camera.cx) <= kFarthestPixel && std::abs(camera.cy) <= kFarthestPixel &&
         std::all_of(camera.distortion.begin(), camera.distortion.end(),
                     [](double value) { return std::abs(value) <= kMostDistortion; });
-    if (!finite) {
-      throw InputError(place, fmt::format("expected finite numbers in K, and at most {:g} in "
-                                          "distortion",
-                                          kMostDistortion));
+    if (!bounded) {
+      throw InputError(place, fmt::format("expected cx and cy of at most {:g} px in K, and at most "
+                                          "{:g} in distortion",
+                                          kFarthestPixel, kMostDistortion));
     }
     CheckRotation(camera.camera_from_world_rotation, place + ".R");
     CheckPosition(camera.camera_from_world_translation, place + ".t");

@@ -11,9 +11,13 @@
 namespace clothfit {
 namespace {
 
-void SplitFields(std::string_view line, std::vector<std::string_view>* fields) {
+// A number has twenty digits, a name no more than kLongestName.
+constexpr size_t kLongestField = 1000;
+
+// No more than `most` of them: a line of two billion commas has as many.
+void SplitFields(std::string_view line, size_t most, std::vector<std::string_view>* fields) {
   fields->clear();
-  for (size_t start = 0; start <= line.size();) {
+  for (size_t start = 0; start <= line.size() && fields->size() < most;) {
     const size_t end = std::min(line.find(',', start), line.size());
     fields->push_back(TrimBlanks(line.substr(start, end - start)));
     start = end + 1;
@@ -103,27 +107,36 @@ void CsvRow::Fail(size_t column, const std::string& problem) const {
 }
 
 void ReadCsv(const std::filesystem::path& file, const std::vector<std::string>& columns,
-             const std::function<void(const CsvRow&)>& visit) {
+             const std::function<void(const CsvRow&)>& visit, size_t most_rows) {
   const std::string content = ReadTextFile(file);
   std::string_view text = content;
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   std::vector<std::string_view> fields;
-  SplitFields(NextLine(&text), &fields);
+  // With one too many there is one that is not among them.
+  const size_t most_fields = columns.size() + 1;
+  SplitFields(NextLine(&text), most_fields, &fields);
   const std::vector<size_t> places = ColumnPlaces(file, columns, fields);
 
   CsvRow row;
   row.file_ = &file;
   row.columns_ = &columns;
   row.fields_.resize(columns.size());
+  size_t rows = 0;
   for (row.line_ = 2; !text.empty(); ++row.line_) {
     const std::string_view line = NextLine(&text);
     if (TrimBlanks(line).empty()) continue;
-    SplitFields(line, &fields);
+    if (++rows > most_rows) row.Fail("expected at most " + std::to_string(most_rows) + " rows");
+    SplitFields(line, most_fields, &fields);
     if (fields.size() != columns.size()) {
       row.Fail("expected " + std::to_string(columns.size()) + " fields, found " +
-               std::to_string(fields.size()));
+               std::to_string(std::count(line.begin(), line.end(), ',') + 1));
     }
-    for (size_t i = 0; i < places.size(); ++i) row.fields_[i] = fields[places[i]];
+    for (size_t i = 0; i < places.size(); ++i) {
+      row.fields_[i] = fields[places[i]];
+      if (row.fields_[i].size() > kLongestField)
+        row.Fail(i, "expected at most " + std::to_string(kLongestField) + " bytes, found " +
+                        Quoted(row.fields_[i]));
+    }
     visit(row);
   }
 }

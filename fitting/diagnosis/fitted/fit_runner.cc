@@ -10,11 +10,12 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
 #include "fitting/diagnosis/fitted/kept_fit.h"
 #include "fitting/files/sha256.h"
 #include "fitting/fit/fit_inputs.h"
 #include "tracking/files/whole_file.h"
-#include "tracking/text/text.h"
+#include "tracking/text/json_text.h"
 
 namespace clothfit {
 namespace fs = std::filesystem;
@@ -25,7 +26,7 @@ constexpr const char* kEnding = ".cbor";
 std::optional<FitResult> ReadKept(const fs::path& file) {
   if (!fs::exists(file)) return std::nullopt;
   try {
-    return FitFromBytes(ReadTextFile(file));
+    return FitFromBytes(ReadInputFile(file, kMostJsonBytes));
   } catch (const InputError&) {  // not readable: as good as none
     return std::nullopt;
   }

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tracking/text/json_text.h"
+
 namespace clothfit {
 namespace {
 
@@ -179,6 +181,7 @@ std::string FitAsBytes(FitResult result) {
 }
 
 std::optional<FitResult> FitFromBytes(std::string_view bytes) {
+  if (!IsShallowCbor(bytes)) return std::nullopt;
   try {
     const Json json = Json::from_cbor(bytes);
     if (json.at("format") != kFormat) return std::nullopt;

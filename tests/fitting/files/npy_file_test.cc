@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/test_folder.h"
+
 namespace clothfit {
 namespace {
 
@@ -29,6 +31,27 @@ TEST(Npy, HasTheHeaderAndTheBytesThatNumPyReads) {
                 sizeof(value));
     EXPECT_EQ(value, i);
   }
+}
+
+// An array without data, of a header that says what it likes.
+std::string HeaderOnly(const std::string& shape) {
+  const std::string header =
+      "{'descr': '<f8', 'fortran_order': False, 'shape': (" + shape + "), }\n";
+  return std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(header.size()) + '\0' + header;
+}
+
+TEST(Npy, RefusesFramesThatNoBytesStandFor) {
+  const TestFolder folder;
+  const auto problem = [&](const std::string& bytes) {
+    const auto file = folder.Write("a.npy", bytes);
+    return InputErrorOf([&] { ReadPointsNpy(file); });
+  };
+  EXPECT_TRUE(ReadPointsNpy(folder.Write("none.npy", HeaderOnly("0, 0, 3"))).empty());
+  EXPECT_THAT(problem(HeaderOnly("999999999, 0, 3")), testing::HasSubstr("a.npy: is damaged"));
+  EXPECT_THAT(problem(HeaderOnly("1, 0, 3")), testing::HasSubstr("a.npy: is damaged"));
+  std::string longer = HeaderOnly("0, 0, 3");
+  longer[9] = 1;  // a header that ends behind the file
+  EXPECT_THAT(problem(longer), testing::HasSubstr("a.npy: is damaged"));
 }
 
 }  // namespace

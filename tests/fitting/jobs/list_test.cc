@@ -40,6 +40,18 @@ TEST(JobList, IsRefusedWhereItIsNoneOrOfAnotherVersion) {
   EXPECT_THAT(problem(), HasSubstr("clothfit: '0.0.7'"));
 }
 
+TEST(JobList, IsRefusedWhereANameLeadsElsewhere) {
+  const TestFolder folder;
+  for (const char* name : {"", ".", "..", "../../a", "/a", "a/b", "a\x1b[2J"}) {
+    JobList list = Three();
+    list.jobs[1].name = name;
+    folder.Write(kJobListFile, JobListAsText(list));
+    EXPECT_THAT(InputErrorOf([&] { ReadJobList(folder.path()); }),
+                HasSubstr("jobs.json: jobs: name '"))
+        << name;
+  }
+}
+
 TEST(JobRange, IsANumberOrTwo) {
   const JobList list = Three();
   EXPECT_EQ(ParseJobRange("1", list).first, 1);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/results.h"
@@ -137,9 +138,29 @@ TEST_F(Slurm, TellsTheStatus) {
   EXPECT_THAT(status, HasSubstr("job7 (job 7) was lost: "));
   EXPECT_THAT(status, HasSubstr("12_4.log ends\n      two\n      three\n      slurmstepd"));
   EXPECT_THAT(status, HasSubstr("12_6.log says nothing\n"));
+  ASSERT_EQ(mkfifo((place() / "slurm" / "12_5.log").c_str(), 0600), 0);
+  EXPECT_THAT(DescribeStatus(place(), TenJobs()),
+              HasSubstr("12_5.log: is a pipe; expected a file\n"));
   Program("squeue", "echo 'slurm_load_jobs error: Unable to contact slurm controller'; exit 1\n");
   EXPECT_THAT(DescribeStatus(place(), TenJobs()),
               HasSubstr("not known what runs: squeue: slurm_load_jobs error: Unable to contact"));
+}
+
+TEST_F(Slurm, IsNotAskedForArraysThatCannotBe) {
+  const auto refuses = [&](const std::string& array) {
+    test_.Write("study/slurm/submitted.json", "[" + array + "]");
+    EXPECT_THAT(InputErrorOf([&] { DescribeStatus(place(), TenJobs()); }),
+                HasSubstr("submitted.json: array '"))
+        << array;
+  };
+  const std::string jobs = R"("first": 0, "last": 9, "jobs_a_task": 1, )";
+  refuses(R"({"id": "../../a", )" + jobs + R"("tasks": [0]})");
+  refuses(R"({"id": "11", )" + jobs + R"("tasks": [-1]})");
+  refuses(R"({"id": "11", )" + jobs + R"("tasks": [10]})");
+  refuses(R"({"id": "11", )" + jobs + R"("tasks": [0, 0]})");
+  refuses(
+      R"({"id": "11", "first": 0, "last": 2000000000, "jobs_a_task": 2000000000, "tasks": [0]})");
+  refuses(R"({"id": "11", "first": 0, "last": 9, "jobs_a_task": 0, "tasks": [0]})");
 }
 
 }  // namespace

@@ -184,6 +184,11 @@ TEST_F(Report, TakesSectionsAndFieldsFromTheRun) {
   EXPECT_THAT(html, Not(HasSubstr("<b>wind")));  // no text of a run becomes markup
   WriteWholeFile(run_ / "report" / "extra.json", "{\"sections\": [{}]}");
   EXPECT_THAT(ErrorOf(), HasSubstr("is no addition to a report"));
+  std::string deep(1'000'000, '[');
+  deep += std::string(deep.size(), ']');
+  WriteWholeFile(run_ / "report" / "extra.json",
+                 R"({"sections": [{"id": "a", "title": "b", "blocks": )" + deep + "}]}");
+  EXPECT_THAT(ErrorOf(), HasSubstr("extra.json: is nested too deep"));
 }
 
 TEST_F(Report, NamesTheFileThatIsMissing) {

@@ -38,6 +38,16 @@ TEST(RunFolder, TakesANewOrEmptyFolder) {
   EXPECT_EQ(RunFolder::Open(run.path()).path(), run.path());
 }
 
+TEST(RunFolder, TellsWhyItCannotBeOpened) {
+  const TestFolder folder;
+  const auto problem = [&](const char* name) {
+    return InputErrorOf([&] { RunFolder::Open(folder.path() / name); });
+  };
+  fs::create_symlink("loop", folder.path() / "loop");
+  EXPECT_THAT(problem("loop"), HasSubstr("loop: cannot be read: Too many levels of symbolic"));
+  EXPECT_THAT(problem("none"), HasSubstr("none: no such folder"));
+}
+
 TEST(RunFolder, RefusesWhatIsThere) {
   const TestFolder folder;
   const RunFolder run(folder.path() / "run", Existing::kRefuse);

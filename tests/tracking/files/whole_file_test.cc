@@ -147,5 +147,18 @@ TEST(OutputFile, ReplacesARegularFileOnly) {
               HasSubstr("is a folder; expected a file"));
 }
 
+TEST(OutputFile, TellsWhyAFolderCannotBeReached) {
+  const TestFolder folder;
+  const auto problem = [&](const char* file) {
+    return InputErrorOf([&] { CheckMayWrite(folder.path() / file, Overwrite::kRefuse); });
+  };
+  fs::create_symlink("loop", folder.path() / "loop");
+  folder.Write("file", "");
+  EXPECT_THAT(problem("loop/a.csv"),
+              HasSubstr("loop: cannot be read: Too many levels of symbolic"));
+  EXPECT_THAT(problem("file/a.csv"), HasSubstr("file: expected a folder"));
+  EXPECT_THAT(problem("none/a.csv"), HasSubstr("none: no such folder"));
+}
+
 }  // namespace
 }  // namespace clothfit

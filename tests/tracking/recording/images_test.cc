@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/recording/images.h"
 
+#include <functional>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+#include <zlib.h>
 
 #include "tests/support/test_folder.h"
 #include "tracking/text/text.h"
@@ -79,6 +83,35 @@ TEST(LoadImage, RefusesDamagedFiles) {
   }
   recording.files[0].images[0] = folder.Write("whole.png", whole);
   EXPECT_NO_THROW(LoadImage(recording, 0, 0));
+}
+
+// A PNG whose chunks are as they should be, of pixels that cannot be unpacked.
+std::string PngOfNonsense(std::string png) {
+  const std::size_t kind = png.find("IDAT"), end = png.size() - 16;  // before the last two sums
+  for (std::size_t i = kind + 4; i < end; ++i) png[i] = '\xff';
+  const uLong sum =
+      crc32(0, reinterpret_cast<const Bytef*>(&png[kind]), static_cast<uInt>(end - kind));
+  for (std::size_t i = 0; i < 4; ++i) png[end + i] = static_cast<char>(sum >> (24 - 8 * i));
+  return png;
+}
+
+TEST(CheckPictures, UnpacksThem) {
+  const TestFolder folder;
+  const Recording recording = EmptyRecording(folder);
+  const std::string png = ReadTextFile(WritePng(folder, "whole.png", Grey(9)));
+  const std::string whole = folder.Write("whole.png", png);
+  const std::string bad = folder.Write("bad.png", PngOfNonsense(png));
+  const auto problem = [&](const std::function<void(CameraFiles*)>& put) {
+    Recording with = recording;
+    put(&with.files[0]);
+    return InputErrorOf([&] { CheckPictures(with); });
+  };
+  const auto is_bad = HasSubstr("bad.png: cannot be read as a PNG");
+  EXPECT_THAT(problem([&](CameraFiles* files) { files->images[0] = bad; }), is_bad);
+  EXPECT_THAT(problem([&](CameraFiles* files) { files->background = bad; }), is_bad);
+  EXPECT_THAT(problem([&](CameraFiles* files) { files->depth[0] = bad; }), is_bad);
+  EXPECT_THAT(problem([&](CameraFiles* files) { files->depth[0] = whole; }),
+              HasSubstr("whole.png: expected one channel of 16 bits"));
 }
 
 TEST(LoadMask, IsEitherClothOrNot) {

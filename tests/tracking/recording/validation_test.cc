@@ -317,7 +317,8 @@ TEST(InitialPointErrors, TooFew) {
 TEST(InitialPointErrors, TooMany) {
   std::string rows;
   for (int i = 0; i < 3001; ++i) rows += std::to_string(i * 1e-4) + ",0,0,0,0\n";
-  EXPECT_THAT(ErrorOf(WithInitialPoints(rows)), HasSubstr("expected 3..3000 points, found 3001"));
+  EXPECT_THAT(ErrorOf(WithInitialPoints(rows)),
+              HasSubstr("initial.csv: line 3002: expected at most 3000 rows"));
 }
 
 TEST(InitialPointErrors, Collinear) {
@@ -381,11 +382,20 @@ TEST(CheckRecording, FindsWhatCannotComeFromDisk) {
                [&](Recording* r) { r->cameras[0].camera_from_world_rotation(0, 0) = nan; });
   expect_error("cameras[0].t: expected finite numbers",
                [&](Recording* r) { r->cameras[0].camera_from_world_translation.x() = nan; });
-  expect_error("expected finite numbers in K, and at most",
+  expect_error("expected cx and cy of at most 1e+07 px in K, and at most",
                [&](Recording* r) { r->cameras[0].distortion[0] = nan; });
+  expect_error("cameras[0]: expected cx and cy", [](Recording* r) { r->cameras[0].cx = 1e200; });
+  expect_error("expected finite x, y of at most 1e+07 px, found -1e+200",
+               [](Recording* r) { r->tracks[0].pixel.x() = -1e200; });
+  expect_error("obstacles[0].rotation: expected radians, at most 1e+06, found 1e+200",
+               [](Recording* r) {
+                 ObstacleDescription ball{"ball", BallShape{0.1}, {{}}};
+                 ball.path[0].rotation.x() = 1e200;
+                 r->obstacles = {ball};
+               });
   expect_error("pictures of 1 cameras, but cameras.yaml holds 2",
                [](Recording* r) { r->files.resize(1); });
-  EXPECT_EQ(checked, 13);
+  EXPECT_EQ(checked, 16);
 }
 
 }  // namespace

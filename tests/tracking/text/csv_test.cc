@@ -72,6 +72,26 @@ TEST(ReadCsv, RefusesWrongFields) {
               HasSubstr("line 2: expected 2 fields, found 3"));
 }
 
+TEST(ReadCsv, RefusesMoreThanThereMayBe) {
+  EXPECT_THAT(InputErrorOf([] { ReadRows("frame,x\n1," + std::string(1001, '7') + "\n"); }),
+              HasSubstr("line 2: x: expected at most 1000 bytes, found '777"));
+  const std::string commas(1'000'000, ',');
+  EXPECT_THAT(InputErrorOf([&] { ReadRows("frame,x\n1" + commas); }),
+              HasSubstr("line 2: expected 2 fields, found 1000001"));
+  EXPECT_THAT(InputErrorOf([&] { ReadRows("frame,x" + commas + "\n"); }),
+              HasSubstr("unknown column ''"));
+  const TestFolder folder;
+  const auto file = folder.Write("table.csv", "x\n1\n\n2\n3\n");
+  int rows = 0;
+  const auto read = [&](std::size_t most) {
+    ReadCsv(
+        file, {"x"}, [&](const CsvRow&) { ++rows; }, most);
+  };
+  read(3);
+  EXPECT_EQ(rows, 3);
+  EXPECT_THAT(InputErrorOf([&] { read(2); }), HasSubstr("line 5: expected at most 2 rows"));
+}
+
 TEST(CsvRow, IsMissingWantsAllOrNone) {
   const TestFolder folder;
   std::vector<bool> missing;

@@ -15,6 +15,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/answer/folder.h"
+#include "fitting/diagnosis/fitted/kept_fit.h"
 #include "tests/support/small_recording.h"
 #include "tests/support/test_folder.h"
 #include "tracking/files/whole_file.h"
@@ -45,6 +46,10 @@ FitConfig QuickConfig(const Recording& recording) {
 fs::path OnlyFile(const fs::path& folder) {
   EXPECT_EQ(NumKeptFits(folder), 1);
   return fs::directory_iterator(folder)->path();
+}
+
+TEST(KeptFit, IsNoneWhereItIsNestedTooDeep) {
+  EXPECT_FALSE(FitFromBytes(std::string(1'000'000, '\x81') + '\0').has_value());
 }
 
 class FitRunnerTest : public testing::Test {
