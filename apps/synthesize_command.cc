@@ -9,7 +9,11 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "apps/commands.h"
+#include "apps/config_options.h"
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "apps/terminal.h"
@@ -57,10 +61,21 @@ SyntheticSettings SettingsOf(const SynthesizeOptions& options) {
   return settings;
 }
 
+// Where a key was set, or the option that would set it.
+std::string PlaceOf(const SyntheticSettings& settings, const std::string& name) {
+  if (const auto setting = settings.find(name); setting != settings.end())
+    return setting->second.place;
+  for (const SyntheticKey& key : SyntheticKeys()) {
+    if (key.name == name) return key.option;
+  }
+  return name;
+}
+
 int RunSynthesizeCommand(const SynthesizeOptions& options) {
-  SyntheticOptions made = MakeSyntheticOptions(SettingsOf(options));
+  const SyntheticSettings settings = SettingsOf(options);
+  SyntheticOptions made = MakeSyntheticOptions(settings);
   made.name = NameOf(options.output);
-  made.Check("synthesize");
+  made.Check([&settings](const std::string& key) { return PlaceOf(settings, key); });
   ProgressDisplay display(ProgressDisplay::Lines::kNowAndThen);
   const SyntheticRecording synthetic =
       Synthesize(made, options.output, OverwriteIf(options.force),
@@ -73,17 +88,35 @@ int RunSynthesizeCommand(const SynthesizeOptions& options) {
   return kExitSuccess;
 }
 
+std::string ValueOf(const SyntheticKey& key, const SyntheticOptions& options) {
+  std::vector<std::string> words = key.words(options);
+  if (key.kind == SyntheticKey::Kind::kFlag) return words[0] == "true" ? "on" : "off";
+  for (std::string& word : words) {
+    if (const auto number = ParseNumber(word)) word = fmt::format("{:.4g}", *number);
+  }
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+// With the default, and that of images where it is another.
+std::string DescriptionOf(const SyntheticKey& key) {
+  const std::string value = ValueOf(key, {}), with_images = ValueOf(key, ImageOptions());
+  if (value.empty()) return key.doc;
+  const bool is_other = key.name != "images" && with_images != value;
+  return fmt::format("{} (default: {}{})", key.doc, value,
+                     is_other ? ", with --images " + with_images : "");
+}
+
 void AddKey(CLI::App* command, const SyntheticKey& key, SynthesizeOptions* options) {
-  const std::string name = key.option.substr(2);
+  BeginGroup(command, key.group);
+  const std::string name = key.option.substr(2), doc = DescriptionOf(key);
   if (key.kind == SyntheticKey::Kind::kFlag) {
     command->add_flag_function(
         key.option + ",!--no-" + name,
-        [options, name = key.name](std::int64_t count) { options->flags[name] = count > 0; },
-        key.doc);
+        [options, name = key.name](std::int64_t count) { options->flags[name] = count > 0; }, doc);
     return;
   }
   CLI::Option* const option =
-      command->add_option(key.option, options->words[key.name], key.doc)->type_name(key.type);
+      command->add_option(key.option, options->words[key.name], doc)->type_name(key.type);
   if (key.kind == SyntheticKey::Kind::kValues) {
     option->expected(key.count);
   } else {
@@ -97,6 +130,7 @@ void AddSynthesizeCommand(CLI::App* app, Action* action) {
   CLI::App* const command =
       app->add_subcommand("synthesize", "make a recording by simulation, with its truth");
   const auto options = std::make_shared<SynthesizeOptions>();
+  BeginGroup(command, "The recording");
   command->add_option("-o,--output", options->output, "folder of the recording")
       ->type_name("RECORDING")
       ->required();
@@ -107,6 +141,7 @@ void AddSynthesizeCommand(CLI::App* app, Action* action) {
   command->add_option("--config", options->config, "YAML file of preset and the options below")
       ->type_name("FILE");
   for (const SyntheticKey& key : SyntheticKeys()) AddKey(command, key, options.get());
+  BeginGroup(command, "The recording");
   command->add_flag("--force", options->force,
                     "replace what clothfit wrote there; other files stay");
   command->footer(

@@ -93,6 +93,20 @@ TEST(CommandLine, GroupsOptionsAndTellsDefaults) {
   EXPECT_THAT(fit, HasSubstr("(default: lm)"));
 }
 
+TEST(CommandLine, TellsDefaultsOfSyntheticRecordings) {
+  const TestFolder folder;
+  const std::string help = RunCommand({"help", "synthesize"}, folder.path()).out;
+  for (const char* title : {"The motion:", "The cloth:", "The observations:", "The pictures:"})
+    EXPECT_THAT(help, HasSubstr("\n" + std::string(title) + "\n"));
+  for (const char* option : {"--frames N", "--size U V", "--noise M", "--tracks, --no-tracks",
+                             "--held-out SHARE", "--picture-size W H", "--video CONTAINER"}) {
+    const std::size_t begin = help.find("\n  " + std::string(option));
+    ASSERT_NE(begin, std::string::npos) << option;
+    EXPECT_THAT(help.substr(begin, help.find("\n  -", begin + 1) - begin), HasSubstr("(default:"));
+  }
+  EXPECT_THAT(help, HasSubstr("number of frames (default: 90, with --images 150)"));
+}
+
 TEST(CommandLine, TakesAnOlderNameOfAnOptionAndDoesNotListIt) {
   const TestFolder folder;
   for (const char* command : {"diagnose", "trials"}) {
@@ -158,6 +172,18 @@ TEST(CommandLine, ErrorsNameTheOptionThatWasTyped) {
   EXPECT_THAT(line("--window", {"-1"}), HasSubstr("error: --window: -1: expected 0 or more"));
   EXPECT_THAT(line("--alpha", {"0", "--beta", "0"}),
               HasSubstr("error: --alpha, --beta: both are 0"));
+}
+
+TEST(CommandLine, ErrorsNameTheKeyOfASyntheticRecordingThatWasSet) {
+  const TestFolder folder;
+  folder.Write("made.yaml", "rate: 0\n");
+  const auto line = [&](const std::string& option, const std::string& value) {
+    return BadInputLine(RunCommand({"synthesize", "-o", "rec", option, value}, folder.path()));
+  };
+  EXPECT_THAT(line("--frames", "0"), HasSubstr("error: --frames: 0: expected 2 to 1000000"));
+  EXPECT_THAT(line("--set", "air_drag.normal=-1"),
+              HasSubstr("error: --set: air_drag.normal: -1: expected"));
+  EXPECT_THAT(line("--config", "made.yaml"), HasSubstr("error: made.yaml: rate: 0: expected"));
 }
 
 TEST(CommandLine, SaysWhatToDoNext) {

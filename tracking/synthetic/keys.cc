@@ -4,6 +4,8 @@
 // Ranges are checked by SyntheticOptions::Check; here it is only decided what a word means.
 #include "tracking/synthetic/keys.h"
 
+#include <utility>
+
 #include "tracking/synthetic/key_kinds.h"
 #include "tracking/text/text.h"
 
@@ -14,8 +16,10 @@ using namespace synthetic_key_kinds;  // NOLINT(google-build-using-namespace): i
 using Kind = SyntheticKey::Kind;
 
 SyntheticKey ParametersKey() {
-  SyntheticKey key = BareKey("parameters", "TERM.PARAMETER=VALUE",
-                             "value of a parameter, else its initial one; may be repeated");
+  SyntheticKey key =
+      BareKey("parameters", "TERM.PARAMETER=VALUE",
+              "value of a parameter, else its initial one, with --images that of a heavy "
+              "cotton; may be repeated");
   key.option = "--set";
   key.kind = Kind::kMap;
   key.set = [](const Words& words, SyntheticOptions* options) {
@@ -79,23 +83,28 @@ SyntheticKey VideoKey() {
 
 using Options = SyntheticOptions;
 
-std::vector<SyntheticKey> SceneKeys() {
+std::vector<SyntheticKey> MotionKeys() {
   return {
       NameKey<SyntheticScenario>("scenario", SyntheticScenarioNames(), "what happens",
                                  ParseSyntheticScenario,
                                  [](Options& o) -> SyntheticScenario& { return o.scenario; }),
-      VectorKey<Eigen::Vector2d>("size", "U V", "m along u and v", 2,
-                                 [](Options& o) -> Eigen::Vector2d& { return o.size; }),
-      VectorKey<Eigen::Vector2i>("resolution", "NU NV", "particles along u and v", 2,
-                                 [](Options& o) -> Eigen::Vector2i& { return o.resolution; }),
-      NumberKey<int>("refinement", "N", "simulate with this many times as many cells each way",
-                     [](Options& o) -> int& { return o.refinement; }),
       NumberKey<int>("frames", "N", "number of frames",
                      [](Options& o) -> int& { return o.frame_count; }),
       NumberKey<double>("rate", "HZ", "frames a second",
                         [](Options& o) -> double& { return o.frame_rate; }),
       NumberKey<int>("steps", "N", "simulated steps a frame",
                      [](Options& o) -> int& { return o.steps_per_frame; }),
+  };
+}
+
+std::vector<SyntheticKey> ClothKeys() {
+  return {
+      VectorKey<Eigen::Vector2d>("size", "U V", "m along u and v", 2,
+                                 [](Options& o) -> Eigen::Vector2d& { return o.size; }),
+      VectorKey<Eigen::Vector2i>("resolution", "NU NV", "particles along u and v", 2,
+                                 [](Options& o) -> Eigen::Vector2i& { return o.resolution; }),
+      NumberKey<int>("refinement", "N", "simulate with this many times as many cells each way",
+                     [](Options& o) -> int& { return o.refinement; }),
       ParametersKey(),
   };
 }
@@ -164,9 +173,17 @@ std::vector<SyntheticKey> PictureKeys() {
 
 const std::vector<SyntheticKey>& SyntheticKeys() {
   static const std::vector<SyntheticKey> keys = [] {
-    std::vector<SyntheticKey> all = SceneKeys();
-    for (const auto& more : {ObservationKeys(), PictureKeys()})
-      all.insert(all.end(), more.begin(), more.end());
+    std::vector<SyntheticKey> all;
+    const auto add = [&all](const char* group, std::vector<SyntheticKey> keys_of_group) {
+      for (SyntheticKey& key : keys_of_group) {
+        key.group = group;
+        all.push_back(std::move(key));
+      }
+    };
+    add("The motion", MotionKeys());
+    add("The cloth", ClothKeys());
+    add("The observations", ObservationKeys());
+    add("The pictures", PictureKeys());
     return all;
   }();
   return keys;

@@ -29,6 +29,7 @@ struct SyntheticKey {
   int count = 1;
   std::string type;  // of its values, for the help
   std::string doc;
+  std::string group;  // for the help
   // Sets the option; tells what is wrong with the words, nothing where they are right.
   std::function<std::string(const std::vector<std::string>& words, SyntheticOptions* options)> set;
   std::function<std::vector<std::string>(const SyntheticOptions& options)> words;

@@ -124,25 +124,21 @@ void WriteCamera(const Studio& studio, int camera, const fs::path& folder,
 
 }  // namespace
 
-void SyntheticPictureOptions::Check(const std::string& place) const {
-  const auto expect = [&place](bool right, const std::string& option, const std::string& expected) {
-    if (!right) throw InputError(place + ": " + option, "expected " + expected);
-  };
+void SyntheticPictureOptions::Check(const Expect& expect) const {
   const auto within = [](double value, double most) { return value >= 0.0 && value <= most; };
-  expect(size.minCoeff() >= 16 && size.maxCoeff() <= 8192, "picture size",
-         fmt::format("16 to 8192 px, found {} x {}", size.x(), size.y()));
+  expect(size.minCoeff() >= 16 && size.maxCoeff() <= 8192, "picture_size", "16 to 8192 px");
   expect(within(specular, 10.0), "specular", "a share from 0 to 10");
   expect(samples >= 1 && samples <= 16, "samples", "1 to 16 along x and y");
-  expect(within(noise, 255.0), "sensor noise", "0 to 255 grey levels");
-  expect(within(shot_noise, 255.0), "shot noise", "0 to 255 grey levels");
-  expect(within(light_drift, 0.9), "light drift", "a share from 0 to 0.9");
+  expect(within(noise, 255.0), "sensor_noise", "0 to 255 grey levels");
+  expect(within(shot_noise, 255.0), "shot_noise", "0 to 255 grey levels");
+  expect(within(light_drift, 0.9), "light_drift", "a share from 0 to 0.9");
   expect(within(exposure, 1.0), "exposure", "0 to 1 s");
-  expect(exposure_samples >= 1 && exposure_samples <= 1000, "exposure samples", "1 to 1000");
+  expect(exposure_samples >= 1 && exposure_samples <= 1000, "exposure_samples", "1 to 1000");
   expect(threads >= 0 && threads <= 1024, "threads", "0 to 1024");
   const std::vector<std::string>& containers = VideoContainers();
-  if (video.empty() || std::find(containers.begin(), containers.end(), video) != containers.end())
-    return;
-  throw InputError(place + ": video", "'" + video + "': " + Suggestion(video, containers));
+  const bool is_container =
+      std::find(containers.begin(), containers.end(), video) != containers.end();
+  expect(video.empty() || is_container, "video", JoinNames(containers) + " or none");
 }
 
 Eigen::VectorXd SyntheticSurface::At(double time) const {

@@ -44,8 +44,10 @@ struct SyntheticPictureOptions {
   std::string video;          // empty: PNG; else the container: mp4, mkv or avi
   int threads = 0;            // 0: as many as the machine runs; the pictures do not depend on it
 
-  // Throws InputError, naming `place` and the option, where a value is of no use.
-  void Check(const std::string& place) const;
+  // Tells `expect` of each key, as keys.h names it, whether its value is of use.
+  using Expect =
+      std::function<void(bool right, const std::string& key, const std::string& expected)>;
+  void Check(const Expect& expect) const;
 };
 
 // Called with the share that is done, 0 to 1, and what is being done; never from two threads at a

@@ -59,8 +59,11 @@ struct SyntheticOptions {
 
   double Duration() const;  // s, from the first frame to the last
 
-  // Throws InputError, naming `place` and the option, where a value is of no use.
-  void Check(const std::string& place) const;
+  // Throws InputError where a value is of no use: the place of its key, which keys.h names, the
+  // value and what was expected.
+  using PlaceOfKey = std::function<std::string(const std::string& key)>;
+  void Check(const PlaceOfKey& place_of) const;
+  void Check(const std::string& place) const;  // "PLACE: KEY"
 };
 
 struct SyntheticRecording {

@@ -99,15 +99,15 @@ TEST(SyntheticOptions, RefuseUselessPictures) {
   };
   EXPECT_THAT(problem_of([](SyntheticOptions* o) { o->num_cameras = 0; }), HasSubstr("cameras"));
   EXPECT_THAT(problem_of([](SyntheticOptions* o) { o->pictures.samples = 0; }),
-              HasSubstr("samples: expected 1 to 16"));
+              HasSubstr("samples: 0: expected 1 to 16"));
   EXPECT_THAT(problem_of([](SyntheticOptions* o) {
                 o->pictures.size = {4, 4};
               }),
-              HasSubstr("picture size"));
+              HasSubstr("picture_size: 4 4: expected"));
   EXPECT_THAT(problem_of([](SyntheticOptions* o) { o->pictures.noise = -1.0; }),
-              HasSubstr("sensor noise"));
+              HasSubstr("sensor_noise: -1: expected"));
   EXPECT_THAT(problem_of([](SyntheticOptions* o) { o->pictures.video = "mkw"; }),
-              HasSubstr("did you mean 'mkv'?"));
+              HasSubstr("video: mkw: expected mkv, mp4, avi or none"));
 }
 
 }  // namespace
