@@ -83,32 +83,42 @@ std::string WordsOfOptions(const CLI::App& command) {
   return words;
 }
 
-// Lines of a case: what may follow the words of a command so far.
+// Lines of a case: which commands and which options may follow the words of a command so far.
 std::string CompletionCases(const CLI::App& command, const std::string& called) {
-  std::string words;
-  for (const CLI::App* one : Listed(command)) words += " " + one->get_name();
+  std::string names;
+  for (const CLI::App* one : Listed(command)) names += " " + one->get_name();
   std::string cases =
-      fmt::format("    '{}') words='{}' ;;\n", called, (words + WordsOfOptions(command)).substr(1));
+      fmt::format("    '{}') names='{}' options='{}' ;;\n", called, names, WordsOfOptions(command));
   for (const CLI::App* one : Listed(command))
     cases += CompletionCases(*one, called + (called.empty() ? "" : " ") + one->get_name());
   return cases;
 }
 
+// Words of commands are taken as far as one has commands of its own. After help stand the names of
+// commands too, and none of their options.
 std::string BashCompletion(const CLI::App& root) {
   return "# bash completion of clothfit, written by clothfit manual-pages\n"
          "_clothfit() {\n"
-         "  local current=${COMP_WORDS[COMP_CWORD]} command= words= i\n"
-         "  for ((i = 1; i < COMP_CWORD && i <= 2; ++i)); do\n"
-         "    [[ ${COMP_WORDS[i]} == [a-z]* ]] || break\n"
-         "    [[ $i == 1 || $command == import || $command == study ]] || break\n"
-         "    command=${command:+$command }${COMP_WORDS[i]}\n"
-         "  done\n"
-         "  case $command in\n" +
+         "  local current=${COMP_WORDS[COMP_CWORD]} command= names= options= is_help= i\n"
+         "  for ((i = 1; i <= COMP_CWORD; ++i)); do\n"
+         "    case $command in\n" +
          CompletionCases(root, "") +
-         "  esac\n"
+         "    esac\n"
+         "    [[ $i -lt $COMP_CWORD && -n $names ]] || break\n"
+         "    if [[ $i == 1 && ${COMP_WORDS[i]} == help ]]; then\n"
+         "      is_help=1\n"
+         "    elif [[ \" $names \" == *\" ${COMP_WORDS[i]} \"* ]]; then\n"
+         "      command=${command:+$command }${COMP_WORDS[i]}\n"
+         "    else\n"
+         "      names= options=\n"
+         "      break\n"
+         "    fi\n"
+         "  done\n"
          "  COMPREPLY=()\n"
-         "  if [[ $current == -* || -z $command || $command == import ]]; then\n"
-         "    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
+         "  if [[ $current == -* ]]; then\n"
+         "    [[ -n $is_help ]] || COMPREPLY=($(compgen -W \"$options\" -- \"$current\"))\n"
+         "  elif [[ -n $names ]]; then\n"
+         "    COMPREPLY=($(compgen -W \"$names\" -- \"$current\"))\n"
          "  fi\n"
          "}\n"
          "complete -o bashdefault -o default -F _clothfit clothfit\n";

@@ -31,7 +31,7 @@ install(DIRECTORY data/demo data/lift DESTINATION ${CMAKE_INSTALL_DATADIR}/cloth
         COMPONENT command)
 
 # The same library for higher levels of x86-64, which the loader prefers where the processor has
-# them: tools/build_levels makes the folder.
+# them: tools/make_deb makes the folder.
 set(CLOTHFIT_LEVELS "" CACHE PATH "Folder with x86-64-v3/libclothfit.so.0 and the like")
 if(CLOTHFIT_LEVELS)
   install(DIRECTORY ${CLOTHFIT_LEVELS}/ DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibc-hwcaps

@@ -24,8 +24,10 @@ def listed(help_text):
     for title, rows in re.findall(r"^(\S.*):\n((?:  .*\n)+)", help_text, re.M):
         if title in ("Options", "Arguments", "Examples", "Example"):
             continue
-        joined = re.sub(r"\n {28}", " ", rows)
-        groups.append((title, re.findall(r"^  (\S+) +(.*)$", joined, re.M)))
+        joined = re.sub(r"\n {14}", " ", rows)  # kCommandColumn of apps/help_text.cc
+        found = re.findall(r"^  (\S+) +(.*)$", joined, re.M)
+        assert len(found) == len(joined.splitlines()), f"{title}: a line is of no command:\n{rows}"
+        groups.append((title, found))
     return groups
 
 
