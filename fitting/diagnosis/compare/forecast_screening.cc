@@ -23,13 +23,16 @@ namespace {
 
 constexpr std::size_t kMostJudged = 4;  // that are fitted on the deciding mesh
 constexpr double kMayWin = 0.5;         // of what the best gains on the coarse one
-// The share that a model explains on the deciding mesh was 0.9 to 1.3 times that on the coarse one
+// The share that a model explains on the deciding mesh was 0.8 to 1.3 times that on the coarse one
 // (docs/adr/0026-second-effects-on-the-coarse-mesh.md).
 constexpr double kOnCoarse = 0.75;
 constexpr double kMayCome = 0.25;  // of what the best gains in forecasts of half that length
 constexpr int kScreeningIterations = 5, kIterations = 8;  // on the coarse mesh, of each length
 constexpr int kFirstLengths = 1;        // of forecasts, by which most models are put aside
 constexpr std::size_t kMostStarts = 2;  // of a model
+// Candidates that are fitted whatever their share: a score is linear, and misses most of what an
+// effect does that changes the motion by much.
+constexpr int kAlwaysFitted = 2;
 
 // The coarse mesh: forecasts are short, so that it is right about what is far behind.
 std::array<int, 2> ScreeningGrid(const ClothMesh& mesh) {
@@ -110,7 +113,8 @@ std::vector<RankedCandidate> ForecastScreening::CandidatesToFit(
     if (candidate.summary.kind != CandidateKind::kPhysics) continue;
     if (std::optional<RankedCandidate> obstacle = AtContacts(base, candidate, contacts)) {
       obstacles.push_back(*std::move(obstacle));
-    } else if (candidate.summary.share >= options_.least_share && count < options_.max_models) {
+    } else if (count < options_.max_models &&
+               (candidate.summary.share >= options_.least_share || count < kAlwaysFitted)) {
       candidates.push_back(candidate);
       ++count;
     }
