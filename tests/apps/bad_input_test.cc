@@ -269,6 +269,22 @@ TEST_F(BadInput, NamesThatSteerATerminal) {
   EXPECT_THAT(result.out, HasSubstr("initially mesh a\\x1b[2J.obj\n"));
 }
 
+// OpenCV reads on beyond the text where a tag does not end.
+TEST_F(BadInput, CalibrationsThatAreCutOff) {
+  const std::string whole =
+      "<?xml version=\"1.0\"?>\n<opencv_storage>\n<!-- 3 < 4 -->\n<image_width>640</image_width>\n"
+      "<K type_id=\"opencv-matrix\"><rows>3</rows></K>\n</opencv_storage>";
+  for (const std::size_t length : {14, 30, 52, 75, 105, 110}) {
+    folder_.Write("cut.xml", whole.substr(0, length));
+    EXPECT_THAT(BadInputLine(RunCommand({"import", "opencv", "cut.xml", "-o", "out"}, path())),
+                HasSubstr("cut.xml: "))
+        << length;
+  }
+  folder_.Write("cut.xml", whole);
+  EXPECT_THAT(BadInputLine(RunCommand({"import", "opencv", "cut.xml", "-o", "out"}, path())),
+              testing::Not(HasSubstr("tag")));
+}
+
 TEST_F(BadInput, CalibrationsNestedTooDeep) {
   std::string deep, list = "%YAML:1.0\n---\nK: ", items = list, maps = list;
   for (int i = 0; i < 100'000; ++i) {

@@ -41,7 +41,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path& Folder() { return FuzzFolder(); }
+const fs::path& Folder() {
+  fs::create_directories(FuzzFolder());
+  return FuzzFolder();
+}
 
 fs::path Write(const std::string& name, const std::string& bytes) {
   const fs::path file = Folder() / name;
@@ -88,6 +91,7 @@ void ReadScene(const std::string& bytes) {
 
 void ReadCameraFile(const std::string& bytes) {
   Recording recording = PlainRecording();
+  recording.markers.push_back({0, 0, {0.0, 0.0}, {0.0, 0.0, 1.0}});  // something has been seen
   recording.cameras = ReadCameras(Write("cameras.yaml", bytes));
   CheckRecording(recording);
 }

@@ -40,6 +40,7 @@ class Calibration {
     constexpr std::size_t kMostBytes = 16 << 20;  // of one camera, with every view of a board
     const std::string text = ReadInputFile(file, kMostBytes);
     if (!IsShallow(text)) throw InputError(file.string(), "is nested too deep for a calibration");
+    if (!HasWholeTags(text)) throw InputError(file.string(), "has a tag that does not end");
     try {
       storage_.open(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     } catch (const std::exception&) {

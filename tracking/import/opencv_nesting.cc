@@ -26,6 +26,13 @@ class Levels {
   int depth_ = 0, deepest_ = 0, opened_ = 0;
 };
 
+char FirstOf(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  return first == std::string_view::npos ? '\0' : text[first];
+}
+
+bool IsXml(std::string_view text) { return FirstOf(text) == '<'; }
+
 bool IsShallowXml(std::string_view text) {
   Levels levels;
   for (std::size_t i = 0; i + 1 < text.size(); ++i) {
@@ -41,9 +48,8 @@ bool IsShallowXml(std::string_view text) {
 }  // namespace
 
 bool IsShallow(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  if (first != std::string_view::npos && text[first] == '<') return IsShallowXml(text);
-  const bool is_json = first != std::string_view::npos && text[first] == '{';
+  if (IsXml(text)) return IsShallowXml(text);
+  const bool is_json = FirstOf(text) == '{';
   Levels levels;
   int column = 0;  // of this line, before all else
   int begun = 0;   // lists and maps that begin somewhere in this line
@@ -69,6 +75,19 @@ bool IsShallow(std::string_view text) {
     if (c == ']' || c == '}') levels.Close();
   }
   return levels.AreFew();
+}
+
+bool HasWholeTags(std::string_view text) {
+  if (!IsXml(text)) return true;
+  for (std::size_t i = text.find('<'); i != std::string_view::npos; i = text.find('<', i)) {
+    const bool is_comment = text.substr(i, 4) == "<!--";
+    const std::size_t end = is_comment ? text.find("-->", i) : text.find_first_of("<>", i + 1);
+    if (end == std::string_view::npos || text[end] == '<') return false;
+    const std::string_view tag = text.substr(i, end - i);
+    if (!is_comment && std::count(tag.begin(), tag.end(), '"') % 2 != 0) return false;
+    i = end;
+  }
+  return true;
 }
 
 }  // namespace clothfit

@@ -12,4 +12,8 @@ namespace clothfit {
 // ones in quotes or comments. The parsers bear that many.
 bool IsShallow(std::string_view text);
 
+// Whether every tag of XML ends, with its quotes: OpenCV 4.6 reads on beyond the text where one
+// does not. True of what is no XML.
+bool HasWholeTags(std::string_view text);
+
 }  // namespace clothfit
