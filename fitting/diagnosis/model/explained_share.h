@@ -11,6 +11,11 @@ namespace clothfit {
 // over the null, and the most that absent terms can explain (Ranking::explainable, halved).
 double ShareExplained(double before, double after, double null, double explainable);
 
+// The same of costs of fits whose noise leaves `noise`, and discretisation errors of `mesh` sigmas
+// at most mesh^2 times as much besides. Where that might be all there is, a name has to take half
+// of what is beyond noise, or it explains nothing: no other mesh is that much like an effect.
+double ShareBeyondMesh(double before, double after, double noise, double mesh);
+
 // Shares explained: of what is named, and of what is the best there is.
 inline constexpr double kMostOfIt = 0.9, kHalfOfIt = 0.5;
 

@@ -34,7 +34,7 @@ const Ranking& Diagnoser::RankingWithoutPhysics() const {
 double Diagnoser::Explained(const BothMeshes& before, const FittedScene& fine) const {
   const double rows = baseline_quality_->scale.rows;
   const double mesh = std::min(baseline_quality_->mesh, quality_ ? quality_->mesh : HUGE_VAL);
-  return ShareExplained(before.Cost(), fine.fit.cost_after, 0.5 * rows * (1 + mesh * mesh), 0.0);
+  return ShareBeyondMesh(before.Cost(), fine.fit.cost_after, 0.5 * rows, mesh);
 }
 
 // What has lost the recorded motion is told of by forecasts.
