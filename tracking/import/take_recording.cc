@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/names.h"
 #include "tracking/import/held_markers.h"
 #include "tracking/import/joined_tracks.h"
 #include "tracking/import/marker_layout.h"
