@@ -40,6 +40,9 @@ class Calibration {
     constexpr std::size_t kMostBytes = 16 << 20;  // of one camera, with every view of a board
     const std::string text = ReadInputFile(file, kMostBytes);
     if (!IsShallow(text)) throw InputError(file.string(), "is nested too deep for a calibration");
+    // OpenCV takes it for the end.
+    if (text.find('\0') != std::string::npos)
+      throw InputError(file.string(), "has a byte of zeros; expected text");
     if (!HasWholeTags(text)) throw InputError(file.string(), "has a tag that does not end");
     try {
       storage_.open(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
