@@ -203,6 +203,7 @@ ScoredGroup Ranker::GroupOf(const Trial& trial) const {
 
 // Places and shapes beside the best ones of the candidates that look best, finer each time.
 void Ranker::Refine() {
+  if (trials_.empty()) return;  // it was stopped before
   double step = 0.5;
   for (int round = 0; round < refinements_; ++round, step *= 0.5) {
     Scale();

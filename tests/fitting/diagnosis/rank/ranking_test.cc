@@ -5,6 +5,7 @@
 #include "fitting/diagnosis/rank/ranking.h"
 
 #include <algorithm>
+#include <atomic>
 #include <random>
 #include <string_view>
 
@@ -74,6 +75,16 @@ TEST(Ranking, NothingStandsOutOfNoise) {
   const FittedScene fitted = Fitted(MakeSmallRecording({5, 30, 0.002, {}}));
   for (const RankedCandidate& candidate : Rank(fitted, 0.5).candidates)
     EXPECT_FALSE(candidate.summary.is_short_listed) << candidate.summary.name;
+}
+
+TEST(Ranking, EndsWhereItIsStoppedBeforeAnyTrial) {
+  const FittedScene fitted = Fitted(MakeSmallRecording({5, 10, 0.002, {}}));
+  const std::atomic<bool> stop = true;
+  DiagnosisOptions options;
+  options.stop = &stop;
+  const Ranking ranking = Rank(fitted, 0.5, options);
+  for (const RankedCandidate& candidate : ranking.candidates)
+    EXPECT_EQ(candidate.summary.kind, CandidateKind::kObservation) << candidate.summary.name;
 }
 
 Recording SeenByThree(double track_sigma = 0.5) {
