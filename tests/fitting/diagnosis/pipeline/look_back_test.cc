@@ -53,6 +53,15 @@ class DiagnoserPeer {
     diagnoser_.now_ = model.model;
   }
 
+  // Besides what is there, held against itself and these others.
+  JudgedModel FitAndKeep(const std::string& effect, const std::vector<JudgedModel>& others = {}) {
+    const JudgedModel model = Fit(now(), effect);
+    std::vector<JudgedModel> round = {model};
+    round.insert(round.end(), others.begin(), others.end());
+    Keep(model, round);
+    return model;
+  }
+
   // A fault of a camera that changes nothing.
   void KeepFault(const std::string& name) {
     JudgedModel fault{{}, diagnoser_.now_};
@@ -95,10 +104,8 @@ DiagnoserPeer Peer(const std::map<std::string, double>& effects) {
 // Tilt was kept for wind, which has been found since.
 TEST(LookBack, DropsWhatTheSecondEffectDoesWithout) {
   DiagnoserPeer peer = Peer({{"wind.x", 3.0}});
-  const JudgedModel tilt = peer.Fit(peer.base(), "gravity_tilt");
-  peer.Keep(tilt, {tilt});
-  const JudgedModel both = peer.Fit(peer.now(), "wind");
-  peer.Keep(both, {both});
+  peer.FitAndKeep("gravity_tilt");
+  peer.FitAndKeep("wind");
   peer.LookBack();
   EXPECT_THAT(peer.effects(), ElementsAre("wind"));
   EXPECT_EQ(peer.now().config.parameters.at("gravity_tilt.angle_1").free, false);
@@ -107,11 +114,8 @@ TEST(LookBack, DropsWhatTheSecondEffectDoesWithout) {
 // Wind looks like a tilt as long as the hem is not known.
 TEST(LookBack, PutsACompetitorInThePlaceOfTheFirst) {
   DiagnoserPeer peer = Peer({{"wind.x", 3.0}, {"hem.high_v", 0.03}});
-  const JudgedModel tilt = peer.Fit(peer.base(), "gravity_tilt");
-  const JudgedModel wind = peer.Fit(peer.base(), "wind");
-  peer.Keep(tilt, {tilt, wind});
-  const JudgedModel both = peer.Fit(peer.now(), "hem");
-  peer.Keep(both, {both});
+  peer.FitAndKeep("gravity_tilt", {peer.Fit(peer.base(), "wind")});
+  const JudgedModel both = peer.FitAndKeep("hem");
   peer.LookBack();
   EXPECT_THAT(peer.effects(), ElementsAre("wind", "hem"));
   EXPECT_LT(peer.now().fit.cost_after, both.model.Cost());
@@ -119,11 +123,8 @@ TEST(LookBack, PutsACompetitorInThePlaceOfTheFirst) {
 
 TEST(LookBack, LeavesTwoEffectsThatAreThere) {
   DiagnoserPeer peer = Peer({{"wind.x", 3.0}, {"hem.high_v", 0.03}});
-  const JudgedModel tilt = peer.Fit(peer.base(), "gravity_tilt");
-  const JudgedModel wind = peer.Fit(peer.base(), "wind");
-  peer.Keep(wind, {wind, tilt});
-  const JudgedModel both = peer.Fit(peer.now(), "hem");
-  peer.Keep(both, {both});
+  peer.FitAndKeep("wind", {peer.Fit(peer.base(), "gravity_tilt")});
+  peer.FitAndKeep("hem");
   peer.LookBack();
   EXPECT_THAT(peer.effects(), ElementsAre("wind", "hem"));
 }
@@ -132,10 +133,8 @@ TEST(LookBack, LeavesTwoEffectsThatAreThere) {
 TEST(PutFaultFirst, TellsOfPhysicsWithoutTheFault) {
   const std::string pose = "camera cam1: pose";
   DiagnoserPeer peer(SeenAskew({{"wind.x", 3.0}}, {0.03, -0.02, 0.0}), {"wind"});
-  const JudgedModel wind = peer.Fit(peer.base(), "wind");
-  peer.Keep(wind, {wind});
-  const JudgedModel both = peer.Fit(peer.now(), pose);
-  peer.Keep(both, {both});
+  peer.FitAndKeep("wind");
+  const JudgedModel both = peer.FitAndKeep(pose);
   ASSERT_THAT(peer.effects(), ElementsAre("wind", pose));
   ASSERT_EQ(peer.CostWithoutPhysics(), peer.base().fit.cost_after);
   peer.PutFaultFirst();
@@ -150,8 +149,7 @@ TEST(TakeBack, OfPhysicsThatExplainsTooLittleLeavesTheFaults) {
   DiagnoserPeer peer = Peer({{"wind.x", 0.5}});
   peer.KeepFault("camera cam1: pose");
   const double before = peer.now().fit.cost_after;
-  const JudgedModel hem = peer.Fit(peer.now(), "hem");
-  peer.Keep(hem, {hem});
+  peer.FitAndKeep("hem");
   ASSERT_LT(peer.now().fit.cost_after, before);
   peer.TakeBack();
   EXPECT_THAT(peer.effects(), ElementsAre("camera cam1: pose"));
@@ -160,8 +158,7 @@ TEST(TakeBack, OfPhysicsThatExplainsTooLittleLeavesTheFaults) {
 
 TEST(TakeBack, LeavesPhysicsThatExplainsIt) {
   DiagnoserPeer peer = Peer({{"wind.x", 3.0}});
-  const JudgedModel wind = peer.Fit(peer.base(), "wind");
-  peer.Keep(wind, {wind});
+  peer.FitAndKeep("wind");
   peer.TakeBack();
   EXPECT_THAT(peer.effects(), ElementsAre("wind"));
 }
