@@ -9,6 +9,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/fit/correlation_time.h"
 #include "fitting/optimise/checked_factor.h"
 #include "fitting/rollout/nudging.h"
 #include "fitting/rollout/window_cost.h"
@@ -34,17 +35,49 @@ FitConfig ConfigOfPoints(const FitConfig& config) {
   return of_points;
 }
 
+bool SeesOutlinesAlone(const Scene& scene) {
+  return scene.silhouettes && !scene.clouds && !HasPoints(scene);
+}
+
+// One frame of so many, so that the Jacobian of a long recording stays small.
+std::size_t ThinningOf(const Scene& scene) {
+  constexpr Eigen::Index kMostRows = 50000;
+  Eigen::Index rows = 0;
+  for (const auto& [first, count] : OutlineRows(scene)) rows += count + scene.mesh.num_particles();
+  return static_cast<std::size_t>(1 + rows / kMostRows);
+}
+
+Scene EveryFitted(const Scene& scene, std::size_t every) {
+  Scene some = scene;
+  for (std::size_t frame = 0; frame < some.is_fitted.size(); ++frame)
+    if (frame % every != 0) some.is_fitted[frame] = false;
+  return some;
+}
+
 struct PointRows {
   Eigen::VectorXd residuals;
   RowMajorMatrix jacobian;
 };
 
-// A recording's markers and tracks alone, as it is given and on the finer mesh.
+// A recording's markers and tracks alone, or its outlines, as it is given and on the finer mesh.
 struct PointScene {
   Scene scene;
   FitConfig config;
+  double weight = 1.0;  // of the squares of its rows
   std::optional<PointRows> own, finer;
 };
+
+void KeepRows(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& kept, PointRows* rows) {
+  Eigen::Index to = 0;
+  for (const auto& [first, count] : kept) {
+    rows->residuals.segment(to, count) = rows->residuals.segment(first, count).eval();
+    if (rows->jacobian.cols() > 0)
+      rows->jacobian.middleRows(to, count) = rows->jacobian.middleRows(first, count).eval();
+    to += count;
+  }
+  rows->residuals.conservativeResize(to);
+  if (rows->jacobian.cols() > 0) rows->jacobian.conservativeResize(to, Eigen::NoChange);
+}
 
 std::optional<PointRows> Evaluate(const Scene& scene, const FitConfig& config,
                                   const Eigen::VectorXd& theta, bool derivatives) {
@@ -56,6 +89,7 @@ std::optional<PointRows> Evaluate(const Scene& scene, const FitConfig& config,
                                       0, scene.last_fitted_frame, WindowRows::kAll, &rows.residuals,
                                       derivatives ? &rows.jacobian : nullptr);
   if (outcome != WindowSimulator::Outcome::kComplete) return std::nullopt;
+  if (SeesOutlinesAlone(scene)) KeepRows(OutlineRows(scene), &rows);
   return rows;
 }
 
@@ -65,7 +99,21 @@ std::optional<PointRows> EvaluateFiner(const Scene& scene, FitConfig config,
   const std::array<int, 2> grid = scene.mesh.grid;
   config.resolution = GridWithSide(grid, FinerSide(std::max(grid[0], grid[1])));
   config.max_step = 0.5 * scene.step;
-  return Evaluate(MakeScene(scene.recording, config), config, theta, false);
+  Scene finer = MakeScene(scene.recording, config);
+  finer.is_fitted = scene.is_fitted;
+  return Evaluate(finer, config, theta, false);
+}
+
+// Both meshes side by side.
+void EvaluateBoth(const JointVector& free, const Eigen::VectorXd& theta,
+                  std::vector<PointScene>* scenes) {
+  ParallelFor(2 * static_cast<int>(scenes->size()), NumThreads(0), [&](int piece, int) {
+    const auto i = static_cast<std::size_t>(piece / 2);
+    const Eigen::VectorXd own = free.Of(i, theta);
+    PointScene& one = (*scenes)[i];
+    if (piece % 2 == 0) one.finer = EvaluateFiner(one.scene, one.config, own);
+    if (piece % 2 == 1) one.own = Evaluate(one.scene, one.config, own, true);
+  });
 }
 
 // The rows of all, one recording after the other, with the columns of all. Empty where one has
@@ -83,8 +131,9 @@ std::optional<PointRows> Stack(const JointVector& free, const std::vector<PointS
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointRows& one = *(points[i].*rows);
-    all.residuals.segment(row, one.residuals.size()) = one.residuals;
-    if (one.jacobian.cols() > 0) free.PutColumns(i, one.jacobian, row, &all.jacobian);
+    const double root = std::sqrt(points[i].weight);
+    all.residuals.segment(row, one.residuals.size()) = root * one.residuals;
+    if (one.jacobian.cols() > 0) free.PutColumns(i, root * one.jacobian, row, &all.jacobian);
     row += one.residuals.size();
   }
   return all;
@@ -152,19 +201,13 @@ std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes,
                                            const Eigen::VectorXd& theta) {
   std::vector<PointScene> points;
   for (std::size_t i = 0; i < scenes.size(); ++i)
-    points.push_back({PointsOf(scenes[i].scene), ConfigOfPoints(scenes[i].config), {}, {}});
+    points.push_back({PointsOf(scenes[i].scene), ConfigOfPoints(scenes[i].config), 1.0, {}, {}});
   std::vector<NamedScene> named;
   for (std::size_t i = 0; i < points.size(); ++i)
     named.push_back({scenes.named(i).name, &points[i].scene, &points[i].config});
   const JointScenes of_points(std::move(named));
   if (of_points.NumResiduals() == 0) return {};
-  ParallelFor(2 * static_cast<int>(points.size()), NumThreads(0), [&](int piece, int) {
-    const auto i = static_cast<std::size_t>(piece / 2);
-    const Eigen::VectorXd own = scenes.free().Of(i, theta);
-    PointScene& one = points[i];
-    if (piece % 2 == 0) one.finer = EvaluateFiner(one.scene, one.config, own);
-    if (piece % 2 == 1) one.own = Evaluate(one.scene, one.config, own, true);
-  });
+  EvaluateBoth(scenes.free(), theta, &points);
   const auto own = Stack(scenes.free(), points, &PointScene::own);
   if (!own) return {};
   JointPointFit fit;
@@ -176,6 +219,61 @@ std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes,
                                      *one.own, one.finer));
   }
   return fit;
+}
+
+std::vector<std::pair<Eigen::Index, Eigen::Index>> OutlineRows(const Scene& scene) {
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> rows;
+  Eigen::Index row = 0;
+  for (const SilhouetteObservation& s : scene.silhouettes->observations) {
+    const bool is_seen = s.field && s.frame <= scene.last_fitted_frame &&
+                         scene.is_fitted[static_cast<std::size_t>(s.frame)];
+    if (!is_seen) continue;
+    const auto count = static_cast<Eigen::Index>(s.outline.size());
+    rows.emplace_back(row, count);
+    row += count + scene.mesh.num_particles();
+  }
+  return rows;
+}
+
+double OutlineCorrelation(const std::vector<std::vector<double>>& outlines, double frame_rate) {
+  constexpr double kHangTogether = 0.2;  // s
+  return CorrelationTime(outlines) * std::max(1.0, kHangTogether * frame_rate);
+}
+
+std::optional<ModelErrors> MeasureOutlines(const JointScenes& scenes,
+                                           const Eigen::VectorXd& theta) {
+  std::vector<PointScene> outlines;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto& [scene, config, free, observations] = scenes[i];
+    if (!SeesOutlinesAlone(scene)) return {};
+    const std::size_t every = ThinningOf(scene);
+    outlines.push_back({EveryFitted(scene, every), config, static_cast<double>(every), {}, {}});
+  }
+  EvaluateBoth(scenes.free(), theta, &outlines);
+  const auto own = Stack(scenes.free(), outlines, &PointScene::own);
+  if (!own) return {};
+  const std::optional<PointRows> finer = Stack(scenes.free(), outlines, &PointScene::finer);
+  std::vector<std::vector<double>> residuals;
+  double frame_rate = 0.0, observed = 0.0;
+  const double* next = own->residuals.data();
+  for (const PointScene& one : outlines) {
+    for (const auto& [first, count] : OutlineRows(one.scene)) {
+      residuals.emplace_back(next, next + count);
+      next += count;
+    }
+    frame_rate = std::max(frame_rate, one.scene.recording.frame_rate);
+    observed += one.weight * static_cast<double>(one.own->residuals.size());
+  }
+  PointFit fit;
+  fit.misfit.observed = static_cast<int>(observed);
+  fit.misfit.chi_square =
+      own->residuals.squaredNorm() / std::max(1, fit.misfit.observed - scenes.free().size());
+  fit.misfit.correlation = OutlineCorrelation(residuals, frame_rate);
+  fit.misfit.limit = ChiSquareLimit(observed / fit.misfit.correlation);
+  fit.errors.correlation = fit.misfit.correlation;
+  if (finer && finer->residuals.size() == own->residuals.size())
+    AddDiscretisation(*own, *finer, scenes.free().prior_jacobian(), &fit);
+  return fit.errors;
 }
 
 }  // namespace clothfit

@@ -59,8 +59,11 @@ void Fitter::Finish(FitResult* result) {
     result->cost_after = CostOf(residuals, result->theta);
     if (tells_misfit_) points = MeasurePoints(scenes_, result->theta);
     if (points) result->misfit = points->all.misfit;
+    std::optional<ModelErrors> errors;
+    if (points) errors = points->all.errors;
+    if (tells_misfit_ && !points) errors = MeasureOutlines(scenes_, result->theta);
     uncertainty = QuantifyUncertainty(free_, scenes_.NumObserved(), residuals, jacobian,
-                                      points ? points->all.errors : ModelErrors{});
+                                      errors.value_or(ModelErrors{}));
     // Whoever asks for a rough fit asks for no more than that.
     const double most = std::max(0.01, 10.0 * polish_tolerance_);
     const double decrease = ExpectedDecrease(residuals, jacobian);

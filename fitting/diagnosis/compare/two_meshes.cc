@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "fitting/diagnosis/fitted/refit.h"
-#include "fitting/diagnosis/fitted/residual_correlation.h"
 #include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/fit/discretisation.h"
 
@@ -31,12 +30,11 @@ std::optional<FittedScene> FitOn(const std::array<int, 2>& grid, const FittedSce
   }
   ModelStart start = GoOn(fitted);
   start.config.resolution = grid;
-  return FitModel(fitted, start, most_iterations, runner, kEnoughToDecide);
+  return FitModel(fitted, start, most_iterations, runner, EnoughToDecide(fitted.scene));
 }
 
 // Rows of outlines that say as much as one.
-double OutlineCorrelation(const FittedScene& fitted) {
-  constexpr double kHangTogether = 0.2;  // s
+double CorrelationOfOutlines(const FittedScene& fitted) {
   const ObservationResiduals observations(fitted.scene, fitted.config);
   const RowFrames frames(fitted.scene, observations, kMostRows);
   const std::optional<Rows> rows = EvaluateRows(fitted, {fitted.values, false, false}, frames, {});
@@ -51,8 +49,7 @@ double OutlineCorrelation(const FittedScene& fitted) {
       outlines.back().push_back(rows->residuals[frames.FirstRow(frame) + static_cast<int>(i)]);
     }
   }
-  const double at_once = std::max(1.0, kHangTogether * fitted.scene.recording.frame_rate);
-  return CorrelationTime(outlines) * at_once;
+  return OutlineCorrelation(outlines, fitted.scene.recording.frame_rate);
 }
 
 }  // namespace
@@ -81,7 +78,7 @@ std::optional<FittedScene> Meshes::FitFromItsOwnStart(const FittedScene& coarse,
   if (!coarse.scene.mesh.is_grid() || coarse_ == fine_) return {};
   ModelStart start{coarse.scene.recording, coarse.config};
   start.config.resolution = fine_;
-  return FitAfresh(start, Start::kWindows, most_iterations, runner_, kEnoughToDecide);
+  return FitAfresh(start, Start::kWindows, most_iterations, runner_, EnoughToDecide(coarse.scene));
 }
 
 std::optional<BothMeshes> Meshes::Coarsen(const FittedScene& fine, int most_iterations) const {
@@ -113,7 +110,7 @@ FitQuality AppraiseQuality(const FittedScene& fitted) {
   }
   const ObservationResiduals observations(fitted.scene, fitted.config);
   const double rows = observations.NumObserved(0, fitted.scene.last_fitted_frame);
-  quality.scale = {rows, OutlineCorrelation(fitted),
+  quality.scale = {rows, CorrelationOfOutlines(fitted),
                    2.0 * quality.result.cost_after / std::max(1.0, rows)};
   return quality;
 }

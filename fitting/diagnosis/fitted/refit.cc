@@ -73,6 +73,10 @@ std::optional<FittedScene> MakeModel(Scene scene, const FitConfig& own, FitConfi
 
 }  // namespace
 
+double EnoughToDecide(const Scene& scene) {
+  return (HasPoints(scene) ? 0.1 : 1.0) * kEnoughForDiagnosis;
+}
+
 double Inside(double value, const ParameterSetting& setting) {
   return std::clamp(value, setting.lower, setting.upper);
 }
@@ -184,7 +188,8 @@ std::optional<FittedScene> FitToForecasts(const ModelStart& start, const std::ar
 
 std::optional<FittedScene> FitBeyondForecasts(const FittedScene& forecasts, int most_iterations,
                                               const FitRunner& runner) {
-  FitConfig config = QuickConfig(forecasts.config, most_iterations, kEnoughToDecide);
+  FitConfig config =
+      QuickConfig(forecasts.config, most_iterations, EnoughToDecide(forecasts.scene));
   config.window = forecasts.config.window;
   FitCheckpoint from;
   from.theta = forecasts.fit.theta;

@@ -29,8 +29,9 @@ double Inside(double value, const ParameterSetting& setting);
 // Change of the cost, relative to it, at which a fit ends: of the size of noise. What is left of
 // the way is linear, and the projection goes it.
 inline constexpr double kEnoughForDiagnosis = 1e-4;
-// The same where costs of models are compared.
-inline constexpr double kEnoughToDecide = 1e-5;
+// The same where costs of models are compared: of points a tenth of that. Some forty rows of
+// outlines say as much as one, so that there it is a few hundredths of a nat already.
+double EnoughToDecide(const Scene& scene);
 
 // A few iterations of all frames at once: it begins near, or is nudged.
 FitConfig QuickConfig(FitConfig config, int most_iterations, double tolerance);

@@ -118,6 +118,8 @@ Diagnoser::CoarseLook Diagnoser::LookOnCoarse(const FittedScene& coarse, bool is
   look.ranking = RankCandidates(coarse, options, by);
   const bool is_missing = by_forecasts || look.ranking.gate_p_value < kGate;
   if (is_first && is_missing) look.located = Locate(coarse, look.ranking, options);
+  if (!by_forecasts && is_missing)
+    look.models = ModelScreening(baseline_, options).Run(coarse, look.ranking);
   return look;
 }
 
@@ -190,7 +192,7 @@ bool Diagnoser::AddEffect() {
     return false;
   }
   std::optional<CoarseLook> look = LookForMissing();
-  Spend("test of fit, ranking of faults, locating");
+  Spend("test of fit, looking at the coarse mesh");
   if (!look || Stopped()) return false;
   Ranking& ranking = look->ranking;
   Log(
@@ -206,12 +208,16 @@ bool Diagnoser::AddEffect() {
   }
   if (IsExplained(ranking)) return false;
   if (is_first) TellLocated(look->located);
-  std::optional<bool> is_added;
   if (CanForecast(now_.fine)) {
-    is_added = AddByForecasts(ranking);
-    if (!is_added) ranking = RankCandidates(now_.coarse, options_, {last_ranking_.errors});
+    const std::optional<bool> is_added = AddByForecasts(ranking);
+    if (is_added) return *is_added;
+    ranking = RankCandidates(now_.coarse, options_, {last_ranking_.errors});
   }
-  return is_added ? *is_added : AddByWholeFits(std::move(ranking));
+  if (!look->models) {
+    look->models = ModelScreening(baseline_, options_).Run(now_.coarse, ranking);
+    Spend("fitting models");
+  }
+  return AddByWholeFits(std::move(ranking), *look->models);
 }
 
 // Points from the config's own start: where the coarse mesh has ended may be a local minimum. What
@@ -225,8 +231,8 @@ BothMeshes Diagnoser::FitBaselineOnBoth(const FittedScene& coarse) const {
   const bool is_done = fine->fit.status == FitStatus::kConverged ||
                        HasLargeResidual(fine->scene, fine->config, fine->fit);
   if (!is_done && !Stopped()) {
-    fine =
-        Cheaper(fine, FitModel(*fine, GoOn(*fine), 2 * kModelIterations, runner_, kEnoughToDecide));
+    fine = Cheaper(fine, FitModel(*fine, GoOn(*fine), 2 * kModelIterations, runner_,
+                                  EnoughToDecide(fine->scene)));
   }
   return {coarse, std::move(*fine)};
 }

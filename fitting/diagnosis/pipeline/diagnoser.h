@@ -60,6 +60,8 @@ class Diagnoser {
   struct CoarseLook {
     Ranking ranking;
     std::optional<LocatedForce> located;  // of the first round
+    // Where whole fits decide and something is missing: fitted with what it may be.
+    std::optional<std::vector<FittedModel>> models;
   };
   // options: a look's own, with what stops it.
   CoarseLook LookOnCoarse(const FittedScene& coarse, bool is_first,
@@ -75,13 +77,12 @@ class Diagnoser {
   void ForgetContacts(const RankedCandidate& kept);
   // A round by forecasts; empty where there are none.
   std::optional<bool> AddByForecasts(const Ranking& ranking);
-  bool AddByWholeFits(Ranking ranking);
+  bool AddByWholeFits(Ranking ranking, const std::vector<FittedModel>& models);
   std::vector<JudgedModel> FitWhole(const FittedScene& before,
                                     const std::vector<JudgedModel>& forecasts);
   void OrderByAllFrames(const std::vector<JudgedModel>& whole,
                         std::vector<JudgedModel>* forecasts) const;
   bool IsBorneOut(const JudgedModel& best, const std::vector<JudgedModel>& whole) const;
-  std::vector<FittedModel> Screen(const Ranking& ranking);
   // The models that may be it, on the deciding mesh; what the recording speaks for most comes
   // first.
   std::vector<JudgedModel> Decide(const std::vector<FittedModel>& models);

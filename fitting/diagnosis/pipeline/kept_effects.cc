@@ -68,7 +68,7 @@ void Diagnoser::PutFaultFirst() {
   for (auto kept = first; kept + 1 != kept_.end(); ++kept) {
     const std::optional<FittedScene> again =
         FitModel(kept->before.fine, put_right(kept->before.fine), 2 * kModelIterations, runner_,
-                 kEnoughToDecide);
+                 EnoughToDecide(now_.fine.scene));
     std::optional<BothMeshes> both = again ? OnBoth(*again) : std::nullopt;
     if (both) kept->before = *std::move(both);
   }

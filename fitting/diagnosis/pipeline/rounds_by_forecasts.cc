@@ -153,7 +153,7 @@ void Diagnoser::GoOnBeyondForecasts() {
         fine && fine->fit.status != FitStatus::kConverged && !Stopped() && Follows(*fine);
     if (!may_gain) break;
     std::optional<FittedScene> next =
-        FitModel(*fine, GoOn(*fine), kModelIterations, runner_, kEnoughToDecide);
+        FitModel(*fine, GoOn(*fine), kModelIterations, runner_, EnoughToDecide(fine->scene));
     if (!next || next->fit.cost_after >= fine->fit.cost_after) break;
     fine = std::move(next);
   }

@@ -27,8 +27,7 @@ constexpr int kMostRestarts = 2;        // of a diagnosis
 
 }  // namespace
 
-bool Diagnoser::AddByWholeFits(Ranking ranking) {
-  const std::vector<FittedModel> models = Screen(ranking);
+bool Diagnoser::AddByWholeFits(Ranking ranking, const std::vector<FittedModel>& models) {
   if (models.empty() || Stopped()) return false;
   std::vector<JudgedModel> judged = Decide(models);
   if (judged.empty()) return false;
@@ -42,12 +41,6 @@ bool Diagnoser::AddByWholeFits(Ranking ranking) {
   diagnosis_.models[diagnosis_.models.size() - judged.size()].is_kept = true;
   Keep(std::move(judged), std::move(ranking));
   return true;
-}
-
-std::vector<FittedModel> Diagnoser::Screen(const Ranking& ranking) {
-  std::vector<FittedModel> models = ModelScreening(baseline_, options_).Run(now_.coarse, ranking);
-  Spend("fitting models");
-  return models;
 }
 
 std::vector<JudgedModel> Diagnoser::Decide(const std::vector<FittedModel>& models) {
@@ -83,11 +76,12 @@ std::optional<BothMeshes> Diagnoser::RefineModel(const FittedModel& model) const
   start.recording = model.scene.scene.recording;
   std::optional<FittedScene> fitted;
   if (FitsWindows(fine.scene, start.config)) {
-    fitted = FitAfresh(start, Start::kWindows, 2 * kModelIterations, runner_, kEnoughToDecide);
+    fitted = FitAfresh(start, Start::kWindows, 2 * kModelIterations, runner_,
+                       EnoughToDecide(fine.scene));
   } else if (HasLargeResidual(fine.scene, fine.config, fine.fit)) {
     return meshes_.Refine(model.scene, 2 * kModelIterations);
   } else {
-    fitted = FitModel(fine, start, 2 * kModelIterations, runner_, kEnoughToDecide);
+    fitted = FitModel(fine, start, 2 * kModelIterations, runner_, EnoughToDecide(fine.scene));
   }
   if (!fitted) return {};
   return BothMeshes{model.scene, std::move(*fitted)};
@@ -101,8 +95,8 @@ void Diagnoser::GoOnWithTheBest(std::vector<JudgedModel>* judged) const {
   ParallelFor(static_cast<int>(judged->size()), NumThreads(0), [&](int i, int) {
     FittedScene& fine = (*judged)[static_cast<std::size_t>(i)].model.fine;
     if (fine.fit.cost_after > near || fine.fit.status == FitStatus::kConverged) return;
-    fine =
-        *Cheaper(fine, FitModel(fine, GoOn(fine), 2 * kModelIterations, runner_, kEnoughToDecide));
+    fine = *Cheaper(fine, FitModel(fine, GoOn(fine), 2 * kModelIterations, runner_,
+                                   EnoughToDecide(fine.scene)));
   });
 }
 
@@ -112,7 +106,7 @@ bool Diagnoser::CatchesUp(std::vector<JudgedModel>* judged) {
   Say("fitting without " + best.candidate.summary.name, 0.7);
   std::optional<FittedScene> again =
       FitModel(best.model.fine, WithoutEffect(now_.fine, best.model.fine), kModelIterations,
-               runner_, kEnoughToDecide);
+               runner_, EnoughToDecide(now_.fine.scene));
   Spend("fitting without what was found");
   const double before = now_.Cost();
   if (!again || !(again->fit.cost_after < before)) return false;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
-#include "fitting/diagnosis/fitted/residual_correlation.h"
+#include "fitting/fit/correlation_time.h"
 
 #include <cmath>
 #include <random>
