@@ -3,7 +3,8 @@
 """for_users.py SOURCE: pages for users tell what clothfit does, not how it came to be.
 
 They quote no commit, name no test, and say nothing of what was tried and given up: that stands in
-CHANGELOG.md, docs/adr, docs/studies and tests/README.md.
+CHANGELOG.md, docs/adr, docs/studies and tests/README.md. And what README.md says that it takes to get
+clothfit are figures of docs/get-it.md.
 """
 
 import pathlib
@@ -47,6 +48,11 @@ def problems_of(text, names):
                 yield f"{number}: a test: {quoted}"
 
 
+def figures(text):
+    """Minutes, megabytes and gigabytes, as they stand."""
+    return set(re.findall(r"\w+ minutes on two cores|\d[\d.]* [MG]B\b", text))
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     names = suites(root)
@@ -58,6 +64,10 @@ def main():
     for page in pages(root):
         checked += 1
         problems += [f"{page.relative_to(root)}:{found}" for found in problems_of(page.read_text(), names)]
+    first_screen = figures((root / "README.md").read_text().split("\n## ")[0])
+    assert len(first_screen) >= 3, first_screen
+    known = figures((root / "docs/get-it.md").read_text())
+    problems += [f"README.md: not in docs/get-it.md: {figure}" for figure in first_screen - known]
     print("\n".join(problems) or f"{checked} pages are for users")
     assert checked > 20, checked
     return 1 if problems else 0
