@@ -62,7 +62,9 @@ test-debian: test-packages ## make TARGET=demo of the current commit in another 
 library-packages:
 	@tools/install_packages library-packages.txt
 
+# The tests in a browser are among them where Node.js, npm and Chromium are installed.
 test: test-packages build ## Build everything and run all tests and source checks
+	@tools/report_modules build/report-assets --where-possible
 	ctest --preset $(PRESET)
 
 test-browser: report-modules build ## The tests of the report's page, in Chromium, which this installs
@@ -114,10 +116,9 @@ tidy: packages ## Run clang-tidy over our sources: some minutes
 
 # What the page is bundled with and tested by. Node.js of elsewhere comes with an npm of its own.
 report-modules:
-	@command -v node npm chromium >/dev/null || tools/install_packages tests/apps/report/packages.txt
-	mkdir -p build/report-assets
-	cp apps/report/package.json apps/report/package-lock.json apps/report/.npmrc build/report-assets/
-	cd build/report-assets && npm ci
+	@{ command -v node && command -v npm && command -v chromium; } >/dev/null || \
+	  tools/install_packages tests/apps/report/packages.txt
+	tools/report_modules build/report-assets
 
 # Only for work on the page itself: what it makes is kept in apps/report/dist.
 report-assets: report-modules ## Bundle the page of `clothfit report` anew

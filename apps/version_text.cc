@@ -51,7 +51,7 @@ std::string VersionDetails() {
       "OpenCV     {}\n"
       "machine    {}\n"
       "Reports of bugs: this text, the command, what it printed, and the run's log.txt and "
-      "config.yaml; see CONTRIBUTING.md.",
+      "config.yaml; see docs/get-it.md.",
       VersionLine(), __VERSION__, __cplusplus, CERES_VERSION_STRING, CLI11_VERSION,
       EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, NLoptVersion(),
       openblas_get_config(), cv::getVersionString(), Machine());

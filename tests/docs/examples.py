@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """examples.py CLOTHFIT SOURCE OUT [--long] [PAGE...]: runs the shell examples of the manual's pages for users.
 
-The blocks ```sh of a page are run in their order, in one folder with `data` in it. A comment before a
+The blocks ```sh of a page are run in their order, in one folder with `data` and `examples` in it. A comment before a
 block says otherwise:
 
     <!-- example: not run: WHY -->
     <!-- example: long: HOW LONG -->     only with --long; so are all after it on the page
+    <!-- example: needs PROGRAM -->      only where it is installed
     <!-- example: status N -->           the last command ends with N
 
 A block ```text after a block ```sh has lines that its output must have, where ... stands for anything.
@@ -15,6 +16,7 @@ A block ```text after a block ```sh has lines that its output must have, where .
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import time
@@ -29,6 +31,7 @@ PAGES = (
     "docs/tutorial/rehearsal.md",
     "docs/importing.md",
     "docs/report.md",
+    "docs/material-elsewhere.md",
     "docs/gallery.md",
     "docs/cluster.md",
     "docs/recording-cloth.md",
@@ -36,7 +39,7 @@ PAGES = (
     "docs/troubleshooting.md",
 )
 BLOCK = re.compile(
-    r"(?:<!-- example: (?P<mark>.*?) -->\n)?```(?P<kind>sh|text)\n(?P<text>.*?)^```$", re.M | re.S
+    r"(?:<!-- example: (?P<mark>[^\n]*?) -->\n)?```(?P<kind>sh|text)\n(?P<text>.*?)^```$", re.M | re.S
 )
 
 
@@ -51,7 +54,8 @@ def matches(expected, output):
 
 
 def run_block(text, folder, clothfit):
-    path = os.pathsep.join([str(clothfit.parent), os.environ["PATH"]])
+    # Debian's own python3 comes first, which has its packages.
+    path = os.pathsep.join([str(clothfit.parent), "/usr/bin", os.environ["PATH"]])
     environment = dict(os.environ, PATH=path, OPENBLAS_NUM_THREADS="1", HOME=str(folder))
     return subprocess.run(
         ["bash", "-euo", "pipefail", "-c", text], cwd=folder, env=environment, text=True,
@@ -63,7 +67,8 @@ def run_page(page, source, out, clothfit, with_long):
     """The number of blocks that were run, and those that were passed over with their reasons."""
     folder = out / page.replace("/", "-").removesuffix(".md")
     folder.mkdir(parents=True)
-    (folder / "data").symlink_to(source / "data")
+    for shared in ("data", "examples"):
+        (folder / shared).symlink_to(source / shared)
     number, passed_over, output, is_cut = 0, [], None, False
     for block in BLOCK.finditer((source / page).read_text()):
         mark, text = block["mark"] or "", block["text"]
@@ -75,7 +80,8 @@ def run_page(page, source, out, clothfit, with_long):
             continue
         output = None
         is_cut = is_cut or (mark.startswith("long") and not with_long)
-        if mark.startswith("not run") or is_cut:
+        is_missing = mark.startswith("needs ") and not shutil.which(mark.split()[1])
+        if mark.startswith("not run") or is_cut or is_missing:
             passed_over.append(mark or "after a long one")
             continue
         start = time.monotonic()

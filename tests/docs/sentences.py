@@ -10,16 +10,59 @@ import pathlib
 import re
 import sys
 
-# File, and the line from which on its texts are tables and keys, not sentences.
+# File, and what its sentences begin and end with, where the rest is tables, keys and help of options.
 SOURCES = (
-    ("fitting/report/page_verdict.cc", None),
-    ("fitting/report/joint_verdict.cc", None),
-    ("tracking/recording/warnings.cc", None),
-    ("tracking/recording/point_warnings.cc", None),
-    ("apps/check_command.cc", "void AddCheckCommand("),
-    ("fitting/diagnosis/answer/summary_text.cc", "std::string DiagnosisAsMarkdown("),
+    ("fitting/report/page_verdict.cc", None, None),
+    ("fitting/report/joint_verdict.cc", None, None),
+    ("fitting/report/pair_verdict.cc", None, None),
+    ("fitting/report/diagnosis_report.cc", "std::string HeadlineOf(", "using Member ="),
+    ("fitting/report/comparison_report.cc", "std::string Headline(", "int ContenderIndex("),
+    ("fitting/report/recording_report.cc", "PageVerdict VerdictOf(", "ReportJson ContentSection("),
+    ("fitting/report/scene.cc", None, None),
+    ("fitting/fit/fitter_result.cc", None, None),
+    ("fitting/fit/uncertainty.cc", None, None),
+    ("fitting/scene/silhouettes.cc", None, None),
+    ("fitting/scene/clouds.cc", None, None),
+    ("fitting/diagnosis/answer/summary_text.cc", None, "std::string DiagnosisAsMarkdown("),
+    ("fitting/diagnosis/classify/class_text.cc", None, None),
+    ("fitting/diagnosis/compare/separating_motion.cc", None, None),
+    ("fitting/diagnosis/locate/discrepancy_text.cc", None, None),
+    ("tracking/recording/warnings.cc", None, None),
+    ("tracking/recording/point_warnings.cc", None, None),
+    ("tracking/outliers/outliers.cc", None, None),
+    ("tracking/outliers/swapped_markers.cc", None, None),
+    ("tracking/import/c3d.cc", "void FitFile(", None),
+    ("tracking/import/colmap.cc", None, None),
+    ("tracking/import/corner_placement.cc", None, None),
+    ("tracking/import/joined_tracks.cc", None, None),
+    ("tracking/import/marker_table.cc", None, None),
+    ("tracking/import/marker_take.cc", None, None),
+    ("tracking/import/take_file.cc", "TakeInFile ReadTable(", "TakeFacts Agree("),
+    ("tracking/import/take_layout.cc", None, None),
+    ("tracking/import/take_obstacles.cc", None, None),
+    ("tracking/import/take_recording.cc", None, "void CheckOptions("),
+    ("tracking/import/video.cc", None, None),
+    ("apps/check_command.cc", None, "void AddCheckCommand("),
+    ("apps/config_options.cc", "void PrintOutliers(", None),
+    ("apps/diagnose_command.cc", None, "void AddLookOptions("),
+    ("apps/fit_options.cc", None, None),
+    ("apps/fit_result_text.cc", "std::string EstimateRow(", None),
+    ("apps/import_cameras_command.cc", None, "void AddCamerasOptions("),
+    ("apps/import_command.cc", "void PrintWhatIsMissing(", "void AddImportCommand("),
+    ("apps/simulate_command.cc", None, "void AddSimulateCommand("),
+    ("apps/track_command.cc", "return kExitSuccess;", "void AddTrackCommand("),
 )
-QUOTED = ("Headlines of a fit", "Sentences of a fit", "Warnings about a recording", "Answers of a diagnosis")
+# Input that is refused, which says itself what was expected, and the command to type next.
+NO_SENTENCES = re.compile(r"throw InputError\(.*?\);|\b(?:Fail|FailAt|PrintNext)\(.*?\);", re.S)
+QUOTED = (
+    "Headlines of a fit",
+    "Sentences of a fit",
+    "Warnings about a recording",
+    "Answers of a diagnosis",
+    "Two runs, and comparisons",
+    "Notes of an import",
+    "How a command ended",
+)
 LEAST_WORDS = 3  # of a piece between two placeholders that must stand on the page
 
 
@@ -37,7 +80,7 @@ def squeeze(text):
 
 
 def pieces(sentence, placeholder):
-    sentence = squeeze(sentence).replace("clothfit: warning: ", "")
+    sentence = re.sub(r"clothfit: (\{\})?(warning: )?", "", squeeze(sentence))
     return [part.strip(" .:;,()") for part in re.split(placeholder, sentence)]
 
 
@@ -50,12 +93,12 @@ def main():
     page = (root / "docs/troubleshooting.md").read_text()
     said = squeeze(page)
     sources, problems, checked = "", [], 0
-    for name, end in SOURCES:
+    for name, begin, end in SOURCES:
         text = (root / name).read_text()
-        if end:
-            assert end in text, f"{name}: '{end}' is gone"
-            text = text[: text.index(end)]
-        for literal in literals(text):
+        for mark in filter(None, (begin, end)):
+            assert mark in text, f"{name}: '{mark}' is gone"
+        text = text[text.index(begin or "") : text.index(end) if end else None]
+        for literal in literals(NO_SENTENCES.sub("", text)):
             sources += squeeze(literal) + "\n"
             for piece in pieces(literal, r"\{[^}]*\}"):
                 if not is_sentence(piece):

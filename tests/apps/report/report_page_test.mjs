@@ -5,41 +5,13 @@
 // diagnosis.html, comparison.html and study.html from disk and uses them as a person does. Leaves a picture of every
 // section, by day, by night and at the width of a phone.
 import assert from 'node:assert/strict';
-import { createRequire } from 'node:module';
 import path from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { launch } from './browser.mjs';
 
 const [modules, executablePath, out] = process.argv.slice(2);
-const { chromium } = createRequire(path.join(path.resolve(modules), 'x.js'))('playwright-core');
-const urlOf = (kind) => pathToFileURL(path.resolve(out, `${kind}.html`)).href;
 const kDesk = { width: 1440, height: 900 };
 const kPhone = { width: 390, height: 844 };
-
-const browser = await chromium.launch({
-  executablePath,
-  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-    '--ignore-gpu-blocklist'],
-});
-
-// A page that fails the test where it complains, or asks for anything but itself.
-async function open(kind, viewport, colorScheme, more = {}) {
-  const url = urlOf(kind);
-  const context = await browser.newContext({ viewport, colorScheme, ...more });
-  const page = await context.newPage();
-  const complaints = [];
-  page.on('console', (message) => {
-    if (message.type() === 'error') complaints.push(message.text());
-  });
-  page.on('pageerror', (error) => complaints.push(error.message));
-  page.on('request', (request) => {
-    if (!/^(blob|data):/.test(request.url()) && request.url() !== url) {
-      complaints.push(`asks for ${request.url()}`);
-    }
-  });
-  await page.goto(url);
-  await page.waitForSelector('html[data-ready]', { timeout: 60000 });
-  return { page, close: async () => { assert.deepEqual(complaints, []); await context.close(); } };
-}
+const { open, browser } = await launch(modules, executablePath, out);
 
 const frameOf = (page) => page.evaluate(() => clothfit.player.frame);
 
