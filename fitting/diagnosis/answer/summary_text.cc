@@ -204,7 +204,7 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
   if (diagnosis.law) {
     const Model& model = diagnosis.law->model;
     if (!diagnosis.effects.empty())
-      sentences.push_back("Put right in the observation: " + JoinNames(diagnosis.effects) + ".");
+      sentences.push_back("Put right in the observation: " + PlainNames(diagnosis.effects) + ".");
     sentences.push_back(fmt::format(
         "Something is missing that no effect of the catalogue explains. A law learned from it "
         "explains {:.0f} %: {}.",
@@ -217,7 +217,7 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
     sentences.push_back(SayConfidenceSet(diagnosis));
     sentences.push_back(SayValidation(*diagnosis.answer));
   } else if (!diagnosis.effects.empty()) {
-    sentences.push_back("Put right in the observation: " + JoinNames(diagnosis.effects) + ".");
+    sentences.push_back("Put right in the observation: " + PlainNames(diagnosis.effects) + ".");
   }
   if (diagnosis.verdict == Verdict::kObservationFault)
     sentences.push_back("That is a fault of the observation, not of the physics.");
