@@ -17,9 +17,13 @@ SOURCES = (
     ("tracking/recording/warnings.cc", None),
     ("tracking/recording/point_warnings.cc", None),
     ("apps/check_command.cc", "void AddCheckCommand("),
-    ("fitting/diagnosis/answer/summary_text.cc", "std::string DiagnosisAsMarkdown("),
+    ("fitting/diagnosis/answer/headline.cc", None),
+    ("fitting/diagnosis/answer/summary_text.cc", None),
 )
-QUOTED = ("Headlines of a fit", "Sentences of a fit", "Warnings about a recording", "Answers of a diagnosis")
+QUOTED = (
+    "Headlines of a fit", "Sentences of a fit", "Warnings about a recording", "Headlines of a diagnosis",
+    "Sentences of a diagnosis",
+)
 LEAST_WORDS = 3  # of a piece between two placeholders that must stand on the page
 
 

@@ -55,13 +55,35 @@ TestFolder* DiagnosisReport::made_ = nullptr;
 std::string* DiagnosisReport::html_ = nullptr;
 
 TEST_F(DiagnosisReport, SaysTheAnswerFirst) {
-  EXPECT_THAT(
-      *html_,
-      HasSubstr("<h1>What the simulation lacked: air that moves evenly, felt through the air "
-                "drag (wind).</h1>"));
-  EXPECT_THAT(*html_, HasSubstr("<li>It explains 80 % of what the baseline cannot.</li>"));
-  EXPECT_THAT(*html_, Not(HasSubstr("<li>What was left out")));  // the headline says it
+  const std::string headline =
+      "Wind of 1 m/s (0.5 to 1.5) along +x, or gust of 1 m/s (0.5 to 1.5) along +x: this "
+      "recording cannot tell.";
+  EXPECT_THAT(*html_, HasSubstr("<h1>" + headline + "</h1>"));
+  EXPECT_THAT(*html_, Not(HasSubstr("<li>Wind of 1 m/s")));  // the headline says it
+  EXPECT_THAT(*html_, HasSubstr("<li>The same motion twice as fast would: they would be 12 mm "
+                                "apart, here it is 3.0.</li>"));
   EXPECT_THAT(*html_, HasSubstr("Error of the baseline"));
+  const json record = json::parse(ReadTextFile(folder_ / "diagnosis.json"));
+  EXPECT_EQ(record.at("headline"), headline);
+  EXPECT_THAT(ReadTextFile(folder_ / "diagnosis.md"), testing::StartsWith("# " + headline + "\n"));
+}
+
+// A gust is tied to the clock and wind to the world; friction of bending and of shear are alike.
+TEST_F(DiagnosisReport, IsAsGoodAsWhatItCannotTellApartIsAlike) {
+  const fs::path file = folder_ / "diagnosis.json";
+  const auto grade_of = [&](const std::vector<std::string>& set) {
+    json record = json::parse(ReadTextFile(file));
+    record["ambiguity"] = set;
+    WriteWholeFile(file, record.dump());
+    const std::string html = MakeReport(folder_, kTestAssets).html;
+    const std::string mark = "data-grade=\"";
+    const std::size_t begin = html.find(mark) + mark.size();
+    return html.substr(begin, html.find('"', begin) - begin);
+  };
+  EXPECT_EQ(grade_of({"wind"}), "good");
+  EXPECT_EQ(grade_of({"wind", "gust"}), "partial");
+  EXPECT_EQ(grade_of({"bending_friction", "shear_friction"}), "good");
+  EXPECT_EQ(grade_of({"wind", "camera cam0: pose"}), "partial");
 }
 
 TEST_F(DiagnosisReport, ShowsTheBaselineAndTheModel) {
@@ -215,13 +237,14 @@ TEST_F(DiagnosisReport, OfOneThatFoundNothingShowsTheBaselineAlone) {
   const fs::path file = folder_ / "diagnosis.json";
   json record = json::parse(ReadTextFile(file));
   record["verdict"] = "nothing is missing";
+  record["headline"] = record["words"] = "Nothing is missing that this recording could show.";
   record["effects"] = record["ambiguity"] = record["models"] = json::array();
   for (const char* key : {"answer", "mismatch", "class"}) record[key] = nullptr;
   WriteWholeFile(file, record.dump());
   for (const char* name : {"model.npy", "missing-force.npy"}) fs::remove(folder_ / name);
   const std::string html = MakeReport(folder_, kTestAssets).html;
   const json data = DataOfPage(html);
-  EXPECT_THAT(html, HasSubstr("<h1>Nothing is missing from the simulation.</h1>"));
+  EXPECT_THAT(html, HasSubstr("<h1>Nothing is missing that this recording could show.</h1>"));
   EXPECT_EQ(data.at("motions").size(), 1u);
   EXPECT_TRUE(data.at("errors")[0].at("after").is_null());
   record["gate"] = nullptr;

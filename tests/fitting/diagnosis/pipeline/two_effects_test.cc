@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "fitting/diagnosis/answer/effect_words.h"
-#include "fitting/diagnosis/answer/summary_text.h"
+#include "fitting/diagnosis/answer/json_text.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
 #include "tests/support/strip.h"
 

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The answer in one sentence, the same wherever it stands.
+#include "fitting/diagnosis/answer/headline.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "fitting/diagnosis/answer/json_text.h"
+#include "fitting/diagnosis/answer/markdown_text.h"
+#include "fitting/diagnosis/answer/summary_text.h"
+
+namespace clothfit {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* kWind = "ind of 0.5 m/s (0.4 to 0.6) along +y";
+constexpr const char* kPose = "camera cam1: pose";
+
+Model With(const std::string& effect, const std::vector<EffectParameter>& parameters) {
+  Model model;
+  model.effects = {effect};
+  model.parameters = parameters;
+  return model;
+}
+
+Model Wind() {
+  return With("wind", {{"wind.x", "m/s", 0.0, 0.0, 0.0},
+                       {"wind.y", "m/s", 0.5, 0.4, 0.6},
+                       {"wind.z", "m/s", 0.0, 0.0, 0.0}});
+}
+
+Model Tilt() {
+  return With("gravity_tilt", {{"gravity_tilt.angle_1", "rad", 0.07, 0.06, 0.08},
+                               {"gravity_tilt.angle_2", "rad", 0.0, 0.0, 0.0}});
+}
+
+Diagnosis Named(const std::vector<Model>& set) {
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::kNamed;
+  diagnosis.models = set;
+  diagnosis.answer = set.front();
+  diagnosis.effects = set.front().effects;
+  for (const Model& model : set) diagnosis.confidence_set.push_back(model.effects.back());
+  return diagnosis;
+}
+
+TEST(Headline, NamesTheOneEffectWithItsAmount) {
+  EXPECT_EQ(HeadlineOf(Named({Wind()})), std::string("W") + kWind + ".");
+}
+
+TEST(Headline, NamesAllThatTheRecordingCannotTell) {
+  const std::string tilt = "gravity tilt of 4.01 degrees (3.44 to 4.58)";
+  EXPECT_EQ(HeadlineOf(Named({Wind(), Tilt()})),
+            std::string("W") + kWind + ", or " + tilt + ": this recording cannot tell.");
+  EXPECT_EQ(HeadlineOf(Named({Wind(), Tilt(), With("hem", {})})),
+            std::string("W") + kWind + ", " + tilt + ", or hem: this recording cannot tell.");
+}
+
+// The amounts are those of the answer, not of the round in which the effect was found.
+TEST(Headline, NamesWhatWasFoundBesides) {
+  Diagnosis diagnosis = Named({Wind(), Tilt()});
+  diagnosis.effects = diagnosis.answer->effects = {"wind", "hem"};
+  diagnosis.answer->parameters.push_back({"hem.low_u", "kg/m", 0.05, 0.04, 0.06});
+  diagnosis.models[0].parameters[1].value = 7.0;
+  const std::string hem = "hem (0.05 kg/m (0.04 to 0.06) along the side of least u)";
+  EXPECT_EQ(HeadlineOf(diagnosis), std::string("W") + kWind +
+                                       ", or gravity tilt of 4.01 degrees (3.44 to 4.58): this " +
+                                       "recording cannot tell; besides, " + hem + ".");
+  diagnosis.confidence_set = {"wind"};
+  EXPECT_EQ(HeadlineOf(diagnosis), std::string("W") + kWind + " and " + hem + ".");
+}
+
+TEST(Headline, OfAFaultSaysWhatItIsOf) {
+  const Model pose = With(kPose, {{"camera cam1: pose shift x", "m", 0.03, 0.02, 0.04}});
+  Diagnosis diagnosis = Named({pose});
+  diagnosis.verdict = Verdict::kObservationFault;
+  EXPECT_EQ(HeadlineOf(diagnosis),
+            "Pose of camera cam1 off by 0.03 m (0.02 to 0.04): a fault of the observation, not of "
+            "the physics.");
+  diagnosis = Named({pose, Wind()});
+  diagnosis.verdict = Verdict::kObservationFault;
+  EXPECT_EQ(HeadlineOf(diagnosis), std::string("Pose of camera cam1 off by 0.03 m (0.02 to 0.04), "
+                                               "or w") +
+                                       kWind + ": this recording cannot tell.");
+}
+
+TEST(Headline, OfNoNameSaysSo) {
+  Diagnosis diagnosis;
+  EXPECT_EQ(HeadlineOf(diagnosis), "Nothing is missing that this recording could show.");
+  diagnosis.verdict = Verdict::kUndecided;
+  EXPECT_THAT(HeadlineOf(diagnosis), StartsWith("Undecided"));
+  diagnosis.verdict = Verdict::kInterrupted;
+  EXPECT_EQ(HeadlineOf(diagnosis), "Interrupted before anything was found.");
+  diagnosis.verdict = Verdict::kNoneOfTheAbove;
+  EXPECT_EQ(HeadlineOf(diagnosis),
+            "Something is missing, and nothing in the catalogue explains it.");
+  diagnosis.law.emplace();
+  EXPECT_THAT(HeadlineOf(diagnosis), HasSubstr("a law was learned from it."));
+  diagnosis = Named({Wind()});
+  diagnosis.verdict = Verdict::kNoneOfTheAbove;
+  EXPECT_EQ(HeadlineOf(diagnosis),
+            std::string("Something is missing, of which this is only a part: w") + kWind + ".");
+  diagnosis.verdict = Verdict::kInterrupted;
+  EXPECT_EQ(HeadlineOf(diagnosis), std::string("Interrupted; so far: w") + kWind + ".");
+}
+
+TEST(Headline, IsTheSameForPeopleAndForPrograms) {
+  Diagnosis diagnosis = Named({Wind(), Tilt()});
+  diagnosis.separating = {"twice as fast", 0.012, 0.003};
+  diagnosis.words = DescribeDiagnosis(diagnosis);
+  int checked = 0;
+  for (const Verdict verdict :
+       {Verdict::kNothingMissing, Verdict::kNamed, Verdict::kObservationFault,
+        Verdict::kNoneOfTheAbove, Verdict::kUndecided, Verdict::kInterrupted}) {
+    diagnosis.verdict = verdict;
+    diagnosis.words = DescribeDiagnosis(diagnosis);
+    const std::string headline = HeadlineOf(diagnosis);
+    EXPECT_THAT(DiagnosisAsText(diagnosis), StartsWith(headline + "\n"));
+    EXPECT_THAT(DiagnosisAsMarkdown(diagnosis), StartsWith("# " + headline + "\n\n"));
+    const auto json = nlohmann::json::parse(DiagnosisAsJson(diagnosis));
+    EXPECT_EQ(json.at("headline"), headline);
+    EXPECT_THAT(json.at("words").get<std::string>(), StartsWith(headline + " "));
+    EXPECT_THAT(headline, Not(HasSubstr("_")));
+    ++checked;
+  }
+  EXPECT_EQ(checked, 6);
+}
+
+TEST(Headline, IsFollowedByWhatWouldTellThemApart) {
+  Diagnosis diagnosis = Named({Wind(), Tilt()});
+  diagnosis.separating = {"twice as fast", 0.012, 0.003};
+  EXPECT_THAT(DetailsOf(diagnosis),
+              StartsWith("The same motion twice as fast would: they would be 12 mm apart, here it "
+                         "is 3.0. What was left out: "));
+  EXPECT_THAT(DetailsOf(diagnosis), HasSubstr("Gravity tilt: 4.01 degrees (3.44 to 4.58)."));
+}
+
+}  // namespace
+}  // namespace clothfit
