@@ -10,7 +10,7 @@
 
 namespace clothfit {
 
-// The answer, then the tables that it was read from.
+// The answer in sentences and what to do next; for specialists the tables that it was read from.
 std::string DiagnosisAsMarkdown(const Diagnosis& diagnosis);
 
 }  // namespace clothfit

@@ -71,7 +71,7 @@ std::string SayOthers(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string DetailsOf(const Diagnosis& diagnosis) {
+std::vector<std::string> DetailsOf(const Diagnosis& diagnosis) {
   std::vector<std::string> sentences;
   if (diagnosis.confidence_set.size() > 1 && diagnosis.separating)
     sentences.push_back(Describe(*diagnosis.separating));
@@ -116,20 +116,18 @@ std::string DetailsOf(const Diagnosis& diagnosis) {
         "No effect in the catalogue explains all of what is missing: what comes nearest may only "
         "stand for it.");
   }
-  std::string words;
-  for (const std::string& sentence : sentences) {
-    if (!sentence.empty()) words += (words.empty() ? "" : " ") + sentence;
-  }
-  return words;
+  sentences.erase(std::remove(sentences.begin(), sentences.end(), ""), sentences.end());
+  return sentences;
 }
 
 std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
-  const std::string details = DetailsOf(diagnosis);
-  return HeadlineOf(diagnosis) + (details.empty() ? "" : " " + details);
+  std::string words = HeadlineOf(diagnosis);
+  for (const std::string& sentence : DetailsOf(diagnosis)) words += " " + sentence;
+  return words;
 }
 
 std::string DiagnosisAsText(const Diagnosis& diagnosis) {
-  const std::string details = DetailsOf(diagnosis);
+  const std::string details = fmt::format("{}", fmt::join(DetailsOf(diagnosis), " "));
   return HeadlineOf(diagnosis) + "\n" + details + (details.empty() ? "" : "\n");
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fitting/diagnosis/answer/diagnosis.h"
 
@@ -14,8 +15,8 @@ namespace clothfit {
 std::string DescribeDiagnosis(const Diagnosis& diagnosis);
 
 // What follows the headline: what would tell apart what the recording cannot, amounts, where it
-// acts, how sure it is. Empty where there is nothing to add.
-std::string DetailsOf(const Diagnosis& diagnosis);
+// acts, how sure it is. A sentence, or a few that belong together, each.
+std::vector<std::string> DetailsOf(const Diagnosis& diagnosis);
 
 // For a terminal: the headline on a line of its own, then the rest.
 std::string DiagnosisAsText(const Diagnosis& diagnosis);
