@@ -18,6 +18,13 @@ std::string Length(double value, bool is_px) {
   return is_px ? fmt::format("{:.3g} px", value) : fmt::format("{:.3g} mm", 1000.0 * value);
 }
 
+// Where mesh and step might make as much, no share is known (ShareBeyondMesh), and none is told.
+std::string SayShare(const Model& model) {
+  constexpr double kShown = 0.005;  // less is 0 % in print
+  if (model.explained < kShown) return "What mesh and step leave is as large as what it takes";
+  return fmt::format("It explains {:.0f} % of what the baseline cannot", 100.0 * model.explained);
+}
+
 std::string NameEffects(const Diagnosis& diagnosis) {
   const Model& answer = *diagnosis.answer;
   const bool is_none = diagnosis.verdict == Verdict::kNoneOfTheAbove;
@@ -28,10 +35,8 @@ std::string NameEffects(const Diagnosis& diagnosis) {
   words += PlainNames(diagnosis.effects) + ".";
   const std::string amounts = AmountsInWords(diagnosis.effects, answer.parameters);
   if (!amounts.empty()) words += " " + amounts;
-  return words + fmt::format(
-                     " It explains {:.0f} % of what the baseline cannot; the natural "
-                     "logarithm of the odds for it is {:.3g}.",
-                     100.0 * answer.explained, answer.log_evidence);
+  return words + fmt::format(" {}; the natural logarithm of the odds for it is {:.3g}.",
+                             SayShare(answer), answer.log_evidence);
 }
 
 std::string SayValidation(const Model& answer) {
@@ -99,8 +104,8 @@ std::vector<std::string> DetailsOf(const Diagnosis& diagnosis) {
     const Model& model = diagnosis.law->model;
     if (!diagnosis.effects.empty())
       sentences.push_back("Put right in the observation: " + PlainNames(diagnosis.effects) + ".");
-    sentences.push_back(fmt::format("The law explains {:.0f} % of it: {}.", 100.0 * model.explained,
-                                    diagnosis.law->formula));
+    sentences.push_back(
+        fmt::format("The learned law: {}. {}.", diagnosis.law->formula, SayShare(model)));
     if (diagnosis.acting_class) sentences.push_back(diagnosis.acting_class->words);
     sentences.push_back(SayValidation(model));
   } else if (diagnosis.answer) {
