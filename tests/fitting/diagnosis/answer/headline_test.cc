@@ -20,28 +20,28 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr const char* kWind = "ind of 0.5 m/s (0.4 to 0.6) along +y";
-constexpr const char* kPose = "camera cam1: pose";
+constexpr const char* kWindInBrief = "ind of 0.5 m/s (0.4 to 0.6) along +y";
+constexpr const char* kPoseFault = "camera cam1: pose";
 
-Model With(const std::string& effect, const std::vector<EffectParameter>& parameters) {
+Model ModelOf(const std::string& effect, const std::vector<EffectParameter>& parameters) {
   Model model;
   model.effects = {effect};
   model.parameters = parameters;
   return model;
 }
 
-Model Wind() {
-  return With("wind", {{"wind.x", "m/s", 0.0, 0.0, 0.0},
-                       {"wind.y", "m/s", 0.5, 0.4, 0.6},
-                       {"wind.z", "m/s", 0.0, 0.0, 0.0}});
+Model WindModel() {
+  return ModelOf("wind", {{"wind.x", "m/s", 0.0, 0.0, 0.0},
+                          {"wind.y", "m/s", 0.5, 0.4, 0.6},
+                          {"wind.z", "m/s", 0.0, 0.0, 0.0}});
 }
 
-Model Tilt() {
-  return With("gravity_tilt", {{"gravity_tilt.angle_1", "rad", 0.07, 0.06, 0.08},
-                               {"gravity_tilt.angle_2", "rad", 0.0, 0.0, 0.0}});
+Model TiltModel() {
+  return ModelOf("gravity_tilt", {{"gravity_tilt.angle_1", "rad", 0.07, 0.06, 0.08},
+                                  {"gravity_tilt.angle_2", "rad", 0.0, 0.0, 0.0}});
 }
 
-Diagnosis Named(const std::vector<Model>& set) {
+Diagnosis NamedAmong(const std::vector<Model>& set) {
   Diagnosis diagnosis;
   diagnosis.verdict = Verdict::kNamed;
   diagnosis.models = set;
@@ -52,43 +52,44 @@ Diagnosis Named(const std::vector<Model>& set) {
 }
 
 TEST(Headline, NamesTheOneEffectWithItsAmount) {
-  EXPECT_EQ(HeadlineOf(Named({Wind()})), std::string("W") + kWind + ".");
+  EXPECT_EQ(HeadlineOf(NamedAmong({WindModel()})), std::string("W") + kWindInBrief + ".");
 }
 
 TEST(Headline, NamesAllThatTheRecordingCannotTell) {
   const std::string tilt = "gravity tilt of 4.01 degrees (3.44 to 4.58)";
-  EXPECT_EQ(HeadlineOf(Named({Wind(), Tilt()})),
-            std::string("W") + kWind + ", or " + tilt + ": this recording cannot tell.");
-  EXPECT_EQ(HeadlineOf(Named({Wind(), Tilt(), With("hem", {})})),
-            std::string("W") + kWind + ", " + tilt + ", or hem: this recording cannot tell.");
+  EXPECT_EQ(HeadlineOf(NamedAmong({WindModel(), TiltModel()})),
+            std::string("W") + kWindInBrief + ", or " + tilt + ": this recording cannot tell.");
+  EXPECT_EQ(
+      HeadlineOf(NamedAmong({WindModel(), TiltModel(), ModelOf("hem", {})})),
+      std::string("W") + kWindInBrief + ", " + tilt + ", or hem: this recording cannot tell.");
 }
 
 // The amounts are those of the answer, not of the round in which the effect was found.
 TEST(Headline, NamesWhatWasFoundBesides) {
-  Diagnosis diagnosis = Named({Wind(), Tilt()});
+  Diagnosis diagnosis = NamedAmong({WindModel(), TiltModel()});
   diagnosis.effects = diagnosis.answer->effects = {"wind", "hem"};
   diagnosis.answer->parameters.push_back({"hem.low_u", "kg/m", 0.05, 0.04, 0.06});
   diagnosis.models[0].parameters[1].value = 7.0;
   const std::string hem = "hem (0.05 kg/m (0.04 to 0.06) along the side of least u)";
-  EXPECT_EQ(HeadlineOf(diagnosis), std::string("W") + kWind +
+  EXPECT_EQ(HeadlineOf(diagnosis), std::string("W") + kWindInBrief +
                                        ", or gravity tilt of 4.01 degrees (3.44 to 4.58): this " +
                                        "recording cannot tell; besides, " + hem + ".");
   diagnosis.confidence_set = {"wind"};
-  EXPECT_EQ(HeadlineOf(diagnosis), std::string("W") + kWind + " and " + hem + ".");
+  EXPECT_EQ(HeadlineOf(diagnosis), std::string("W") + kWindInBrief + " and " + hem + ".");
 }
 
 TEST(Headline, OfAFaultSaysWhatItIsOf) {
-  const Model pose = With(kPose, {{"camera cam1: pose shift x", "m", 0.03, 0.02, 0.04}});
-  Diagnosis diagnosis = Named({pose});
+  const Model pose = ModelOf(kPoseFault, {{"camera cam1: pose shift x", "m", 0.03, 0.02, 0.04}});
+  Diagnosis diagnosis = NamedAmong({pose});
   diagnosis.verdict = Verdict::kObservationFault;
   EXPECT_EQ(HeadlineOf(diagnosis),
             "Pose of camera cam1 off by 0.03 m (0.02 to 0.04): a fault of the observation, not of "
             "the physics.");
-  diagnosis = Named({pose, Wind()});
+  diagnosis = NamedAmong({pose, WindModel()});
   diagnosis.verdict = Verdict::kObservationFault;
   EXPECT_EQ(HeadlineOf(diagnosis), std::string("Pose of camera cam1 off by 0.03 m (0.02 to 0.04), "
                                                "or w") +
-                                       kWind + ": this recording cannot tell.");
+                                       kWindInBrief + ": this recording cannot tell.");
 }
 
 TEST(Headline, OfNoNameSaysSo) {
@@ -103,16 +104,17 @@ TEST(Headline, OfNoNameSaysSo) {
             "Something is missing, and nothing in the catalogue explains it.");
   diagnosis.law.emplace();
   EXPECT_THAT(HeadlineOf(diagnosis), HasSubstr("a law was learned from it."));
-  diagnosis = Named({Wind()});
+  diagnosis = NamedAmong({WindModel()});
   diagnosis.verdict = Verdict::kNoneOfTheAbove;
-  EXPECT_EQ(HeadlineOf(diagnosis),
-            std::string("Something is missing, of which this is only a part: w") + kWind + ".");
+  EXPECT_EQ(
+      HeadlineOf(diagnosis),
+      std::string("Something is missing, of which this is only a part: w") + kWindInBrief + ".");
   diagnosis.verdict = Verdict::kInterrupted;
-  EXPECT_EQ(HeadlineOf(diagnosis), std::string("Interrupted; so far: w") + kWind + ".");
+  EXPECT_EQ(HeadlineOf(diagnosis), std::string("Interrupted; so far: w") + kWindInBrief + ".");
 }
 
 TEST(Headline, IsTheSameForPeopleAndForPrograms) {
-  Diagnosis diagnosis = Named({Wind(), Tilt()});
+  Diagnosis diagnosis = NamedAmong({WindModel(), TiltModel()});
   diagnosis.separating = {"twice as fast", 0.012, 0.003};
   diagnosis.words = DescribeDiagnosis(diagnosis);
   int checked = 0;
@@ -134,7 +136,7 @@ TEST(Headline, IsTheSameForPeopleAndForPrograms) {
 }
 
 TEST(Headline, IsFollowedByWhatWouldTellThemApart) {
-  Diagnosis diagnosis = Named({Wind(), Tilt()});
+  Diagnosis diagnosis = NamedAmong({WindModel(), TiltModel()});
   diagnosis.separating = {"twice as fast", 0.012, 0.003};
   const std::vector<std::string> details = DetailsOf(diagnosis);
   ASSERT_GT(details.size(), 2u);
