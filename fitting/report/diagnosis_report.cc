@@ -12,12 +12,14 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/config/titles.h"
 #include "fitting/files/npy_file.h"
 #include "fitting/report/diagnosis_record.h"
 #include "fitting/report/diagnosis_sections.h"
 #include "fitting/report/kinds.h"
 #include "fitting/report/scene_page.h"
-#include "tracking/text/text.h"
+#include "tracking/outliers/outliers.h"
+#include "tracking/outliers/swapped_markers.h"
 
 namespace clothfit {
 namespace {
@@ -106,6 +108,9 @@ FittedRun ReadModel(const DiagnosisRecord& record) {
   if (record.held_out) recording.splits.held_out_frames = record.held_out;
   FitConfig config = DefaultConfig(recording);
   ReadConfig(file, &config);
+  // What the diagnosis went by: errors on the page are those of its sentences.
+  PutLabelsRight(&recording);
+  if (config.leave_out_outliers) LeaveOutOutliers(&recording);
   config.resolution = record.resolution;
   Scene scene = MakeScene(recording, config);
   return {std::move(config), std::move(scene)};
@@ -119,7 +124,8 @@ ReportScene SceneOf(const DiagnosisRecord& record, const ReportOptions& options)
     report.motions.push_back({name, title, std::move(positions)});
   };
   add("baseline.npy", "before", "Baseline");
-  if (!record.effects.empty()) add("model.npy", "after", "With " + JoinNames(record.effects));
+  if (!record.effects.empty())
+    add("model.npy", "after", "With " + JoinNames(TitlesOf(record.effects)));
   return report;
 }
 

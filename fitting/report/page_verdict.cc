@@ -213,13 +213,6 @@ std::string ToString(Grade grade) {
   return "poor";
 }
 
-std::string QuantityInWords(double value, const std::string& unit) {
-  const bool is_length = unit == "m";
-  const double shown = is_length ? 1e3 * value : value;
-  const int digits = std::abs(shown) >= 10.0 ? 0 : std::abs(shown) >= 1.0 ? 1 : 2;
-  return fmt::format("{:.{}f} {}", shown, digits, is_length ? "mm" : unit);
-}
-
 PageVerdict JudgeFit(const VerdictFacts& facts) {
   if (facts.is_predicted) return JudgePrediction(facts);
   PageVerdict verdict;

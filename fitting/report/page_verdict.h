@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fitting/fit/fit.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 
@@ -48,8 +49,5 @@ std::string ToString(PageVerdict::Grade grade);
 // judged. Partial: within 5 and 2.5 times, and better than the start. Else poor. Of a recording
 // that is predicted its noise alone counts, and whether it is better than with the start values.
 PageVerdict JudgeFit(const VerdictFacts& facts);
-
-// "2.8 mm", "0.33 px".
-std::string QuantityInWords(double value, const std::string& unit);
 
 }  // namespace clothfit

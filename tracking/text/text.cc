@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace clothfit {
 namespace {
 
@@ -36,6 +38,13 @@ std::string FormatNumber(double value) {
   const std::to_chars_result result =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return std::string(buffer.data(), result.ptr);
+}
+
+std::string QuantityInWords(double value, const std::string& unit) {
+  const bool is_length = unit == "m";
+  const double shown = is_length ? 1e3 * value : value;
+  const int digits = std::abs(shown) >= 10.0 ? 0 : std::abs(shown) >= 1.0 ? 1 : 2;
+  return fmt::format("{:.{}f} {}", shown, digits, is_length ? "mm" : unit);
 }
 
 std::string_view TrimBlanks(std::string_view text) {

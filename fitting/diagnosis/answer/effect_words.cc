@@ -76,22 +76,6 @@ std::string Capitalised(std::string words) {
   return words;
 }
 
-std::string TitleOf(const std::string& effect) {
-  const std::optional<TermInfo> term = TermNamed(effect);
-  if (term && !term->title.empty()) return term->title;
-  const std::size_t colon = effect.find(": ");
-  if (colon != std::string::npos) {
-    const std::string whose = effect.substr(0, colon);
-    return effect.substr(colon + 2) + " of " + (whose == "markers" ? "the markers" : whose);
-  }
-  std::string title = effect;
-  if (term || FindParameter(MakeParameterTable(), effect) >= 0) {
-    std::replace(title.begin(), title.end(), '_', ' ');
-    std::replace(title.begin(), title.end(), '.', ' ');
-  }
-  return title;
-}
-
 std::string InBrief(const std::string& effect, const std::vector<EffectParameter>& parameters) {
   const OwnParameters own = OwnOf(effect, parameters);
   if (TermNamed(effect)) return TitleOf(effect) + TermInBrief(own);

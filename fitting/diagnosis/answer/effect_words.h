@@ -7,12 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "fitting/config/titles.h"
 #include "fitting/diagnosis/fitted/effect_parameter.h"
 
 namespace clothfit {
 
-// "wind", "unseen ball", "bending damping" of a parameter, "clock of camera cam0" of a fault.
-std::string TitleOf(const std::string& effect);
 // With a capital letter.
 std::string Capitalised(std::string words);
 

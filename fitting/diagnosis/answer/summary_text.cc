@@ -9,14 +9,10 @@
 
 #include "fitting/diagnosis/answer/effect_words.h"
 #include "fitting/diagnosis/answer/headline.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
-
-// "9.1 mm" or "1.3 px".
-std::string Length(double value, bool is_px) {
-  return is_px ? fmt::format("{:.3g} px", value) : fmt::format("{:.3g} mm", 1000.0 * value);
-}
 
 // Where mesh and step might make as much, no share is known (ShareBeyondMesh), and none is told.
 std::string SayShare(const Model& model) {
@@ -39,24 +35,36 @@ std::string NameEffects(const Diagnosis& diagnosis) {
                              SayShare(answer), answer.log_evidence);
 }
 
+// Where only the last of several effects is taken out, it says which.
 std::string SayValidation(const Model& answer) {
   const HeldOutValidation& validation = answer.validation;
-  const bool is_px = validation.is_in_pixels;
-  std::string words = "With it, the error on the held-out frames";
+  const auto amount = [&](double value) {
+    return QuantityInWords(value, validation.is_in_pixels ? "px" : "m");
+  };
+  const std::string newest =
+      answer.effects.size() > 1 ? TitleOf(answer.effects.back()) + " besides" : "it";
+  if (!std::isfinite(validation.before) || !std::isfinite(validation.after)) {
+    return std::isfinite(validation.after)
+               ? fmt::format(
+                     "Without {} the simulation breaks down in the held-out frames; with "
+                     "it the error there is {}.",
+                     newest, amount(validation.after))
+               : fmt::format("With {} the simulation breaks down in the held-out frames.", newest);
+  }
+  std::string words = fmt::format("With {}, the error on the held-out frames", newest);
   if (validation.is_against_others)
     words = "With it put right, how far it is on the held-out frames from what all else saw";
   words +=
       fmt::format(" {} from {} to {}", validation.after < validation.before ? "falls" : "rises",
-                  Length(validation.before, is_px), Length(validation.after, is_px));
-  words +=
-      validation.noise > 0.0 ? fmt::format("; noise is {}.", Length(validation.noise, is_px)) : ".";
+                  amount(validation.before), amount(validation.after));
+  words += validation.noise > 0.0 ? fmt::format("; noise is {}.", amount(validation.noise)) : ".";
   const double by_mesh =
       validation.irreducible * validation.irreducible - validation.noise * validation.noise;
   const double squared = validation.before * validation.before;
   constexpr double kWorthSaying = 0.05;
   if (by_mesh > kWorthSaying * squared) {
     words += fmt::format(" Mesh and step alone might make it fall to {}.",
-                         Length(std::sqrt(std::max(0.0, squared - by_mesh)), is_px));
+                         amount(std::sqrt(std::max(0.0, squared - by_mesh))));
   }
   return words;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A diagnosis becomes a page: the baseline beside the model, and every step of the answer.
+#include <algorithm>
 #include <cmath>
 
 #include "fitting/report/report.h"
@@ -180,6 +181,36 @@ TEST_F(DiagnosisReport, ShowsObstaclesThatMove) {
   ASSERT_EQ(positions.at("shape")[0], frames);
   const std::size_t last = numbers.size() / frames * (frames - 1);
   EXPECT_NEAR(numbers[last + 2] - numbers[2], 0.01 * static_cast<double>(frames - 1), 1e-4);
+}
+
+// The errors on the page are of what the diagnosis went by, as those of its sentences are.
+TEST_F(DiagnosisReport, LeavesOutWhatTheDiagnosisLeftOut) {
+  const auto error_of = [](const std::string& html) {
+    for (const json& error : DataOfPage(html).at("errors")) {
+      if (error.at("kind") == "markers" && error.at("held_out") == true)
+        return error.at("after").get<double>();
+    }
+    return -1.0;
+  };
+  const fs::path other = spoilt_.path() / "rec";
+  fs::copy(made_->path() / "rec", other, fs::copy_options::recursive);
+  Recording recording = ReadRecording(other);
+  const auto wild =
+      std::find_if(recording.markers.begin(), recording.markers.end(),
+                   [](const Marker& marker) { return marker.frame == 9 && marker.id == 5; });
+  ASSERT_NE(wild, recording.markers.end());
+  wild->position.z() += 0.5;
+  WriteRecording(recording, other, Overwrite::kAllow);
+  FitConfig config = DefaultConfig(ReadRecording(other));
+  ReadConfig(folder_ / "config.yaml", &config);
+  config.recording = other.string();
+  WriteWholeFile(folder_ / "config.yaml", ConfigToYaml(config));
+  const double clean = error_of(*html_);
+  ASSERT_GT(clean, 0.0);
+  EXPECT_NEAR(error_of(MakeReport(folder_, kTestAssets).html), clean, 0.2 * clean);
+  config.leave_out_outliers = false;
+  WriteWholeFile(folder_ / "config.yaml", ConfigToYaml(config));
+  EXPECT_GT(error_of(MakeReport(folder_, kTestAssets).html), 2.0 * clean);
 }
 
 TEST_F(DiagnosisReport, OfChiSquaredTablesHasNoDraws) {

@@ -136,11 +136,5 @@ TEST(PageVerdict, SpeaksOfWhatThereIs) {
   EXPECT_NO_THROW(JudgeFit(facts));
 }
 
-TEST(Quantity, HasTwoDigitsOrSo) {
-  EXPECT_EQ(QuantityInWords(0.00284, "m"), "2.8 mm");
-  EXPECT_EQ(QuantityInWords(0.0113, "m"), "11 mm");
-  EXPECT_EQ(QuantityInWords(0.3306, "px"), "0.33 px");
-}
-
 }  // namespace
 }  // namespace clothfit

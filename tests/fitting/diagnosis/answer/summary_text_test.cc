@@ -4,6 +4,8 @@
 // Sentences that follow the numbers.
 #include "fitting/diagnosis/answer/summary_text.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,6 +45,40 @@ TEST(SummaryText, TellsNoShareThatMeshAndStepMayMake) {
   EXPECT_THAT(DescribeDiagnosis(of_fault),
               HasSubstr("What mesh and step leave is as large as what it takes; the natural "
                         "logarithm of the odds for it is 40."));
+}
+
+Diagnosis WindThatPredicts(double before, double after) {
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::kNamed;
+  diagnosis.effects = diagnosis.confidence_set = {"wind"};
+  diagnosis.answer.emplace();
+  diagnosis.answer->effects = {"wind"};
+  diagnosis.answer->explained = 0.9;
+  diagnosis.answer->validation.before = before;
+  diagnosis.answer->validation.after = after;
+  diagnosis.answer->validation.noise = 0.0026;
+  return diagnosis;
+}
+
+// With the digits of the page's tiles, so that one number is one wherever it stands.
+TEST(SummaryText, TellsHeldOutErrorsAsThePageDoes) {
+  EXPECT_THAT(DescribeDiagnosis(WindThatPredicts(0.0243, 0.00312)),
+              HasSubstr("With it, the error on the held-out frames falls from 24 mm to 3.1 mm; "
+                        "noise is 2.6 mm."));
+}
+
+TEST(SummaryText, SaysWhatIsTakenOutOfSeveralEffects) {
+  Diagnosis diagnosis = WindThatPredicts(0.0243, 0.00312);
+  diagnosis.answer->effects = diagnosis.effects = {"wind", "bending_friction"};
+  EXPECT_THAT(DescribeDiagnosis(diagnosis),
+              HasSubstr("With bending friction besides, the error on the held-out frames falls"));
+}
+
+TEST(SummaryText, TellsNoErrorOfWhatBreaksDown) {
+  const std::string words = DescribeDiagnosis(WindThatPredicts(HUGE_VAL, 0.00312));
+  EXPECT_THAT(words, HasSubstr("Without it the simulation breaks down in the held-out frames; with "
+                               "it the error there is 3.1 mm."));
+  EXPECT_THAT(words, Not(HasSubstr("inf")));
 }
 
 }  // namespace
