@@ -159,7 +159,9 @@ std::vector<std::string> Reservations(const VerdictFacts& facts) {
     sentences.push_back(
         "At a bound, so that the model may be wrong there: " + JoinNames(facts.at_bound) + ".");
   }
-  if (facts.status != "converged") {
+  if (!facts.rugged_cost.empty()) {
+    sentences.push_back(AsSentence(facts.rugged_cost));
+  } else if (facts.status != "converged") {
     sentences.push_back("The fit ended without converging (" + facts.status +
                         "): it may get better.");
   }

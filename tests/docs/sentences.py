@@ -14,6 +14,7 @@ import sys
 SOURCES = (
     ("fitting/report/page_verdict.cc", None),
     ("fitting/report/joint_verdict.cc", None),
+    ("fitting/fit/rugged_cost.cc", None),
     ("tracking/recording/warnings.cc", None),
     ("tracking/recording/point_warnings.cc", None),
     ("apps/check_command.cc", "void AddCheckCommand("),

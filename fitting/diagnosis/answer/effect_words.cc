@@ -3,7 +3,6 @@
 #include "fitting/diagnosis/answer/effect_words.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -69,12 +68,6 @@ std::string FaultInBrief(const std::vector<EffectParameter>& amounts) {
 }
 
 }  // namespace
-
-std::string Capitalised(std::string words) {
-  if (!words.empty())
-    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words;
-}
 
 std::string InBrief(const std::string& effect, const std::vector<EffectParameter>& parameters) {
   const OwnParameters own = OwnOf(effect, parameters);

@@ -12,9 +12,6 @@
 
 namespace clothfit {
 
-// With a capital letter.
-std::string Capitalised(std::string words);
-
 // "wind of 0.56 m/s (0.51 to 0.93) along +y", "unseen ball, its middle at (0.10, 0.20, 0.30) m",
 // "clock of camera cam0 off by 0.02 s": the title with what it is about, in a few words.
 // `parameters` may hold others' too. Intervals are of 90 %.

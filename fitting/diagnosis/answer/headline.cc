@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "fitting/diagnosis/answer/effect_words.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {

@@ -54,6 +54,9 @@ TEST(PageVerdict, IsNoBetterThanItsWorstPart) {
   unfinished.status = "not converged";
   EXPECT_EQ(JudgeFit(unfinished).grade, Grade::kPartial);
   EXPECT_THAT(JudgeFit(unfinished).sentences, Contains(HasSubstr("without converging")));
+  unfinished.rugged_cost = "the fit came to rest where it did";
+  EXPECT_THAT(JudgeFit(unfinished).sentences, Contains("The fit came to rest where it did."));
+  EXPECT_THAT(JudgeFit(unfinished).sentences, Not(Contains(HasSubstr("it may get better"))));
 
   VerdictFacts broken = GoodFacts();
   broken.simulated_frames = 12;

@@ -62,5 +62,11 @@ TEST(Quantity, HasTwoDigitsOrSo) {
   EXPECT_EQ(QuantityInWords(0.3306, "px"), "0.33 px");
 }
 
+TEST(Sentence, BeginsWithACapitalAndEndsWithAFullStop) {
+  EXPECT_EQ(AsSentence("the fit ends"), "The fit ends.");
+  EXPECT_EQ(AsSentence("It is said."), "It is said.");
+  EXPECT_EQ(AsSentence(""), "");
+}
+
 }  // namespace
 }  // namespace clothfit
