@@ -14,6 +14,7 @@
 #include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/answer/folder.h"
+#include "fitting/diagnosis/answer/summary_text.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
@@ -66,7 +67,7 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   const Diagnosis diagnosis = Diagnose(recording, config, options.diagnosis);
   display.Finish();
   folder.Write(diagnosis);
-  if (!options.quiet) Print("{}\n{}\n", diagnosis.words, folder.path().string());
+  if (!options.quiet) Print("{}{}\n", DiagnosisAsText(diagnosis), folder.path().string());
   if (diagnosis.verdict != Verdict::kInterrupted) {
     if (!options.quiet) PrintNext("clothfit report " + ShellWord(folder.path().string()));
     return kExitSuccess;

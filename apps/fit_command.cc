@@ -61,7 +61,7 @@ int Report(const FitResult& result, const RunFolder& run, bool quiet) {
     Print("{}\n{}\nrun: {}\n", DescribeFitResult(result),
           DescribeVerdict(JudgeFit(FactsOf(ReadRunRecord(run)))), run.path().string());
   }
-  return EndOfFit(result.status, run, quiet);
+  return EndOfFit(result, run, quiet);
 }
 
 RunFolder MakeRunFolder(const FitOptions& options, const Recording& recording) {

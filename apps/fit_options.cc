@@ -8,6 +8,7 @@
 #include "apps/commands.h"
 #include "apps/next_step.h"
 #include "apps/terminal.h"
+#include "fitting/fit/rugged_cost.h"
 #include "fitting/jobs/shell.h"
 
 namespace clothfit {
@@ -28,18 +29,23 @@ void ApplyOptions(const FitOptions& options, FitConfig* config) {
   CheckConfig(*config);
 }
 
-int EndOfFit(FitStatus status, const RunFolder& run, bool quiet) {
+int EndOfFit(const FitResult& result, const RunFolder& run, bool quiet) {
   std::fflush(stdout);
   const std::string folder = ShellWord(run.path().string());
-  switch (status) {
+  const std::string rugged_cost = RuggedCostAmong(result.statements);
+  switch (result.status) {
     case FitStatus::kConverged:
       if (!quiet) PrintNext("clothfit report " + folder);
       return kExitSuccess;
     case FitStatus::kNotConverged:
-      Print(Terminal(),
-            "clothfit: warning: not converged; 'clothfit fit --resume -o {} "
-            "--max-iterations N' goes on\n",
-            folder);
+      if (rugged_cost.empty()) {
+        Print(Terminal(),
+              "clothfit: warning: not converged; 'clothfit fit --resume -o {} "
+              "--max-iterations N' goes on\n",
+              folder);
+      } else {
+        Print(Terminal(), "clothfit: warning: not converged: {}\n", rugged_cost);
+      }
       if (!quiet) PrintNext("clothfit report " + folder);
       return kExitSuccess;
     case FitStatus::kInterrupted:

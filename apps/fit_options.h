@@ -41,7 +41,7 @@ std::optional<Recording> TrackIntoRun(const Recording& recording, const RunFolde
 
 // How a fit that is written ends: a word on what to do next, and the exit status. Throws where the
 // fit has failed.
-int EndOfFit(FitStatus status, const RunFolder& run, bool quiet);
+int EndOfFit(const FitResult& result, const RunFolder& run, bool quiet);
 
 // clothfit fit A B ...
 bool IsOfSeveral(const FitOptions& options);

@@ -6,6 +6,7 @@
 
 #include "autodiff_sim/base/printable.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/fit/rugged_cost.h"
 
 namespace clothfit {
 namespace {
@@ -79,9 +80,11 @@ std::string DescribeWork(const FitResult& result) {
 }
 
 std::string DescribeStatements(const FitResult& result) {
-  std::string text = result.statements.empty() ? "" : "\n";
-  for (const std::string& statement : result.statements) text += "  " + statement + "\n";
-  return text;
+  const std::string of_verdict = RuggedCostAmong(result.statements);
+  std::string text;
+  for (const std::string& statement : result.statements)
+    if (statement != of_verdict) text += "  " + statement + "\n";
+  return text.empty() ? "" : "\n" + text;
 }
 
 }  // namespace

@@ -12,7 +12,8 @@
 
 namespace clothfit {
 
-// Several lines: how it ended, errors before and after, estimates, statements.
+// Several lines: how it ended, errors before and after, estimates, statements but for what the
+// verdict says.
 std::string DescribeFitResult(const FitResult& result);
 
 // The same of a fit of several recordings; names: of FitResult::recordings.

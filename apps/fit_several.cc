@@ -125,7 +125,7 @@ int ReportAll(const FitResult& result, const std::vector<JointRecording>& record
     Print("{}\n{}\nrun: {}\n", DescribeJointResult(result, names),
           DescribeVerdict(JudgeJointFit(ReadJointSummary(run.path()))), run.path().string());
   }
-  return EndOfFit(result.status, run, quiet);
+  return EndOfFit(result, run, quiet);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace clothfit {
 
 // What a term says of itself.
 struct TermInfo {
-  std::string name, doc, reference;
+  std::string name, title, doc, reference;
   int nodes = 0;
   int memory = 0;  // numbers that an element remembers
   bool internal = false;
@@ -104,6 +104,7 @@ std::vector<std::unique_ptr<ForceBatch>> MakeForceBatches(TypeList<Terms...>,
 template <class Term>
 TermInfo MakeTermInfo() {
   return {Term::kName,
+          Term::kTitle,
           Term::kDoc,
           Term::kReference,
           Term::kNodes,

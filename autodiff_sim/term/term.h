@@ -67,6 +67,7 @@ struct World {
 
 // What most terms are.
 struct TermDefaults {
+  static constexpr const char* kTitle = "";  // its name in sentences, where that is not kName
   static constexpr Role kRole = Role::kMayBeMissing;
   static constexpr Work kWork = Work::kConserves;
   static constexpr std::array kTies = {Tie::kMaterial};  // all that are right, the foremost first

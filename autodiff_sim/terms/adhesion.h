@@ -41,6 +41,7 @@ std::vector<GroundElement> GroundElements(const TermContext& context);
 
 struct Adhesion : TermDefaults {
   static constexpr const char* kName = "adhesion";
+  static constexpr const char* kTitle = "sticky ground";
   static constexpr const char* kDoc = "ground that holds the cloth down";
   static constexpr const char* kReference = "after Xu and Needleman 1994";
   static constexpr std::array kTies = {Tie::kContact};

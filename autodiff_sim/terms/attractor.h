@@ -15,6 +15,7 @@ namespace clothfit {
 
 struct Attractor : TermDefaults {
   static constexpr const char* kName = "attractor";
+  static constexpr const char* kTitle = "attraction to a place";
   static constexpr const char* kDoc = "a place in the world that draws the cloth";
   static constexpr const char* kReference = "spring that fades with the distance";
   static constexpr std::array kTies = {Tie::kWorld};

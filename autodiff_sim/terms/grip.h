@@ -48,6 +48,7 @@ inline std::vector<HeldElement> HeldElements(const TermContext& context) {
 
 struct Grip : TermDefaults {
   static constexpr const char* kName = "grip";
+  static constexpr const char* kTitle = "yielding grips";
   static constexpr const char* kDoc = "grips that yield to the cloth's pull";
   static constexpr const char* kReference = "linear spring";
   static constexpr std::array kTies = {Tie::kWorld};
@@ -75,6 +76,7 @@ struct Grip : TermDefaults {
 
 struct GripSlip : TermDefaults {
   static constexpr const char* kName = "grip_slip";
+  static constexpr const char* kTitle = "slip in a grip";
   static constexpr const char* kDoc = "a grip in which the cloth slips";
   static constexpr const char* kReference = "displacement that sets in as a cosine";
   static constexpr Work kWork = Work::kMixed;

@@ -28,6 +28,7 @@ constexpr Parameter LawCoefficient(const char* name, const char* unit, const cha
 //   f = c + G (x - x_0) - b v.
 struct LawField : TermDefaults {
   static constexpr const char* kName = "law_field";
+  static constexpr const char* kTitle = "learned force field";
   static constexpr const char* kDoc =
       "a learned force field in the world, linear in place and speed";
   static constexpr const char* kReference = "Taylor's series to first order";
@@ -74,6 +75,7 @@ struct LawField : TermDefaults {
 //   w = w_0 + G (x - x_0).
 struct LawAir : TermDefaults {
   static constexpr const char* kName = "law_air";
+  static constexpr const char* kTitle = "learned motion of the air";
   static constexpr const char* kDoc = "a learned motion of the air, linear in place";
   static constexpr const char* kReference = "Taylor's series to first order; see wind";
   static constexpr Role kRole = Role::kLaw;
@@ -130,6 +132,7 @@ struct LawAir : TermDefaults {
 // have; of the triangles' mean deformation gradients. No net force, no net moment.
 struct LawTension : TermDefaults {
   static constexpr const char* kName = "law_tension";
+  static constexpr const char* kTitle = "learned tension";
   static constexpr const char* kDoc =
       "a learned tension in the cloth, linear in strain and its rate";
   static constexpr const char* kReference = "Taylor's series to first order";

@@ -45,6 +45,7 @@ std::vector<AreaElement> AreaElements(const TermContext& context);
 
 struct ObstaclePlane : TermDefaults {
   static constexpr const char* kName = "obstacle_plane";
+  static constexpr const char* kTitle = "unseen plane";
   static constexpr const char* kDoc = "an unseen plane, such as a table or a wall";
   static constexpr const char* kReference = "penalty contact";
   static constexpr std::array kTies = {Tie::kContact, Tie::kWorld};
@@ -88,6 +89,7 @@ struct ObstaclePlane : TermDefaults {
 // smooth between.
 struct ObstacleTable : TermDefaults {
   static constexpr const char* kName = "obstacle_table";
+  static constexpr const char* kTitle = "unseen table";
   static constexpr const char* kDoc = "an unseen table with an edge";
   static constexpr const char* kReference = "penalty contact";
   static constexpr std::array kTies = {Tie::kContact, Tie::kWorld};
@@ -133,6 +135,7 @@ struct ObstacleTable : TermDefaults {
 
 struct ObstacleSphere : TermDefaults {
   static constexpr const char* kName = "obstacle_sphere";
+  static constexpr const char* kTitle = "unseen ball";
   static constexpr const char* kDoc = "an unseen ball";
   static constexpr const char* kReference = "penalty contact";
   static constexpr std::array kTies = {Tie::kContact, Tie::kWorld};
@@ -160,6 +163,7 @@ struct ObstacleSphere : TermDefaults {
 
 struct ObstacleCapsule : TermDefaults {
   static constexpr const char* kName = "obstacle_capsule";
+  static constexpr const char* kTitle = "unseen bar";
   static constexpr const char* kDoc = "an unseen bar with round ends";
   static constexpr const char* kReference = "penalty contact";
   static constexpr std::array kTies = {Tie::kContact, Tie::kWorld};

@@ -36,6 +36,7 @@ constexpr Parameter kWarpOverWeft = {
 
 struct StretchOrthotropy : TermDefaults {
   static constexpr const char* kName = "stretch_orthotropy";
+  static constexpr const char* kTitle = "unequal stretching along warp and weft";
   static constexpr const char* kDoc = "stretching unlike along warp and weft";
   static constexpr const char* kReference = "orthotropic plate, Lekhnitskii 1968";
   static constexpr int kNodes = 2;
@@ -57,6 +58,7 @@ struct StretchOrthotropy : TermDefaults {
 
 struct ShearOrthotropy : TermDefaults {
   static constexpr const char* kName = "shear_orthotropy";
+  static constexpr const char* kTitle = "unequal shearing along the two diagonals";
   static constexpr const char* kDoc = "shearing unlike along the two bias directions";
   static constexpr const char* kReference = "orthotropic plate, Lekhnitskii 1968";
   static constexpr int kNodes = 2;
@@ -80,6 +82,7 @@ struct ShearOrthotropy : TermDefaults {
 
 struct BendingOrthotropy : TermDefaults {
   static constexpr const char* kName = "bending_orthotropy";
+  static constexpr const char* kTitle = "unequal bending along warp and weft";
   static constexpr const char* kDoc = "bending unlike along warp and weft";
   static constexpr const char* kReference = "orthotropic plate, Lekhnitskii 1968";
   static constexpr int kNodes = 4;

@@ -16,6 +16,7 @@ namespace clothfit {
 
 struct StiffPatchStretch : TermDefaults {
   static constexpr const char* kName = "stiff_patch_stretch";
+  static constexpr const char* kTitle = "patch that stretches less";
   static constexpr const char* kDoc = "a patch, such as a print, that stretches less";
   static constexpr const char* kReference = "as the stretch springs";
   static constexpr int kNodes = 2;
@@ -39,6 +40,7 @@ struct StiffPatchStretch : TermDefaults {
 
 struct StiffPatchBending : TermDefaults {
   static constexpr const char* kName = "stiff_patch_bending";
+  static constexpr const char* kTitle = "patch that bends less";
   static constexpr const char* kDoc = "a patch, such as a print, that bends less";
   static constexpr const char* kReference = "as the bending folds";
   static constexpr int kNodes = 4;

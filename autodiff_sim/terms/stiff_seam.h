@@ -15,6 +15,7 @@ namespace clothfit {
 
 struct StiffSeamStretch : TermDefaults {
   static constexpr const char* kName = "stiff_seam_stretch";
+  static constexpr const char* kTitle = "seam that stretches less";
   static constexpr const char* kDoc = "a straight seam that stretches less";
   static constexpr const char* kReference = "as the stretch springs";
   static constexpr int kNodes = 2;
@@ -38,6 +39,7 @@ struct StiffSeamStretch : TermDefaults {
 
 struct StiffSeamBending : TermDefaults {
   static constexpr const char* kName = "stiff_seam_bending";
+  static constexpr const char* kTitle = "seam that bends less";
   static constexpr const char* kDoc = "a straight seam that bends less";
   static constexpr const char* kReference = "as the bending folds";
   static constexpr int kNodes = 4;

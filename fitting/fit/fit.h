@@ -97,7 +97,7 @@ struct FitResult {
   Evaluation before, after;
   std::vector<ParameterEstimate>
       estimates;  // every physical parameter, then the other free entries
-  // Plain statements on what the data leave open, one a line.
+  // Plain statements on what the data leave open and what the fit came to, one a line.
   std::vector<std::string> statements;
   double noise_factor = 1.0;  // residuals over their stated sigmas; above 1 it widens the intervals
   std::optional<Misfit>

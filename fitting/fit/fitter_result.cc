@@ -6,12 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "fitting/config/shared_parameters.h"
 #include "fitting/fit/discretisation.h"
 #include "fitting/fit/evaluation.h"
 #include "fitting/fit/fitter.h"
+#include "fitting/fit/rugged_cost.h"
 #include "fitting/optimise/checked_factor.h"
 
 namespace clothfit {
@@ -69,10 +68,8 @@ void Fitter::Finish(FitResult* result) {
     const double decrease = ExpectedDecrease(residuals, jacobian);
     if (converged_ && config_.polish && decrease > most) {
       converged_ = false;
-      Log(
-          fmt::format("Levenberg-Marquardt came to rest where a full step promises {:.0f} % less "
-                      "cost: the cost is rugged here; shorter windows may get past it",
-                      100.0 * decrease));
+      uncertainty.statements.push_back(SayCostIsRugged(decrease, config_.window));
+      Log(uncertainty.statements.back());
     }
   } else {
     result->cost_after = std::numeric_limits<double>::infinity();

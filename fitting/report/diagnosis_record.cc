@@ -42,9 +42,9 @@ DiagnosisRecord ReadDiagnosisRecord(const fs::path& folder) {
     if (record.json.at("format") != kFormat)
       throw InputError(file.string(), std::string("has another format; expected ") + kFormat);
     record.verdict = record.json.at("verdict").get<std::string>();
+    record.headline = Typeset(record.json.at("headline").get<std::string>());
     record.words = Typeset(record.json.at("words").get<std::string>());
     record.effects = record.json.at("effects").get<std::vector<std::string>>();
-    record.effects_in_words = record.json.value("effects_in_words", JoinNames(record.effects));
     record.confidence_set = record.json.at("ambiguity").get<std::vector<std::string>>();
     CheckFiles(record);
     record.resolution = record.json.at("resolution").get<std::array<int, 2>>();

@@ -19,10 +19,9 @@ namespace clothfit {
 
 struct DiagnosisRecord {
   std::filesystem::path folder;
-  nlohmann::ordered_json json;  // diagnosis.json
-  std::string verdict, words;
-  std::vector<std::string> effects;  // that were found, faults of the observation among them
-  std::string effects_in_words;
+  nlohmann::ordered_json json;           // diagnosis.json
+  std::string verdict, headline, words;  // words begin with the headline
+  std::vector<std::string> effects;      // that were found, faults of the observation among them
   std::vector<std::string> confidence_set;
   std::array<int, 2> resolution = {0, 0};  // particles of the motions; 0 where there is no grid
   std::optional<Splits::FrameRange> held_out;

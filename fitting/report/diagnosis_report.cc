@@ -5,16 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/config/titles.h"
 #include "fitting/files/npy_file.h"
 #include "fitting/report/diagnosis_record.h"
 #include "fitting/report/diagnosis_sections.h"
 #include "fitting/report/kinds.h"
 #include "fitting/report/scene_page.h"
-#include "tracking/text/text.h"
+#include "tracking/outliers/outliers.h"
+#include "tracking/outliers/swapped_markers.h"
 
 namespace clothfit {
 namespace {
@@ -23,34 +28,36 @@ namespace fs = std::filesystem;
 
 using Grade = PageVerdict::Grade;
 
-Grade GradeOf(const std::string& verdict) {
-  if (verdict == "nothing is missing" || verdict == "named") return Grade::kGood;
-  return verdict == "observation fault" ? Grade::kPartial : Grade::kPoor;
-}
-
-std::string HeadlineOf(const DiagnosisRecord& record) {
-  const std::string& effects = record.effects_in_words;
-  if (record.verdict == "nothing is missing") return "Nothing is missing from the simulation.";
-  if (record.verdict == "named") return "What the simulation lacked: " + effects + ".";
-  if (record.verdict == "observation fault") {
-    return "The observation is at fault, not the physics: " + effects + ".";
+// Are all of them physics of one kind: as tied, as internal, and doing the same work?
+bool AreOfOneClass(const std::vector<std::string>& effects) {
+  std::set<std::tuple<bool, Work, std::vector<Tie>>> classes;
+  for (const std::string& effect : effects) {
+    const std::string name = effect.substr(0, effect.find('.'));
+    const auto& terms = AllTerms();
+    const auto term = std::find_if(terms.begin(), terms.end(),
+                                   [&](const TermInfo& one) { return one.name == name; });
+    if (term == terms.end()) return effects.size() < 2;  // a fault of the observation
+    classes.insert({term->internal, term->work, term->ties});
   }
-  if (record.verdict == "undecided") return "Undecided: the baseline's fit has come to no minimum.";
-  if (record.verdict == "interrupted") return "The diagnosis was interrupted.";
-  if (!effects.empty()) return "Something is missing; " + effects + " is only a part of it.";
-  return "Something is missing, and nothing in the catalogue explains it.";
+  return classes.size() < 2;
 }
 
-// "One. Two." as its sentences: a full stop within a number is followed by no blank. What the
-// headline says is not said again.
-std::vector<std::string> Sentences(const std::string& words, const std::string& effects) {
+Grade GradeOf(const DiagnosisRecord& record) {
+  if (record.verdict == "nothing is missing") return Grade::kGood;
+  if (record.verdict == "named")
+    return AreOfOneClass(record.confidence_set) ? Grade::kGood : Grade::kPartial;
+  return record.verdict == "observation fault" ? Grade::kPartial : Grade::kPoor;
+}
+
+// What follows the headline, as its sentences: a full stop within a number is followed by no blank.
+std::vector<std::string> Sentences(const DiagnosisRecord& record) {
+  const std::string& words = record.words;
+  const bool has_headline = words.rfind(record.headline, 0) == 0;
   std::vector<std::string> sentences;
-  for (std::size_t begin = 0; begin < words.size();) {
+  for (std::size_t begin = has_headline ? record.headline.size() + 1 : 0; begin < words.size();) {
     const std::size_t stop = words.find(". ", begin);
     const std::size_t end = stop == std::string::npos ? words.size() : stop + 1;
-    const std::string sentence = words.substr(begin, end - begin);
-    if (effects.empty() || sentence != "What was left out: " + effects + ".")
-      sentences.push_back(sentence);
+    sentences.push_back(words.substr(begin, end - begin));
     begin = end + 1;
   }
   return sentences;
@@ -101,6 +108,9 @@ FittedRun ReadModel(const DiagnosisRecord& record) {
   if (record.held_out) recording.splits.held_out_frames = record.held_out;
   FitConfig config = DefaultConfig(recording);
   ReadConfig(file, &config);
+  // What the diagnosis went by: errors on the page are those of its sentences.
+  PutLabelsRight(&recording);
+  if (config.leave_out_outliers) LeaveOutOutliers(&recording);
   config.resolution = record.resolution;
   Scene scene = MakeScene(recording, config);
   return {std::move(config), std::move(scene)};
@@ -114,7 +124,8 @@ ReportScene SceneOf(const DiagnosisRecord& record, const ReportOptions& options)
     report.motions.push_back({name, title, std::move(positions)});
   };
   add("baseline.npy", "before", "Baseline");
-  if (!record.effects.empty()) add("model.npy", "after", "With " + JoinNames(record.effects));
+  if (!record.effects.empty())
+    add("model.npy", "after", "With " + JoinNames(TitlesOf(record.effects)));
   return report;
 }
 
@@ -167,8 +178,7 @@ ReportPage MakeDiagnosisReport(const fs::path& folder, const ReportAssets& asset
   std::vector<ObstacleSurface> obstacles = ObstacleSurfaces(report.scene());
   obstacles.insert(obstacles.end(), extras.obstacles.begin(), extras.obstacles.end());
   return MakeScenePage({report,
-                        {GradeOf(record.verdict), HeadlineOf(record),
-                         Sentences(record.words, record.effects_in_words)},
+                        {GradeOf(record), record.headline, Sentences(record)},
                         "Diagnosis of " + report.scene().recording.name,
                         record.effects.empty() ? "Error of the baseline"
                                                : "Error of the baseline → with what was found",

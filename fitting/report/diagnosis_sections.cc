@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/config/titles.h"
 #include "fitting/report/page_verdict.h"
 #include "tracking/text/text.h"
 
@@ -29,7 +30,7 @@ std::string Standing(const DiagnosisRecord& record, const ReportJson& candidate)
   const std::string name = candidate.at("name");
   if (IsAmong(record.effects, name)) return "named";
   if (IsAmong(record.confidence_set, name))
-    return "cannot be told from " + record.confidence_set.front();
+    return "cannot be told from " + TitleOf(record.confidence_set.front());
   if (candidate.at("short_listed") == true) return "short-listed";
   return candidate.at("why_not").get<std::string>();
 }
@@ -86,10 +87,10 @@ std::string SayConfidenceSet(const DiagnosisRecord& record) {
   if (record.effects.empty()) return "Nothing is named.";
   if (record.confidence_set.size() < 2) {
     return fmt::format("Nothing else does nearly what {} does in this recording.",
-                       record.effects.front());
+                       TitleOf(record.effects.front()));
   }
   return fmt::format("This recording cannot tell these apart: {}.",
-                     JoinNames(record.confidence_set));
+                     JoinNames(TitlesOf(record.confidence_set)));
 }
 
 ReportJson Percent(const ReportJson& share) {
@@ -112,8 +113,8 @@ ReportJson ValidationBars(const ReportJson& model) {
     items.push_back(
         {{"name", name}, {"value", validation.at(key)}, {"note", ""}, {"muted", is_muted}});
   };
-  add("baseline", "before", false);
-  add("with what was found", "after", false);
+  add("the fit without it", "before", false);
+  add("with it", "after", false);
   add("noise alone", "noise", true);
   const std::string earlier = EarlierFrames(validation);
   const std::string title = earlier.empty()

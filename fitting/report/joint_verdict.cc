@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/fit/rugged_cost.h"
 #include "fitting/report/run_record.h"
 #include "tracking/text/text.h"
 
@@ -132,9 +133,14 @@ PageVerdict JudgeJointFit(const Json& summary) {
   AddFitted(recordings, &verdict.sentences);
   AddHeldOut(recordings, &verdict.sentences);
   AddParameters(summary.at("parameters"), &verdict.sentences);
-  if (status != "converged")
+  const std::string rugged_cost =
+      RuggedCostAmong(summary.value("statements", std::vector<std::string>()));
+  if (!rugged_cost.empty()) {
+    verdict.sentences.push_back(AsSentence(rugged_cost));
+  } else if (status != "converged") {
     verdict.sentences.push_back("The fit ended without converging (" + status +
                                 "): it may get better.");
+  }
   return verdict;
 }
 

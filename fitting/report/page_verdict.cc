@@ -159,7 +159,9 @@ std::vector<std::string> Reservations(const VerdictFacts& facts) {
     sentences.push_back(
         "At a bound, so that the model may be wrong there: " + JoinNames(facts.at_bound) + ".");
   }
-  if (facts.status != "converged") {
+  if (!facts.rugged_cost.empty()) {
+    sentences.push_back(AsSentence(facts.rugged_cost));
+  } else if (facts.status != "converged") {
     sentences.push_back("The fit ended without converging (" + facts.status +
                         "): it may get better.");
   }
@@ -211,13 +213,6 @@ std::string ToString(Grade grade) {
       break;
   }
   return "poor";
-}
-
-std::string QuantityInWords(double value, const std::string& unit) {
-  const bool is_length = unit == "m";
-  const double shown = is_length ? 1e3 * value : value;
-  const int digits = std::abs(shown) >= 10.0 ? 0 : std::abs(shown) >= 1.0 ? 1 : 2;
-  return fmt::format("{:.{}f} {}", shown, digits, is_length ? "mm" : unit);
 }
 
 PageVerdict JudgeFit(const VerdictFacts& facts) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fitting/fit/fit.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 
@@ -30,6 +31,7 @@ struct VerdictFacts {
   std::optional<Misfit> misfit;              // of markers and tracks
   std::string put_right;                     // wrong labels, in words; empty where there were none
   std::string left_out;                      // gross errors, likewise
+  std::string rugged_cost;                   // where a fit rests, see RuggedCostAmong
   std::vector<std::string> unknown_handles;  // in held-out frames
   std::string recording;                     // as the command line names it
   bool is_predicted = false;                 // nothing of the recording was fitted
@@ -48,8 +50,5 @@ std::string ToString(PageVerdict::Grade grade);
 // judged. Partial: within 5 and 2.5 times, and better than the start. Else poor. Of a recording
 // that is predicted its noise alone counts, and whether it is better than with the start values.
 PageVerdict JudgeFit(const VerdictFacts& facts);
-
-// "2.8 mm", "0.33 px".
-std::string QuantityInWords(double value, const std::string& unit);
 
 }  // namespace clothfit

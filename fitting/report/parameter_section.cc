@@ -11,6 +11,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/report/report_sections.h"
 #include "tracking/recording/truth.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -96,12 +97,8 @@ ReportJson FixedTable(const ReportJson& parameters, const std::vector<NamedParam
 
 std::vector<std::string> Statements(const ReportJson& summary) {
   std::vector<std::string> statements;
-  for (const ReportJson& statement : summary.value("statements", ReportJson::array())) {
-    std::string text = statement.get<std::string>();
-    if (!text.empty()) text.front() = static_cast<char>(std::toupper(text.front()));
-    if (!text.empty() && text.back() != '.') text += '.';
-    statements.push_back(text);
-  }
+  for (const ReportJson& statement : summary.value("statements", ReportJson::array()))
+    statements.push_back(AsSentence(statement.get<std::string>()));
   return statements;
 }
 

@@ -10,6 +10,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/files/npy_file.h"
+#include "fitting/fit/rugged_cost.h"
 #include "fitting/report/record_file.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"
@@ -122,6 +123,7 @@ VerdictFacts FactsOf(const RunRecord& record) {
   const Json none = Json::object();
   facts.put_right = summary.value("put_right", "");
   facts.left_out = summary.value("left_out", none).value("in_words", "");
+  facts.rugged_cost = RuggedCostAmong(summary.value("statements", std::vector<std::string>()));
   facts.unknown_handles = summary.value("unknown_in_held_out_frames", std::vector<std::string>());
   facts.recording = summary.value("recording", none).value("path", "");
   facts.simulated_frames = summary.at("frames").value("simulated", 0);

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "fitting/diagnosis/answer/effect_words.h"
 #include "fitting/diagnosis/answer/folder.h"
+#include "fitting/diagnosis/answer/summary_text.h"
 #include "fitting/files/npy_file.h"
 #include "tests/support/small_run.h"
 
@@ -27,14 +27,16 @@ Candidate MakeCandidate(const std::string& name, double score, bool is_short_lis
   return candidate;
 }
 
-Model MakeModel(const FitConfig& config) {
+Model MakeModel(const FitConfig& config, const std::string& effect, bool is_kept) {
   Model model;
-  model.effects = {"wind"};
+  model.effects = {effect};
   model.config = config;
-  model.parameters = {{"wind.x", "m/s", 1.0, 0.5, 1.5}};
+  model.parameters = {{effect + ".x", "m/s", 1.0, 0.5, 1.5},
+                      {effect + ".y", "m/s", 0.0, -0.1, 0.1},
+                      {effect + ".z", "m/s", 0.0, -0.1, 0.1}};
   model.explained = 0.8;
   model.validation = {0.02, 0.01, 0.008, 0.0017, 0.003, true, false, false};
-  model.is_kept = true;
+  model.is_kept = is_kept;
   return model;
 }
 
@@ -45,8 +47,6 @@ fs::path MakeSmallDiagnosis(const fs::path& folder) {
   const Recording recording = ReadRecording(folder / "rec");
   Diagnosis diagnosis;
   diagnosis.verdict = Verdict::kNamed;
-  diagnosis.words =
-      "What was left out: " + PlainName("wind") + ". It explains 80 % of what the baseline cannot.";
   diagnosis.baseline = DefaultConfig(recording);
   ReadConfig(run / "config.yaml", &diagnosis.baseline);
   diagnosis.baseline.recording = (folder / "rec").string();
@@ -64,10 +64,13 @@ fs::path MakeSmallDiagnosis(const fs::path& folder) {
   diagnosis.discrepancy_class->words = "It comes from outside.";
   diagnosis.ranking = {MakeCandidate("wind", 90.0, true), MakeCandidate("gust", 88.0, true),
                        MakeCandidate("hem", 2.0, false)};
-  diagnosis.models = {MakeModel(diagnosis.baseline)};
+  diagnosis.models = {MakeModel(diagnosis.baseline, "wind", true),
+                      MakeModel(diagnosis.baseline, "gust", false)};
   diagnosis.answer = diagnosis.models[0];
   diagnosis.effects = {"wind"};
   diagnosis.confidence_set = {"wind", "gust"};
+  diagnosis.separating = {"twice as fast", 0.012, 0.003};
+  diagnosis.words = DescribeDiagnosis(diagnosis);
   diagnosis.seconds = {{"baseline", 1.0}, {"ranking", 2.0}};
   diagnosis.motions.answer = ReadPointsNpy(run / "trajectory.npy");
   diagnosis.motions.baseline = diagnosis.motions.answer;

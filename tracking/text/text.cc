@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace clothfit {
 namespace {
@@ -36,6 +40,25 @@ std::string FormatNumber(double value) {
   const std::to_chars_result result =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return std::string(buffer.data(), result.ptr);
+}
+
+std::string QuantityInWords(double value, const std::string& unit) {
+  const bool is_length = unit == "m";
+  const double shown = is_length ? 1e3 * value : value;
+  const int digits = std::abs(shown) >= 10.0 ? 0 : std::abs(shown) >= 1.0 ? 1 : 2;
+  return fmt::format("{:.{}f} {}", shown, digits, is_length ? "mm" : unit);
+}
+
+std::string Capitalised(std::string words) {
+  if (!words.empty())
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
+std::string AsSentence(std::string words) {
+  words = Capitalised(std::move(words));
+  if (!words.empty() && words.back() != '.') words += '.';
+  return words;
 }
 
 std::string_view TrimBlanks(std::string_view text) {

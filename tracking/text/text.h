@@ -23,6 +23,13 @@ std::optional<int> ParseInteger(std::string_view text);
 // The shortest decimal that reads back as the same double.
 std::string FormatNumber(double value);
 
+// "2.8 mm" of 0.00284 "m", "0.33 px": what is told to people, the same wherever it stands.
+std::string QuantityInWords(double value, const std::string& unit);
+
+// With a capital letter; with that and a full stop.
+std::string Capitalised(std::string words);
+std::string AsSentence(std::string words);
+
 std::string_view TrimBlanks(std::string_view text);
 
 // As ReadInputFile.

@@ -3,20 +3,20 @@
 #include "fitting/diagnosis/answer/effect_words.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <optional>
+#include <string_view>
 
-#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/answer/amount_words.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
-
-constexpr double kDegrees = 180.0 / M_PI;
-constexpr double kNothingBeside = 0.1;  // of the largest of the same unit
 
 std::optional<TermInfo> TermNamed(const std::string& name) {
   for (const TermInfo& term : AllTerms())
@@ -30,111 +30,56 @@ std::string TermOf(const std::string& parameter) {
 
 bool IsAmount(const EffectParameter& p) { return SwitchesOff(ParameterNamed(p.name)); }
 
-std::string WithUnit(const EffectParameter& p, double factor, const std::string& unit) {
-  const std::string text = fmt::format("{:.3g}{}", factor * p.value, unit);
-  if (!std::isfinite(p.lower90) || !std::isfinite(p.upper90)) return text;
-  return text + fmt::format(" ({:.3g} to {:.3g})", factor * p.lower90, factor * p.upper90);
-}
+// The parameters of one effect: how much of it there is, and where and of what shape it is.
+struct OwnParameters {
+  std::vector<EffectParameter> amounts, shapes;
+};
 
-std::string Alone(const EffectParameter& p) {
-  const bool is_angle = p.unit == "rad";
-  const bool is_bare = p.unit == "1" || p.unit.empty();
-  return WithUnit(p, is_angle ? kDegrees : 1.0,
-                  is_angle  ? " degrees"
-                  : is_bare ? ""
-                            : " " + p.unit);
-}
-
-// Of numbers that are one: its size, whose errors are theirs along it.
-EffectParameter SizeOf(const std::vector<EffectParameter>& parts) {
-  EffectParameter size{"", parts.front().unit};
-  double squares = 0.0, below = 0.0, above = 0.0;
-  for (const EffectParameter& p : parts) squares += p.value * p.value;
-  size.value = std::sqrt(squares);
-  for (const EffectParameter& p : parts) {
-    const double along = size.value > 0.0 ? p.value / size.value : 1.0;
-    const double down = p.value - p.lower90, up = p.upper90 - p.value;
-    below += std::pow(along * (along > 0.0 ? down : up), 2);
-    above += std::pow(along * (along > 0.0 ? up : down), 2);
+OwnParameters OwnOf(const std::string& effect, const std::vector<EffectParameter>& parameters) {
+  const bool is_term = TermNamed(effect).has_value();
+  OwnParameters own;
+  for (const EffectParameter& p : parameters) {
+    const bool is_own = is_term ? TermOf(p.name) == effect : p.name.rfind(effect, 0) == 0;
+    if (is_own) (is_term && !IsAmount(p) ? own.shapes : own.amounts).push_back(p);
   }
-  size.lower90 = std::max(0.0, size.value - std::sqrt(below));
-  size.upper90 = size.value + std::sqrt(above);
-  return size;
+  return own;
 }
 
-// x, y and z of a term's amounts in one unit.
-bool IsVector(const std::vector<EffectParameter>& amounts) {
-  if (amounts.size() != 3) return false;
-  const char* const ends[] = {".x", ".y", ".z"};
-  for (std::size_t k = 0; k < amounts.size(); ++k) {
-    const std::string& name = amounts[k].name;
-    if (name.substr(name.size() - std::min<std::size_t>(2, name.size())) != ends[k]) return false;
-  }
-  return amounts[0].unit == amounts[1].unit && amounts[1].unit == amounts[2].unit;
+std::string TermInBrief(const OwnParameters& own) {
+  const std::string place = FirstPlace(own.shapes);
+  if (!place.empty()) return ", " + place;
+  const std::string number = AsOneNumber(own.amounts);
+  if (!number.empty()) return " of " + number;
+  return own.amounts.empty() ? "" : " (" + AmountsOfTerm(own.amounts) + ")";
 }
 
-bool IsTilt(const std::vector<EffectParameter>& amounts) {
-  return amounts.size() == 2 && amounts[0].unit == "rad" && amounts[1].unit == "rad";
-}
-
-std::string AmountsOfTerm(const std::vector<EffectParameter>& amounts) {
-  if (IsVector(amounts)) {
-    const EffectParameter size = SizeOf(amounts);
-    if (!(size.value > 0.0)) return Alone(size);
-    const Eigen::Vector3d along =
-        Eigen::Vector3d(amounts[0].value, amounts[1].value, amounts[2].value) / size.value;
-    return fmt::format("{} along ({:.2g}, {:.2g}, {:.2g})", Alone(size), along.x(), along.y(),
-                       along.z());
-  }
-  if (IsTilt(amounts)) return Alone(SizeOf(amounts));
+// Amounts of one unit are the parts of one number.
+std::string FaultInBrief(const std::vector<EffectParameter>& amounts) {
   std::string words;
-  for (const EffectParameter& p : amounts) {
-    const auto is_larger = [&](const EffectParameter& other) {
-      return other.unit == p.unit && std::abs(p.value) < kNothingBeside * std::abs(other.value);
-    };
-    if (std::any_of(amounts.begin(), amounts.end(), is_larger)) continue;
-    words += (words.empty() ? "" : ", ") + Alone(p) + " " + ParameterNamed(p.name).doc;
-  }
-  return words;
-}
-
-// A place in the world by its three numbers, from the first of them on.
-bool IsPlace(const std::vector<EffectParameter>& shapes, std::size_t first) {
-  constexpr Meaning kPlace[] = {Meaning::kPlaceX, Meaning::kPlaceY, Meaning::kPlaceZ};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (first + k >= shapes.size() || ParameterNamed(shapes[first + k].name).meaning != kPlace[k])
-      return false;
-  }
-  return true;
-}
-
-std::string ShapesOfTerm(const std::vector<EffectParameter>& shapes) {
-  std::string words;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const std::string doc = ParameterNamed(shapes[i].name).doc;
-    words += words.empty() ? "" : ", ";
-    if (!IsPlace(shapes, i)) {
-      words += fmt::format("{} {}", shapes[i].name.substr(shapes[i].name.find('.') + 1),
-                           Alone(shapes[i]));
+  for (std::size_t i = 0; i < amounts.size(); ++i) {
+    const auto is_of_unit = [&](const EffectParameter& p) { return p.unit == amounts[i].unit; };
+    if (std::any_of(amounts.begin(), amounts.begin() + static_cast<std::ptrdiff_t>(i), is_of_unit))
       continue;
-    }
-    const auto error = [&](std::size_t k) {
-      return 0.5 * (shapes[i + k].upper90 - shapes[i + k].lower90);
-    };
-    words += fmt::format("{} at ({:.3f}, {:.3f}, {:.3f}) m", doc, shapes[i].value,
-                         shapes[i + 1].value, shapes[i + 2].value);
-    if (std::isfinite(error(0) + error(1) + error(2)))
-      words += fmt::format(" within ({:.2g}, {:.2g}, {:.2g}) m", error(0), error(1), error(2));
-    i += 2;
+    std::vector<EffectParameter> parts;
+    std::copy_if(amounts.begin(), amounts.end(), std::back_inserter(parts), is_of_unit);
+    words += (words.empty() ? " off by " : " and ") + Alone(SizeOf(parts));
   }
   return words;
 }
 
 }  // namespace
 
+std::string InBrief(const std::string& effect, const std::vector<EffectParameter>& parameters) {
+  const OwnParameters own = OwnOf(effect, parameters);
+  if (TermNamed(effect)) return TitleOf(effect) + TermInBrief(own);
+  if (effect.find(": ") != std::string::npos) return TitleOf(effect) + FaultInBrief(own.amounts);
+  return own.amounts.empty() ? TitleOf(effect)
+                             : TitleOf(effect) + " of " + Alone(own.amounts.front());
+}
+
 std::string PlainName(const std::string& effect) {
   const std::optional<TermInfo> term = TermNamed(effect);
-  return term ? fmt::format("{} ({})", term->doc, effect) : effect;
+  return term ? fmt::format("{} ({})", term->doc, effect) : TitleOf(effect);
 }
 
 std::string PlainNames(const std::vector<std::string>& effects) {
@@ -149,21 +94,18 @@ std::string AmountsInWords(const std::vector<std::string>& effects,
   std::string words;
   for (const std::string& effect : effects) {
     const bool is_term = TermNamed(effect).has_value();
-    std::vector<EffectParameter> amounts, shapes;
-    for (const EffectParameter& p : parameters) {
-      const bool is_own = is_term ? TermOf(p.name) == effect : p.name.rfind(effect, 0) == 0;
-      if (is_own) (is_term && !IsAmount(p) ? shapes : amounts).push_back(p);
-    }
-    if (amounts.empty()) continue;
-    std::string of_effect = is_term ? AmountsOfTerm(amounts) : "";
-    if (!shapes.empty()) of_effect += ", " + ShapesOfTerm(shapes);
+    const OwnParameters own = OwnOf(effect, parameters);
+    if (own.amounts.empty()) continue;
+    std::string of_effect = is_term ? AmountsOfTerm(own.amounts) : "";
+    if (!own.shapes.empty()) of_effect += ", " + ShapesOfTerm(own.shapes);
     if (!is_term) {
-      for (const EffectParameter& p : amounts)
-        of_effect += (of_effect.empty() ? "" : ", ") + p.name + " " + Alone(p);
+      for (const EffectParameter& p : own.amounts) {
+        const std::string part(TrimBlanks(std::string_view(p.name).substr(effect.size())));
+        of_effect += (of_effect.empty() ? "" : ", ") + part + (part.empty() ? "" : " ") + Alone(p);
+      }
     }
     words +=
-        fmt::format("{}{}{}", words.empty() ? "" : " ", is_term ? effect + ": " : "", of_effect) +
-        ".";
+        fmt::format("{}{}: {}.", words.empty() ? "" : " ", Capitalised(TitleOf(effect)), of_effect);
   }
   return words;
 }

@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/diagnosis/answer/summary_text.h"
+#include "fitting/diagnosis/answer/json_text.h"
+#include "fitting/diagnosis/answer/markdown_text.h"
 #include "fitting/diagnosis/fitted/fit_runner.h"
 #include "fitting/files/npy_file.h"
 #include "fitting/runs/fit_run.h"

@@ -29,9 +29,9 @@ ActingClass ClassOfActing(const Scene& scene, const ActingForce& force) {
   const double length = force.mean_direction.norm();
   const std::string along =
       length > kOneWay ? ", mostly along " + DirectionText(force.mean_direction / length) : "";
-  found.words = fmt::format("It acts {} on {}, with {:.2g} N/m^2 where it is strongest{}.", when,
-                            RegionText(cloth.low, cloth.high, force.low_uv, force.high_uv),
-                            force.peak, along);
+  found.words = fmt::format(
+      "In the fitted model it acts {} on {}, with {:.2g} N/m^2 where it is strongest{}.", when,
+      RegionText(cloth.low, cloth.high, force.low_uv, force.high_uv), force.peak, along);
   found.words += found.is_internal ? " It is the cloth's own: no net force, no net moment"
                                    : " It comes from outside the cloth";
   if (found.is_dissipative) found.words += ", and takes energy out of the motion";

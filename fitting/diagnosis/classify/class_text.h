@@ -12,8 +12,8 @@
 
 namespace clothfit {
 
-// "It acts all the time on the whole cloth, with up to 0.4 N/m^2 along +y. It comes from outside
-// the cloth and takes energy out of the motion."
+// "In the fitted model it acts all the time on the whole cloth, with 0.4 N/m^2 where it is
+// strongest, mostly along +y. It comes from outside the cloth and takes energy out of the motion."
 ActingClass ClassOfActing(const Scene& scene, const ActingForce& force);
 
 // "The missing force comes from outside the cloth, takes energy out of the motion and acts for a

@@ -53,29 +53,31 @@ std::string DiscrepancyText(const Scene& scene, const ForceLayout& layout, int l
   const int margin = layout.frames_per_knot;
   const bool is_always =
       discrepancy.first_frame <= margin && discrepancy.last_frame >= last_frame - margin;
-  const std::string when = is_always ? "All the time"
-                                     : fmt::format("Between {:.2f} s and {:.2f} s",
+  const std::string when = is_always ? "all the time"
+                                     : fmt::format("between {:.2f} s and {:.2f} s",
                                                    scene.FrameTime(discrepancy.first_frame),
                                                    scene.FrameTime(discrepancy.last_frame));
   const std::string where =
       RegionText(layout.low, layout.high, discrepancy.low_uv, discrepancy.high_uv);
-  if (discrepancy.peak > discrepancy.peak_sigma) {
+  const bool has_peak = discrepancy.peak > discrepancy.peak_sigma;
+  if (!has_peak && !(discrepancy.even > 2.0 * discrepancy.even_sigma)) {
     return fmt::format(
-        "{} {} is pushed along {} with up to {:.2g} N/m^2 (+- {:.1g}) more than the "
-        "model has.",
-        when, where, DirectionText(discrepancy.direction), discrepancy.peak,
-        discrepancy.peak_sigma);
-  }
-  if (!(discrepancy.even > 2.0 * discrepancy.even_sigma)) {
-    return fmt::format(
-        "{} something acts on {} that the model does not have; by how much, and which way, this "
-        "recording cannot tell.",
+        "By the map of the missing force, {} something acts on {} that the baseline does not have; "
+        "by how much, and which way, this recording cannot tell.",
         when, where);
   }
+  const std::string along =
+      discrepancy.direction.norm() > 0.0 ? " along " + DirectionText(discrepancy.direction) : "";
+  if (has_peak) {
+    return fmt::format(
+        "By the map of the missing force, {} {} is pushed{} with up to {:.2g} N/m^2 (+- {:.1g}) "
+        "more than the baseline has.",
+        when, where, along, discrepancy.peak, discrepancy.peak_sigma);
+  }
   return fmt::format(
-      "{} {} is pushed along {} with {:.2g} N/m^2 (+- {:.1g}) more than the model has, if evenly; "
-      "where most this recording cannot tell.",
-      when, where, DirectionText(discrepancy.direction), discrepancy.even, discrepancy.even_sigma);
+      "By the map of the missing force, {} {} is pushed{} with {:.2g} N/m^2 (+- {:.1g}) more than "
+      "the baseline has, if evenly; where most this recording cannot tell.",
+      when, where, along, discrepancy.even, discrepancy.even_sigma);
 }
 
 }  // namespace clothfit

@@ -12,8 +12,9 @@
 
 namespace clothfit {
 
-// "Between 1.2 s and 2.1 s the quarter at high u and low v is pushed along +y with up to 0.4 N/m^2
-// more than the model has." `last_frame`: of those the force was estimated for.
+// "By the map of the missing force, between 1.2 s and 2.1 s the quarter at high u and low v is
+// pushed along +y with up to 0.4 N/m^2 more than the baseline has." No direction where it has none.
+// `last_frame`: of those the force was estimated for.
 std::string DiscrepancyText(const Scene& scene, const ForceLayout& layout, int last_frame,
                             const Discrepancy& discrepancy);
 

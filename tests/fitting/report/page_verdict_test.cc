@@ -54,6 +54,9 @@ TEST(PageVerdict, IsNoBetterThanItsWorstPart) {
   unfinished.status = "not converged";
   EXPECT_EQ(JudgeFit(unfinished).grade, Grade::kPartial);
   EXPECT_THAT(JudgeFit(unfinished).sentences, Contains(HasSubstr("without converging")));
+  unfinished.rugged_cost = "the fit came to rest where it did";
+  EXPECT_THAT(JudgeFit(unfinished).sentences, Contains("The fit came to rest where it did."));
+  EXPECT_THAT(JudgeFit(unfinished).sentences, Not(Contains(HasSubstr("it may get better"))));
 
   VerdictFacts broken = GoodFacts();
   broken.simulated_frames = 12;
@@ -134,12 +137,6 @@ TEST(PageVerdict, SpeaksOfWhatThereIs) {
   EXPECT_THAT(verdict.sentences, Not(Contains(HasSubstr("held out"))));
   facts.errors.clear();
   EXPECT_NO_THROW(JudgeFit(facts));
-}
-
-TEST(Quantity, HasTwoDigitsOrSo) {
-  EXPECT_EQ(QuantityInWords(0.00284, "m"), "2.8 mm");
-  EXPECT_EQ(QuantityInWords(0.0113, "m"), "11 mm");
-  EXPECT_EQ(QuantityInWords(0.3306, "px"), "0.33 px");
 }
 
 }  // namespace

@@ -56,5 +56,17 @@ TEST(TextFile, ReportsWhatCannotBeRead) {
   EXPECT_EQ(ReadTextFile(folder.path() / "a" / "b.txt"), "text\n");
 }
 
+TEST(Quantity, HasTwoDigitsOrSo) {
+  EXPECT_EQ(QuantityInWords(0.00284, "m"), "2.8 mm");
+  EXPECT_EQ(QuantityInWords(0.0113, "m"), "11 mm");
+  EXPECT_EQ(QuantityInWords(0.3306, "px"), "0.33 px");
+}
+
+TEST(Sentence, BeginsWithACapitalAndEndsWithAFullStop) {
+  EXPECT_EQ(AsSentence("the fit ends"), "The fit ends.");
+  EXPECT_EQ(AsSentence("It is said."), "It is said.");
+  EXPECT_EQ(AsSentence(""), "");
+}
+
 }  // namespace
 }  // namespace clothfit

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/terms/parameter_table.h"
+
 namespace clothfit {
 namespace {
 
@@ -14,20 +16,74 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 TEST(EffectWords, SayWhatATermIs) {
   EXPECT_EQ(PlainName("wind"), "air that moves evenly, felt through the air drag (wind)");
-  EXPECT_EQ(PlainName("camera cam0: clock"), "camera cam0: clock");
+  EXPECT_EQ(PlainName("camera cam0: clock"), "clock of camera cam0");
   EXPECT_EQ(PlainNames({"camera cam0: clock", "hem"}),
-            "camera cam0: clock; mass along the sides of the cloth (hem)");
+            "clock of camera cam0; mass along the sides of the cloth (hem)");
+}
+
+TEST(EffectWords, HaveATitleForSentences) {
+  EXPECT_EQ(TitleOf("wind"), "wind");
+  EXPECT_EQ(TitleOf("bending_friction"), "bending friction");
+  EXPECT_EQ(TitleOf("obstacle_sphere"), "unseen ball");
+  EXPECT_EQ(TitleOf("bending.damping"), "bending damping");
+  EXPECT_EQ(TitleOf("markers: place"), "place of the markers");
+  EXPECT_EQ(TitleOf("markers 3 and 4 swapped from frame 10 on"),
+            "markers 3 and 4 swapped from frame 10 on");
+  int checked = 0;
+  for (const TermInfo& term : AllTerms()) {
+    EXPECT_EQ(TitleOf(term.name).find_first_of("_.:"), std::string::npos) << term.name;
+    ++checked;
+  }
+  EXPECT_GT(checked, 30);
+}
+
+TEST(EffectWords, TellInBriefHowMuchOrWhere) {
+  const std::vector<EffectParameter> all = {{"wind.x", "m/s", 0.04, 0.03, 0.05},
+                                            {"wind.y", "m/s", 0.55, 0.54, 0.56},
+                                            {"wind.z", "m/s", 0.03, 0.02, 0.04},
+                                            {"heavy_patch.share", "1", 0.3, 0.2, 0.4},
+                                            {"heavy_patch.u", "m", 0.1, 0.05, 0.15},
+                                            {"obstacle_sphere.stiffness", "Pa/m", 5e4, 4e4, 6e4},
+                                            {"obstacle_sphere.x", "m", -0.519, -0.529, -0.509},
+                                            {"obstacle_sphere.y", "m", 0.1, 0.05, 0.15},
+                                            {"obstacle_sphere.z", "m", 0.7034, 0.6834, 0.7234}};
+  EXPECT_EQ(InBrief("wind", all), "wind of 0.552 m/s (0.542 to 0.562) along +y");
+  EXPECT_EQ(InBrief("heavy_patch", all),
+            "heavy patch (0.3 (0.2 to 0.4) mass at its middle beside the cloth's own, over that)");
+  EXPECT_EQ(InBrief("obstacle_sphere", all), "unseen ball, its middle at (-0.52, 0.10, 0.70) m");
+  EXPECT_EQ(InBrief("hem", all), "hem");  // nothing is known of it
+  EXPECT_EQ(InBrief("bending.damping", {{"bending.damping", "N s", 0.001, 0.0005, 0.002}}),
+            "bending damping of 0.001 N s (0.0005 to 0.002)");
+}
+
+TEST(EffectWords, TellInBriefHowFarAFaultIs) {
+  EXPECT_EQ(InBrief("camera cam0: clock", {{"camera cam0: clock", "s", -0.02, -0.03, -0.01}}),
+            "clock of camera cam0 off by 0.02 s (0.01 to 0.03)");
+  EXPECT_EQ(InBrief("camera cam1: pose",
+                    {{"camera cam1: pose shift x", "m", 0.03, kUnknown, kUnknown},
+                     {"camera cam1: pose shift y", "m", 0.04, kUnknown, kUnknown},
+                     {"camera cam1: pose turn z", "rad", M_PI / 180.0, kUnknown, kUnknown}}),
+            "pose of camera cam1 off by 0.05 m and 1 degrees");
+}
+
+// Whatever is not known, no direction is (0, 0, 0).
+TEST(EffectWords, TellNoDirectionOfNothing) {
+  const std::vector<EffectParameter> nothing = {{"wind.x", "m/s", 0.0, -0.1, 0.1},
+                                                {"wind.y", "m/s", 0.0, -0.1, 0.1},
+                                                {"wind.z", "m/s", 0.0, -0.1, 0.1}};
+  for (const std::string& words : {AmountsInWords({"wind"}, nothing), InBrief("wind", nothing)})
+    EXPECT_EQ(words.find("along"), std::string::npos) << words;
 }
 
 TEST(EffectWords, TellAVectorByItsSizeAndDirection) {
   EXPECT_EQ(AmountsInWords({"wind"}, {{"wind.x", "m/s", 0.3, 0.2, 0.4},
                                       {"wind.y", "m/s", 0.4, 0.3, 0.5},
                                       {"wind.z", "m/s", 0.0, -0.1, 0.1}}),
-            "wind: 0.5 m/s (0.4 to 0.6) along (0.6, 0.8, 0).");
+            "Wind: 0.5 m/s (0.4 to 0.6) along (0.60, 0.80, 0.00).");
   EXPECT_EQ(AmountsInWords({"wind"}, {{"wind.x", "m/s", 0.0, kUnknown, kUnknown},
                                       {"wind.y", "m/s", 0.0, kUnknown, kUnknown},
                                       {"wind.z", "m/s", 0.0, kUnknown, kUnknown}}),
-            "wind: 0 m/s.");
+            "Wind: 0 m/s.");
 }
 
 TEST(EffectWords, TellATiltInDegrees) {
@@ -36,13 +92,13 @@ TEST(EffectWords, TellATiltInDegrees) {
       AmountsInWords({"gravity_tilt"},
                      {{"gravity_tilt.angle_1", "rad", 3.0 * degree, 2.0 * degree, 4.0 * degree},
                       {"gravity_tilt.angle_2", "rad", 4.0 * degree, 3.0 * degree, 5.0 * degree}}),
-      "gravity_tilt: 5 degrees (4 to 6).");
+      "Gravity tilt: 5 degrees (4 to 6).");
 }
 
 TEST(EffectWords, LeaveOutWhatIsNothingBesideTheLargest) {
   EXPECT_EQ(AmountsInWords({"hem"}, {{"hem.low_u", "kg/m", 0.0004, 0.0, 0.0008},
                                      {"hem.low_v", "kg/m", 0.05, 0.04, 0.06}}),
-            "hem: 0.05 kg/m (0.04 to 0.06) along the side of least v.");
+            "Hem: 0.05 kg/m (0.04 to 0.06) along the side of least v.");
 }
 
 TEST(EffectWords, TellAPlaceInTheWorldByItsThreeNumbers) {
@@ -52,17 +108,30 @@ TEST(EffectWords, TellAPlaceInTheWorldByItsThreeNumbers) {
                                            {"obstacle_sphere.y", "m", 0.1, 0.05, 0.15},
                                            {"obstacle_sphere.z", "m", 0.7034, 0.6834, 0.7234},
                                            {"obstacle_sphere.radius", "m", 0.022, 0.02, 0.024}}),
-      "obstacle_sphere: 5e+04 Pa/m (4e+04 to 6e+04) pressure per depth, its middle at (-0.519, "
+      "Unseen ball: 5e+04 Pa/m (4e+04 to 6e+04) pressure per depth, its middle at (-0.519, "
       "0.100, 0.703) m within (0.01, 0.05, 0.02) m, radius 0.022 m (0.02 to 0.024).");
 }
 
+TEST(EffectWords, TellThePlaneThatIsTiltedByOneAngle) {
+  const double degree = M_PI / 180.0;
+  EXPECT_EQ(
+      AmountsInWords({"obstacle_plane"},
+                     {{"obstacle_plane.stiffness", "Pa/m", 5e4, 4e4, 6e4},
+                      {"obstacle_plane.height", "m", 0.2, 0.1, 0.3},
+                      {"obstacle_plane.angle_1", "rad", 3.0 * degree, kUnknown, kUnknown},
+                      {"obstacle_plane.angle_2", "rad", 4.0 * degree, kUnknown, kUnknown}}),
+      "Unseen plane: 5e+04 Pa/m (4e+04 to 6e+04) pressure per depth, height 0.2 m (0.1 to 0.3), "
+      "turned by 5 degrees.");
+}
+
 TEST(EffectWords, TellPlacesAfterAmountsAndFaultsAsTheyAre) {
-  EXPECT_EQ(AmountsInWords({"camera cam0: clock", "bending_friction"},
-                           {{"camera cam0: clock", "s", 0.02, 0.01, 0.03},
-                            {"bending_friction.moment", "N", 0.002, 0.001, 0.003},
-                            {"bending_friction.onset", "1/m", 10.0, 5.0, 20.0}}),
-            "camera cam0: clock 0.02 s (0.01 to 0.03). bending_friction: 0.002 N (0.001 to 0.003) "
-            "largest moment per width, onset 10 1/m (5 to 20).");
+  EXPECT_EQ(
+      AmountsInWords({"camera cam0: clock", "bending_friction"},
+                     {{"camera cam0: clock", "s", 0.02, 0.01, 0.03},
+                      {"bending_friction.moment", "N", 0.002, 0.001, 0.003},
+                      {"bending_friction.onset", "1/m", 10.0, 5.0, 20.0}}),
+      "Clock of camera cam0: 0.02 s (0.01 to 0.03). Bending friction: 0.002 N (0.001 to 0.003) "
+      "largest moment per width, onset 10 1/m (5 to 20).");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 #include "autodiff_sim/term/tilted_down.h"
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/diagnosis/answer/summary_text.h"
+#include "fitting/diagnosis/answer/json_text.h"
 #include "fitting/diagnosis/compare/log_evidence.h"
 #include "fitting/diagnosis/evidence/candidates.h"
 #include "fitting/diagnosis/rank/ranking.h"

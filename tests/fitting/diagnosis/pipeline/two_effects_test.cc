@@ -10,7 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fitting/diagnosis/answer/summary_text.h"
+#include "fitting/diagnosis/answer/effect_words.h"
+#include "fitting/diagnosis/answer/json_text.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
 #include "tests/support/strip.h"
 
@@ -38,7 +39,7 @@ void ExpectToldAlike(const Diagnosis& diagnosis) {
   EXPECT_THAT(DiagnosisAsJson(diagnosis),
               HasSubstr("\"verdict\": \"" + ToString(diagnosis.verdict) + "\""));
   for (const std::string& effect : diagnosis.effects)
-    EXPECT_THAT(diagnosis.words, HasSubstr(effect));
+    EXPECT_THAT(diagnosis.words, HasSubstr(PlainName(effect)));
   ASSERT_TRUE(diagnosis.answer);
   EXPECT_TRUE(
       std::any_of(diagnosis.models.begin(), diagnosis.models.end(), [&](const Model& model) {
