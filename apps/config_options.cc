@@ -71,9 +71,10 @@ void BeginGroup(CLI::App* command, const std::string& title) {
   command->option_defaults()->group(title);
 }
 
-CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option) {
+CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option,
+                          const std::string& otherwise) {
   for (const ConfigKey& one : ConfigKeys()) {
-    if (one.full_name() == key) return option->default_str(one.write(FitConfig()));
+    if (one.full_name() == key) return option->default_str(one.write(FitConfig()) + otherwise);
   }
   throw std::logic_error(key + ": no such key");
 }

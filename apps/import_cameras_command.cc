@@ -134,7 +134,7 @@ void AddImportOpencv(CLI::App* import, Action* action) {
   const auto options = std::make_shared<CamerasOptions>();
   command->add_option("FILE", options->files, "YAML, XML or JSON of OpenCV's FileStorage")
       ->required();
-  command->add_option("--image-size", options->image_size, "px, where the files do not say it")
+  command->add_option("--image-size", options->image_size, "px; else as the files say")
       ->type_name("W H")
       ->expected(2);
   command->add_flag("--camera-to-world", options->camera_to_world,

@@ -63,7 +63,8 @@ void AddSceneOptions(CLI::App* command, SceneOptions* options) {
   add_vector("--origin", &options->origin, "where (0, 0) of the flat cloth is at first, m");
   add_vector("--u-axis", &options->u_axis, "direction of u at first; else x");
   add_vector("--v-axis", &options->v_axis, "direction of v at first; else y");
-  command->add_option("--rate", options->rate, "frames a second")->type_name("HZ");
+  command->add_option("--rate", options->rate, "frames a second; of videos else as they say")
+      ->type_name("HZ");
 }
 
 void PrintWhatIsMissing(const std::filesystem::path& folder, const SceneStart& start) {

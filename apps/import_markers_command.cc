@@ -4,6 +4,8 @@
 // clothfit import markers: a recording of motion capture.
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/import_commands.h"
@@ -82,14 +84,15 @@ void AddClothOptions(CLI::App* command, MarkersOptions* options) {
                    "m along u and v; else what the markers span, and the margin")
       ->type_name("U V")
       ->expected(2);
-  command->add_option("--margin", take.margin, "cloth beyond the outermost markers, m")
+  command->add_option("--margin", take.margin, "cloth beyond the outermost markers, m; else none")
       ->type_name("M");
   command
-      ->add_option("--resolution", options->resolution,
-                   "particles along u and v; else 21 on the longer side")
+      ->add_option(
+          "--resolution", options->resolution,
+          fmt::format("particles along u and v; else {} on the longer side", kTakeParticles))
       ->type_name("NU NV")
       ->expected(2);
-  command->add_option("--density", take.areal_density, "of the cloth, kg/m^2, where it is known")
+  command->add_option("--density", take.areal_density, "of the cloth, kg/m^2; else a fit finds it")
       ->type_name("KG/M2");
   command
       ->add_option("--obstacle", take.obstacles,
@@ -97,7 +100,8 @@ void AddClothOptions(CLI::App* command, MarkersOptions* options) {
                    "box[:thickness=M,margin=M]; else as its markers suggest")
       ->type_name("BODY=SHAPE")
       ->allow_extra_args(false);
-  command->add_option("--ground", take.ground_height, "height of a ground, m")->type_name("M");
+  command->add_option("--ground", take.ground_height, "height of a ground, m; else there is none")
+      ->type_name("M");
 }
 
 void AddMarkerOptions(CLI::App* command, MarkersOptions* options) {
@@ -110,7 +114,8 @@ void AddMarkerOptions(CLI::App* command, MarkersOptions* options) {
       ->type_name("[NAME=]MARKER")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--ignore", take.ignored, "markers to leave out, separated by commas")
+  command
+      ->add_option("--ignore", take.ignored, "markers to leave out, separated by commas; else none")
       ->type_name("MARKER")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -129,9 +134,12 @@ void AddMarkerOptions(CLI::App* command, MarkersOptions* options) {
       ->add_option("--sigma", take.marker_sigma,
                    "of the markers, m; else from their jitter and layout")
       ->type_name("M");
-  command->add_option("--every", take.every, "keep one frame of so many")->type_name("N");
+  command->add_option("--every", take.every, "keep one frame of so many")
+      ->type_name("N")
+      ->capture_default_str();
   command->add_option("--held-out", take.held_out_share, "share of the frames, at the end")
-      ->type_name("SHARE");
+      ->type_name("SHARE")
+      ->capture_default_str();
 }
 
 void AddFileOptions(CLI::App* command, MarkersOptions* options) {

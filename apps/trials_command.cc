@@ -78,12 +78,13 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
       ->type_name("EFFECT");
   command
       ->add_option("--match", options->settings.size.match,
-                   "only trials with this in their name, see --list")
+                   "only trials with this in their name, see --list; else all")
       ->type_name("TEXT");
   command
       ->add_option("--sample", options->settings.size.sample,
-                   "only so many of them, drawn evenly over the list by the first seed")
-      ->type_name("N");
+                   "only so many of them, drawn evenly over the list by the first seed; 0: all")
+      ->type_name("N")
+      ->capture_default_str();
   command->add_option("--frames", options->settings.size.frame_count, "of each recording")
       ->type_name("N")
       ->capture_default_str();
@@ -109,7 +110,9 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
 
 void AddRunOptions(CLI::App* command, TrialsOptions* options) {
   AddJobOptions(command, &options->jobs);
-  command->get_option("--output")->required(false);  // nothing is written by what only prints
+  command->get_option("--output")
+      ->required(false)  // nothing is written by what only prints
+      ->description("folder of results and tables; not needed by --list and --effects");
   BeginGroup(command, "How they are done");
   command->add_flag("--no-projection", options->settings.no_projection,
                     "candidates do not compete with the baseline and the faults");
