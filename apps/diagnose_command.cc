@@ -12,6 +12,7 @@
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "apps/terminal.h"
+#include "apps/value_checks.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/answer/folder.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
@@ -84,20 +85,20 @@ void AddLookOptions(CLI::App* command, DiagnoseOptions* options) {
       ->type_name("TERM");
   command->add_option("--max-effects", diagnosis.max_effects, "effects to add at most, 1 to 10")
       ->type_name("N")
-      ->check(CLI::Range(1, 10))
+      ->check(WholeNumber(1, 10))
       ->capture_default_str();
   command
       ->add_option("--max-models", diagnosis.max_models,
                    "physical candidates to fit for each effect, 1 to 40")
       ->type_name("N")
-      ->check(CLI::Range(1, 40))
+      ->check(WholeNumber(1, 40))
       ->capture_default_str();
   command
       ->add_option("--finest", diagnosis.finest_side,
                    "particles a side of the mesh that decides, at most; more tell more and take "
                    "longer; 3 to 100")
       ->type_name("N")
-      ->check(CLI::Range(3, 100))
+      ->check(WholeNumber(3, 100))
       ->capture_default_str();
   command->add_option("--seed", diagnosis.seed, "of the null and of the bootstrap")
       ->type_name("N")

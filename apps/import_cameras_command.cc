@@ -7,6 +7,7 @@
 #include "apps/config_options.h"
 #include "apps/import_commands.h"
 #include "apps/terminal.h"
+#include "apps/value_checks.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/printable.h"
 #include "tracking/camera/world_change.h"
@@ -118,7 +119,7 @@ void AddImportColmap(CLI::App* import, Action* action) {
       ->add_option("--names", options->naming,
                    "a camera for each image (stem) or each folder of images (folder)")
       ->type_name("auto|stem|folder")
-      ->check(CLI::IsMember({"auto", "stem", "folder"}))
+      ->check(OneOf({"auto", "stem", "folder"}))
       ->capture_default_str();
   AddCamerasOptions(command, options.get());
   command->footer(

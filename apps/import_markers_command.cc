@@ -11,6 +11,7 @@
 #include "apps/import_commands.h"
 #include "apps/next_step.h"
 #include "apps/terminal.h"
+#include "apps/value_checks.h"
 #include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/shell.h"
 #include "tracking/import/take_file.h"
@@ -154,7 +155,7 @@ void AddFileOptions(CLI::App* command, MarkersOptions* options) {
       ->type_name("AXIS");
   command->add_option("--unit", options->unit, "of lengths in FILE; else as FILE says")
       ->type_name("m|cm|mm")
-      ->check(CLI::IsMember({"m", "cm", "mm"}));
+      ->check(OneOf({"m", "cm", "mm"}));
   command->add_option("--rate", facts.frame_rate, "frames a second of FILE; else as FILE says")
       ->type_name("HZ");
   command->add_flag("--skip-bad-rows", options->reading.skip_bad_rows,
@@ -170,7 +171,9 @@ void AddImportMarkers(CLI::App* import, Action* action) {
       "markers", "motion capture: C3D, TRC, OptiTrack Motive, Vicon, Qualisys or plain tables");
   command->alias("motive");  // what it was called when it read no other
   const auto options = std::make_shared<MarkersOptions>();
-  command->add_option("FILE", options->file, "read by what is in it, whatever its name")
+  command
+      ->add_option("FILE", options->file,
+                   "of motion capture; read by what is in it, whatever its name")
       ->required();
   AddFileOptions(command, options.get());
   AddMarkerOptions(command, options.get());

@@ -16,6 +16,7 @@
 #include "apps/job_options.h"
 #include "apps/progress_display.h"
 #include "apps/terminal.h"
+#include "apps/value_checks.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/trials/effect_table.h"
@@ -97,7 +98,7 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
       ->add_option("--finest", options->settings.finest_side,
                    "particles a side that a fit may use, at most; 3 to 100")
       ->type_name("N")
-      ->check(CLI::Range(3, 100))
+      ->check(WholeNumber(3, 100))
       ->capture_default_str();
   CLI::Option* const same =
       command->add_flag("--same-generator", options->settings.size.same_generator,
