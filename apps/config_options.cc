@@ -79,6 +79,18 @@ CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option,
   throw std::logic_error(key + ": no such key");
 }
 
+void AddFramesOption(CLI::App* command, FramesOption* frames) {
+  command
+      ->add_option("--frames", *frames,
+                   "first and last frame to fit; else all that are not held out")
+      ->type_name("A B")
+      ->expected(2);
+}
+
+void TakeFrames(const FramesOption& frames, FitConfig* config) {
+  if (frames) config->frames = {(*frames)[0], (*frames)[1]};
+}
+
 void CheckConfig(const FitConfig& config) {
   for (const ConfigKey& key : ConfigKeys()) {
     const std::string problem = key.problem(config);

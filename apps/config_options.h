@@ -41,6 +41,11 @@ void BeginGroup(CLI::App* command, const std::string& title);
 CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option,
                           const std::string& otherwise = "");
 
+// --frames A B: which frames are fitted.
+using FramesOption = std::optional<std::vector<int>>;
+void AddFramesOption(CLI::App* command, FramesOption* frames);
+void TakeFrames(const FramesOption& frames, FitConfig* config);
+
 // FitConfig::Check of what the command line has changed: names the option where one sets the key.
 void CheckConfig(const FitConfig& config);
 

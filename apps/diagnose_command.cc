@@ -15,6 +15,7 @@
 #include "apps/value_checks.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/answer/folder.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
@@ -25,6 +26,7 @@ namespace {
 struct DiagnoseOptions {
   ConfigOptions config;
   DiagnosisOptions diagnosis;
+  FramesOption frames;
   std::string output;
   bool no_projection = false, table_null = false, no_nudge = false;
   bool force = false, resume = false, quiet = false;
@@ -46,9 +48,11 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   Recording recording = ReadRecordingOf(options.config);
   FitConfig config = ReadConfigOf(options.config, recording);
   LeaveOutClouds(recording, options.quiet, &config);
+  TakeFrames(options.frames, &config);
   CheckConfig(config);
   LeaveOutOutliers(config, &recording);
-  CheckFittable(MakeScene(recording, config), config);
+  const Recording with_held_out = WithHeldOutFrames(recording, options.diagnosis.held_out_share);
+  CheckFittable(MakeScene(with_held_out, config), config);
   const DiagnosisFolder folder(options.output, ExistingIf(options.force, options.resume));
   if (!options.quiet) PrintWarnings(recording);
   options.diagnosis.project = !options.no_projection;
@@ -135,6 +139,8 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
   command->add_flag("--quiet", options->quiet, "print errors only");
   AddConfigOptions(command, &options->config);
   AddFreeOptions(command, &options->config);
+  BeginGroup(command, "What is fitted");
+  AddFramesOption(command, &options->frames);
   AddLookOptions(command, options.get());
   AddAblationOptions(command, options.get());
   command->footer(

@@ -107,11 +107,7 @@ void AddObservationOptions(CLI::App* command, FitOptions* options) {
   const std::map<std::string, LossKind> losses = {
       {"none", LossKind::kNone}, {"huber", LossKind::kHuber}, {"cauchy", LossKind::kCauchy}};
   BeginGroup(command, "What is fitted");
-  command
-      ->add_option("--frames", options->frames,
-                   "first and last frame to fit; else all that are not held out")
-      ->type_name("A B")
-      ->expected(2);
+  AddFramesOption(command, &options->frames);
   DefaultIsKey("observations.loss",
                command->add_option("--loss", options->loss, "how outliers count"),
                "; huber with tracks, masks or clouds")
