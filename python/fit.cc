@@ -150,7 +150,9 @@ Raises InputError where the input cannot be used, RuntimeError where the simulat
 }
 
 void AddDiagnosis(py::module_* module) {
-  py::class_<Amount>(*module, "Amount", "An amount of an effect with its 90 % interval.")
+  py::class_<Amount>(
+      *module, "Amount",
+      "An amount of an effect with its 90 % interval, nan where the diagnosis was interrupted.")
       .def_readonly("name", &Amount::name)
       .def_readonly("unit", &Amount::unit)
       .def_readonly("value", &Amount::value)

@@ -228,6 +228,8 @@ std::string DescribeDiagnosis(const Diagnosis& diagnosis) {
                          : "Something is missing, and the recording speaks for no effect in "
                            "the catalogue.");
   }
+  if (diagnosis.verdict == Verdict::kInterrupted && diagnosis.answer)
+    sentences.push_back("The search was stopped: amounts may still change, and have no intervals.");
   std::string words;
   for (const std::string& sentence : sentences) {
     if (!sentence.empty()) words += (words.empty() ? "" : " ") + sentence;
