@@ -14,11 +14,13 @@
 #include "apps/config_options.h"
 #include "apps/interrupt.h"
 #include "apps/job_options.h"
+#include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "apps/terminal.h"
 #include "apps/value_checks.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/trials/effect_table.h"
 #include "fitting/trials/plan.h"
 #include "fitting/trials/trial_jobs.h"
@@ -44,7 +46,9 @@ int PrintEffects(const TrialsOptions& options, const std::vector<Trial>& trials)
       stop);
   display.Finish();
   Print("{}", EffectsAsMarkdown(effects));
-  return *stop ? kExitInterrupted : kExitSuccess;
+  if (*stop) return kExitInterrupted;
+  PrintNext("clothfit trials " + ShellWord(options.settings.plan) + " -o FOLDER");
+  return kExitSuccess;
 }
 
 int RunTrialsCommand(const TrialsOptions& options) {
@@ -53,6 +57,7 @@ int RunTrialsCommand(const TrialsOptions& options) {
   const std::vector<Trial> trials = MakeTrialPlan("PLAN", settings.plan, settings.size);
   if (options.list) {
     Print("{}", DescribePlan(trials));
+    PrintNext("clothfit trials " + ShellWord(settings.plan) + " -o FOLDER");
     return kExitSuccess;
   }
   if (options.effects) return PrintEffects(options, trials);

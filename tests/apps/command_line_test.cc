@@ -191,6 +191,15 @@ TEST(CommandLine, SaysWhatToDoNext) {
   WriteRecording(MakeSmallRecording(Tiny()), folder.path() / "my rec");
   EXPECT_THAT(RunCommand({"check", "my rec"}, folder.path()).out,
               testing::EndsWith("\nnext: clothfit fit 'my rec'\n"));
+  const auto last = [&](const std::vector<std::string>& words) {
+    const std::string out = RunCommand(words, folder.path()).out;
+    return out.substr(out.rfind('\n', out.size() - 2) + 1);
+  };
+  EXPECT_EQ(last({"terms", "wind"}),
+            "next: clothfit fit RECORDING --set wind.x=VALUE --free wind\n");
+  EXPECT_EQ(last({"terms", "--all"}),
+            "next: clothfit fit RECORDING --set TERM.PARAMETER=VALUE --free TERM\n");
+  EXPECT_EQ(last({"trials", "--list", "clean"}), "next: clothfit trials clean -o FOLDER\n");
 }
 
 TEST(Terms, ListsEveryParameter) {
