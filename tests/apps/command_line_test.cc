@@ -36,6 +36,21 @@ TEST(CommandLine, TellsItsVersion) {
   EXPECT_EQ(result.err, "");
 }
 
+TEST(CommandLine, TellsWhatItIsMadeOf) {
+  const TestFolder folder;
+  const CommandResult result = RunCommand({"--version", "--verbose"}, folder.path());
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.out, StartsWith(RunCommand({"--version"}, folder.path()).out));
+  for (const char* library : {"CGAL", "Ceres", "CHOLMOD", "CLI11", "Eigen", "Embree", "fmt",
+                              "nlohmann-json", "NLopt", "OpenCV", "yaml-cpp", "zlib"})
+    EXPECT_THAT(result.out,
+                testing::ContainsRegex("\n" + std::string(library) + " +[0-9]+\\.[0-9]"));
+  EXPECT_THAT(result.out, testing::ContainsRegex("\nOpenBLAS +OpenBLAS [0-9]"));
+  EXPECT_THAT(result.out, testing::ContainsRegex("\ncompiler +(GCC|Clang) [0-9]+"));
+  EXPECT_THAT(result.out, HasSubstr("\ninstruction set "));
+  EXPECT_THAT(result.out, HasSubstr("\nReports of bugs: "));
+}
+
 // The commands that `help` lists, in its order: lines that are indented by two under a title.
 std::vector<std::string> ListedCommands(const std::string& help) {
   std::vector<std::string> names;
