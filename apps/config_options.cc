@@ -40,6 +40,13 @@ const std::map<std::string, std::string>& OptionsOfKeys() {
   return options;
 }
 
+// "[2, 1]" as "2 1".
+std::string AsTyped(std::string value) {
+  const auto is_of_list = [](char c) { return c == '[' || c == ']' || c == ','; };
+  value.erase(std::remove_if(value.begin(), value.end(), is_of_list), value.end());
+  return value;
+}
+
 void CheckFreedOnce(const ConfigOptions& options) {
   for (const std::string& name : options.free) {
     const bool twice = std::find(options.fix.begin(), options.fix.end(), name) != options.fix.end();
@@ -96,7 +103,7 @@ void CheckConfig(const FitConfig& config) {
     const std::string problem = key.problem(config);
     const auto option = OptionsOfKeys().find(key.full_name());
     if (problem.empty() || option == OptionsOfKeys().end()) continue;
-    throw InputError(option->second, key.write(config) + ": " + problem);
+    throw InputError(option->second, AsTyped(key.write(config)) + "; " + problem);
   }
   if (config.alpha == 0.0 && config.beta == 0.0)
     throw InputError("--alpha, --beta", "both are 0: nothing is left to fit");

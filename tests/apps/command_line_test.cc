@@ -181,10 +181,10 @@ TEST(CommandLine, ErrorsNameTheOptionThatWasTyped) {
     return BadInputLine(RunCommand(words, folder.path()));
   };
   EXPECT_THAT(line("--optimiser", {"adam"}),
-              HasSubstr("error: --optimiser: adam: expected one of"));
-  EXPECT_THAT(line("--resolution", {"2", "1"}), HasSubstr("error: --resolution: [2, 1]: expected"));
-  EXPECT_THAT(line("--frames", {"5", "1"}), HasSubstr("error: --frames: [5, 1]: expected"));
-  EXPECT_THAT(line("--window", {"-1"}), HasSubstr("error: --window: -1: expected 0 or more"));
+              HasSubstr("error: --optimiser: adam; expected one of"));
+  EXPECT_THAT(line("--resolution", {"2", "1"}), HasSubstr("error: --resolution: 2 1; expected"));
+  EXPECT_THAT(line("--frames", {"5", "1"}), HasSubstr("error: --frames: 5 1; expected"));
+  EXPECT_THAT(line("--window", {"-1"}), HasSubstr("error: --window: -1; expected 0 or more"));
   EXPECT_THAT(line("--alpha", {"0", "--beta", "0"}),
               HasSubstr("error: --alpha, --beta: both are 0"));
 }

@@ -40,9 +40,9 @@ TEST_F(DiagnoseCommand, FitsTheFramesThatAreAskedFor) {
 
 TEST_F(DiagnoseCommand, RefusesFramesThatCannotBeFitted) {
   EXPECT_THAT(BadInputLine(Diagnose({"--frames", "5", "1"})),
-              HasSubstr("error: --frames: [5, 1]: expected"));
+              HasSubstr("error: --frames: 5 1; expected"));
   EXPECT_THAT(BadInputLine(Diagnose({"--frames", "0", "12"})),
-              HasSubstr("--frames (observations.frames): [0, 12]; expected first <= last within 0 "
+              HasSubstr("--frames (observations.frames): 0 12; expected first <= last within 0 "
                         "to 11"));
   EXPECT_THAT(BadInputLine(Diagnose({"--frames", "11", "11"})), HasSubstr("nothing to fit"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
