@@ -266,6 +266,16 @@ TEST(Export, GoesByTheNameOfTheFile) {
               HasSubstr("--format: is missing"));
 }
 
+TEST(Export, SaysWhatEachFormatIs) {
+  const TestFolder folder;
+  const std::string help = RunCommand({"help", "export"}, folder.path()).out;
+  for (const char* row :
+       {"gltf    .glb: binary glTF 2.0", "usda    .usda: Universal Scene Description as text",
+        "mdd     .mdd: point cache of LightWave", "npy     .npy: NumPy array, float64",
+        "blender .py: the cloth as a script"})
+    EXPECT_THAT(help, HasSubstr("\n  " + std::string(row)));
+}
+
 TEST(Check, SummarisesARecording) {
   const TestFolder folder;
   WriteRecording(MakeSmallRecording(Tiny()), folder.path() / "rec");
