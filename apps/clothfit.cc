@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The clothfit command. Whatever goes wrong is one line on the standard error.
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -94,14 +93,14 @@ int Run(int argc, char** argv) {
   Action action;
   DeclareCommands(&app, &action);
   if (argc == 3 && std::string(argv[1]) == "manual-pages") return WriteManualPages(app, argv[2]);
-  std::vector<std::string> words = CompleteCommands(app, {argv + 1, argv + argc});
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  const std::vector<std::string> words = CompleteCommands(app, {argv + 1, argv + argc});
   try {
-    app.parse(words);
+    std::vector<std::string> from_last(words.rbegin(), words.rend());  // as CLI11 takes them
+    app.parse(from_last);
   } catch (const CLI::Success& success) {  // --help and --version
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    return Fail(DescribeParseError(app, error), kExitBadInput);
+    return Fail(DescribeParseError(app, error, words), kExitBadInput);
   }
   const int status = action();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

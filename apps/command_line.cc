@@ -6,15 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "apps/option_errors.h"
 #include "autodiff_sim/base/error.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
-
-bool StartsWith(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
-}
 
 std::vector<const CLI::App*> CommandsOf(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });
@@ -108,20 +105,6 @@ std::string DescribeUnknown(const CLI::App& app, const CLI::App& command,
   return Nearest(typed, OptionsOf(command), "option", command);
 }
 
-// CLI11's words by those that clothfit uses everywhere else.
-std::string DescribeValue(const CLI::App& command, const std::string& text) {
-  const std::string convert = "Could not convert: ";
-  if (!StartsWith(text, convert)) return text;
-  const std::size_t equals = text.find(" = ");
-  if (equals == std::string::npos) return text;
-  const std::string name = text.substr(convert.size(), equals - convert.size());
-  const std::string value = text.substr(equals + 3);
-  const CLI::Option* const option = command.get_option_no_throw(name);
-  std::string expected = ParseNumber(value) ? "an integer" : "a number";
-  if (option != nullptr && !option->get_option_text().empty()) expected = option->get_option_text();
-  return fmt::format("{}: '{}': expected {}", name, value, expected);
-}
-
 }  // namespace
 
 std::vector<std::string> CompleteCommands(const CLI::App& app, std::vector<std::string> words) {
@@ -133,18 +116,21 @@ std::vector<std::string> CompleteCommands(const CLI::App& app, std::vector<std::
     command = &FindCommand(*command, word);
     word = command->get_name();
   }
+  RefuseValuesOfFlags(*command, words);
   if (asks_help) words.emplace_back("--help");
   return words;
 }
 
-std::string DescribeParseError(const CLI::App& app, const CLI::ParseError& error) {
+std::string DescribeParseError(const CLI::App& app, const CLI::ParseError& error,
+                               const std::vector<std::string>& words) {
   const CLI::App& command = InnermostCommand(app);
   const std::vector<std::string> unknown = app.remaining(true);
   const bool needs_command = !CommandsOf(command).empty();
   if (!unknown.empty() && (dynamic_cast<const CLI::ExtrasError*>(&error) || needs_command))
     return unknown.front() + ": " + DescribeUnknown(app, command, unknown.front());
   if (needs_command) return fmt::format("expected a command; {} lists them", HowToList(command));
-  return fmt::format("{}; {} tells more", DescribeValue(command, error.what()), HowToList(command));
+  return fmt::format("{}; {} tells more", DescribeOptionError(command, error, words),
+                     HowToList(command));
 }
 
 }  // namespace clothfit

@@ -34,7 +34,7 @@ struct CompareOptions {
   ComparisonOptions comparison;
   std::string output;
   std::optional<double> alpha, beta;
-  std::optional<std::vector<int>> frames;
+  FramesOption frames;
   bool force = false, resume = false, quiet = false;
 };
 
@@ -61,7 +61,7 @@ FitConfig ConfigOf(const CompareOptions& options, const Recording& recording) {
   FitConfig config = ReadConfigOf(options.config, recording);
   if (options.alpha) config.alpha = *options.alpha;
   if (options.beta) config.beta = *options.beta;
-  if (options.frames) config.frames = {(*options.frames)[0], (*options.frames)[1]};
+  TakeFrames(options.frames, &config);
   CheckConfig(config);
   return config;
 }
@@ -203,11 +203,7 @@ void AddCompareOptions(CLI::App* command, CompareOptions* options) {
   AddFreeOptions(command, &options->config);
   AddContenderOptions(command, &comparison, options);
   BeginGroup(command, "What is fitted");
-  command
-      ->add_option("--frames", options->frames,
-                   "first and last frame to fit; else all that are not held out")
-      ->type_name("A B")
-      ->expected(2);
+  AddFramesOption(command, &options->frames);
   DefaultIsKey("observations.alpha",
                command->add_option("--alpha", options->alpha, "weight of the silhouettes"))
       ->type_name("W");

@@ -40,6 +40,13 @@ const std::map<std::string, std::string>& OptionsOfKeys() {
   return options;
 }
 
+// "[2, 1]" as "2 1".
+std::string AsTyped(std::string value) {
+  const auto is_of_list = [](char c) { return c == '[' || c == ']' || c == ','; };
+  value.erase(std::remove_if(value.begin(), value.end(), is_of_list), value.end());
+  return value;
+}
+
 void CheckFreedOnce(const ConfigOptions& options) {
   for (const std::string& name : options.free) {
     const bool twice = std::find(options.fix.begin(), options.fix.end(), name) != options.fix.end();
@@ -71,11 +78,24 @@ void BeginGroup(CLI::App* command, const std::string& title) {
   command->option_defaults()->group(title);
 }
 
-CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option) {
+CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option,
+                          const std::string& otherwise) {
   for (const ConfigKey& one : ConfigKeys()) {
-    if (one.full_name() == key) return option->default_str(one.write(FitConfig()));
+    if (one.full_name() == key) return option->default_str(one.write(FitConfig()) + otherwise);
   }
   throw std::logic_error(key + ": no such key");
+}
+
+void AddFramesOption(CLI::App* command, FramesOption* frames) {
+  command
+      ->add_option("--frames", *frames,
+                   "first and last frame to fit; else all that are not held out")
+      ->type_name("A B")
+      ->expected(2);
+}
+
+void TakeFrames(const FramesOption& frames, FitConfig* config) {
+  if (frames) config->frames = {(*frames)[0], (*frames)[1]};
 }
 
 void CheckConfig(const FitConfig& config) {
@@ -83,7 +103,7 @@ void CheckConfig(const FitConfig& config) {
     const std::string problem = key.problem(config);
     const auto option = OptionsOfKeys().find(key.full_name());
     if (problem.empty() || option == OptionsOfKeys().end()) continue;
-    throw InputError(option->second, key.write(config) + ": " + problem);
+    throw InputError(option->second, AsTyped(key.write(config)) + "; " + problem);
   }
   if (config.alpha == 0.0 && config.beta == 0.0)
     throw InputError("--alpha, --beta", "both are 0: nothing is left to fit");

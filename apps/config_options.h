@@ -36,9 +36,15 @@ inline constexpr const char* kModelGroup = "The model";
 
 // Options that are added to the command from here on stand under this title in its help.
 void BeginGroup(CLI::App* command, const std::string& title);
-// Shows in the help that a key of the config, "strategy.window", stands where this is left out;
-// returns `option`.
-CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option);
+// Shows in the help that a key of the config, "strategy.window", stands where this is left out,
+// and `otherwise` after it; returns `option`.
+CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option,
+                          const std::string& otherwise = "");
+
+// --frames A B: which frames are fitted.
+using FramesOption = std::optional<std::vector<int>>;
+void AddFramesOption(CLI::App* command, FramesOption* frames);
+void TakeFrames(const FramesOption& frames, FitConfig* config);
 
 // FitConfig::Check of what the command line has changed: names the option where one sets the key.
 void CheckConfig(const FitConfig& config);

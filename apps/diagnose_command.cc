@@ -12,9 +12,11 @@
 #include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "apps/terminal.h"
+#include "apps/value_checks.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/diagnosis/answer/folder.h"
 #include "fitting/diagnosis/answer/summary_text.h"
+#include "fitting/diagnosis/fitted/held_out_errors.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/runs/fit_run.h"
@@ -25,6 +27,7 @@ namespace {
 struct DiagnoseOptions {
   ConfigOptions config;
   DiagnosisOptions diagnosis;
+  FramesOption frames;
   std::string output;
   bool no_projection = false, table_null = false, no_nudge = false;
   bool force = false, resume = false, quiet = false;
@@ -46,9 +49,11 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   Recording recording = ReadRecordingOf(options.config);
   FitConfig config = ReadConfigOf(options.config, recording);
   LeaveOutClouds(recording, options.quiet, &config);
+  TakeFrames(options.frames, &config);
   CheckConfig(config);
   LeaveOutOutliers(config, &recording);
-  CheckFittable(MakeScene(recording, config), config);
+  const Recording with_held_out = WithHeldOutFrames(recording, options.diagnosis.held_out_share);
+  CheckFittable(MakeScene(with_held_out, config), config);
   const DiagnosisFolder folder(options.output, ExistingIf(options.force, options.resume));
   if (!options.quiet) PrintWarnings(recording);
   options.diagnosis.project = !options.no_projection;
@@ -85,20 +90,20 @@ void AddLookOptions(CLI::App* command, DiagnoseOptions* options) {
       ->type_name("TERM");
   command->add_option("--max-effects", diagnosis.max_effects, "effects to add at most, 1 to 10")
       ->type_name("N")
-      ->check(CLI::Range(1, 10))
+      ->check(WholeNumber(1, 10))
       ->capture_default_str();
   command
       ->add_option("--max-models", diagnosis.max_models,
                    "physical candidates to fit for each effect, 1 to 40")
       ->type_name("N")
-      ->check(CLI::Range(1, 40))
+      ->check(WholeNumber(1, 40))
       ->capture_default_str();
   command
       ->add_option("--finest", diagnosis.finest_side,
                    "particles a side of the mesh that decides, at most; more tell more and take "
                    "longer; 3 to 100")
       ->type_name("N")
-      ->check(CLI::Range(3, 100))
+      ->check(WholeNumber(3, 100))
       ->capture_default_str();
   command->add_option("--seed", diagnosis.seed, "of the null and of the bootstrap")
       ->type_name("N")
@@ -135,6 +140,8 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
   command->add_flag("--quiet", options->quiet, "print errors only");
   AddConfigOptions(command, &options->config);
   AddFreeOptions(command, &options->config);
+  BeginGroup(command, "What is fitted");
+  AddFramesOption(command, &options->frames);
   AddLookOptions(command, options.get());
   AddAblationOptions(command, options.get());
   command->footer(

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "apps/commands.h"
 #include "apps/fit_options.h"
 #include "apps/fit_result_text.h"
@@ -105,14 +107,10 @@ void AddObservationOptions(CLI::App* command, FitOptions* options) {
   const std::map<std::string, LossKind> losses = {
       {"none", LossKind::kNone}, {"huber", LossKind::kHuber}, {"cauchy", LossKind::kCauchy}};
   BeginGroup(command, "What is fitted");
-  command
-      ->add_option("--frames", options->frames,
-                   "first and last frame to fit; else all that are not held out")
-      ->type_name("A B")
-      ->expected(2);
-  command
-      ->add_option("--loss", options->loss,
-                   "how outliers count (default: none; huber with tracks or masks)")
+  AddFramesOption(command, &options->frames);
+  DefaultIsKey("observations.loss",
+               command->add_option("--loss", options->loss, "how outliers count"),
+               "; huber with tracks, masks or clouds")
       ->transform(CLI::Transformer(losses))
       ->option_text("none|huber|cauchy");
   DefaultIsKey("observations.alpha",
@@ -123,10 +121,12 @@ void AddObservationOptions(CLI::App* command, FitOptions* options) {
                command->add_option("--beta", options->beta,
                                    "weight of markers and tracks; 0 leaves them out"))
       ->type_name("W");
-  command
-      ->add_option("--initial-order", options->initial_order,
-                   "polynomial offsets of the state at frame 0: -1 none, 0 constant, 1 bilinear, "
-                   "2 biquadratic (default: -1; 0 where measured points place the cloth)")
+  DefaultIsKey(
+      "initial_state.order",
+      command->add_option("--initial-order", options->initial_order,
+                          "polynomial offsets of the state at frame 0: -1 none, 0 constant, 1 "
+                          "bilinear, 2 biquadratic"),
+      "; 0 where measured points place the cloth")
       ->type_name("K");
 }
 
@@ -139,10 +139,10 @@ void AddSearchOptions(CLI::App* command, FitOptions* options) {
       ->type_name("S");
   command->add_flag("--no-polish", options->no_polish,
                     "leave out the fit of all frames after the windows");
-  command
-      ->add_option("--max-iterations", options->max_iterations,
-                   "of the fit of all frames; of windows at most 8 each (default: 60; 100 of "
-                   "outlines alone)")
+  DefaultIsKey("strategy.max_iterations",
+               command->add_option("--max-iterations", options->max_iterations,
+                                   "of the fit of all frames; windows take fewer"),
+               fmt::format("; {} of outlines alone", kIterationsOfOutlines))
       ->type_name("N");
   DefaultIsKey("strategy.loops", command->add_option("--strategy", options->strategy,
                                                      "which unknowns are searched together"))

@@ -17,7 +17,7 @@ void ApplyOptions(const FitOptions& options, FitConfig* config) {
   if (options.window) config->window = *options.window;
   if (options.initial_order) config->initial_order = *options.initial_order;
   if (options.max_iterations) config->max_iterations = *options.max_iterations;
-  if (options.frames) config->frames = {(*options.frames)[0], (*options.frames)[1]};
+  TakeFrames(options.frames, config);
   if (options.loss) config->loss = *options.loss;
   if (options.alpha) config->alpha = *options.alpha;
   if (options.beta) config->beta = *options.beta;

@@ -88,8 +88,9 @@ void AddGradcheckCommand(CLI::App* app, Action* action) {
       app->add_subcommand("gradcheck", "compare the exact derivatives of a fit with differences");
   const auto options = std::make_shared<GradcheckOptions>();
   BeginGroup(command, "The check");
-  command->add_option("--frames", options->frames, "how many frames; 10 if left out")
-      ->type_name("N");
+  command->add_option("--frames", options->frames, "how many frames")
+      ->type_name("N")
+      ->default_str(std::to_string(kDefaultFrames));
   command
       ->add_option("--parameters", options->parameters,
                    "parameter or term to check in place of the free ones; may be repeated")

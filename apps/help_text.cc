@@ -54,11 +54,15 @@ std::string ValueName(const CLI::Option& option) {
   return type.substr(0, type.find(':'));  // CLI11 appends what its validators say
 }
 
-// Empty where there is none, or nothing is the default.
+// Empty where there is none, or nothing is the default. Of several values as they are typed.
 std::string DefaultOf(const CLI::Option& option) {
-  const std::string text = option.get_default_str();
+  std::string text = option.get_default_str();
   const bool is_nothing = text.empty() || text == "[]" || text == "{}" || text == "\"\"";
-  return option.get_type_size() == 0 || is_nothing ? "" : text;
+  if (option.get_type_size() == 0 || is_nothing) return "";
+  if (text.front() != '[' || text.back() != ']') return text;
+  text = text.substr(1, text.size() - 2);
+  if (option.get_delimiter() != ',') std::replace(text.begin(), text.end(), ',', ' ');
+  return text;
 }
 
 std::string OptionDescription(const CLI::Option& option) {

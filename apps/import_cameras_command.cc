@@ -7,6 +7,7 @@
 #include "apps/config_options.h"
 #include "apps/import_commands.h"
 #include "apps/terminal.h"
+#include "apps/value_checks.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/printable.h"
 #include "tracking/camera/world_change.h"
@@ -118,7 +119,7 @@ void AddImportColmap(CLI::App* import, Action* action) {
       ->add_option("--names", options->naming,
                    "a camera for each image (stem) or each folder of images (folder)")
       ->type_name("auto|stem|folder")
-      ->check(CLI::IsMember({"auto", "stem", "folder"}))
+      ->check(OneOf({"auto", "stem", "folder"}))
       ->capture_default_str();
   AddCamerasOptions(command, options.get());
   command->footer(
@@ -134,7 +135,7 @@ void AddImportOpencv(CLI::App* import, Action* action) {
   const auto options = std::make_shared<CamerasOptions>();
   command->add_option("FILE", options->files, "YAML, XML or JSON of OpenCV's FileStorage")
       ->required();
-  command->add_option("--image-size", options->image_size, "px, where the files do not say it")
+  command->add_option("--image-size", options->image_size, "px; else as the files say")
       ->type_name("W H")
       ->expected(2);
   command->add_flag("--camera-to-world", options->camera_to_world,

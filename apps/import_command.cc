@@ -63,21 +63,27 @@ void AddSceneOptions(CLI::App* command, SceneOptions* options) {
   add_vector("--origin", &options->origin, "where (0, 0) of the flat cloth is at first, m");
   add_vector("--u-axis", &options->u_axis, "direction of u at first; else x");
   add_vector("--v-axis", &options->v_axis, "direction of v at first; else y");
-  command->add_option("--rate", options->rate, "frames a second")->type_name("HZ");
+  command->add_option("--rate", options->rate, "frames a second; of videos else as they say")
+      ->type_name("HZ");
 }
 
 void PrintWhatIsMissing(const std::filesystem::path& folder, const SceneStart& start) {
-  if (!std::filesystem::exists(folder / "recording.yaml")) {
+  const bool has_recording = std::filesystem::exists(folder / "recording.yaml");
+  const bool has_cameras = std::filesystem::exists(folder / "cameras.yaml");
+  const std::string place = ShellWord(folder.string());
+  if (!has_recording) {
     Print("{} is not written: it needs {} too\n", (folder / "recording.yaml").string(),
           JoinNames(MissingOptions(start)));
   }
-  if (!std::filesystem::exists(folder / "cameras.yaml")) {
+  if (!has_cameras) {
     Print("{} is needed too: see 'clothfit import colmap' and 'opencv'\n",
           (folder / "cameras.yaml").string());
+    PrintNext("clothfit import opencv FILE ... -o " + place + ", or colmap MODEL");
+  } else if (!has_recording) {
+    PrintNext("clothfit import video CAMERA=FILE ... -o " + place);
+  } else {
+    PrintNext("clothfit check " + place);
   }
-  if (std::filesystem::exists(folder / "recording.yaml") &&
-      std::filesystem::exists(folder / "cameras.yaml"))
-    PrintNext("clothfit check " + ShellWord(folder.string()));
 }
 
 void AddImportCommand(CLI::App* app, Action* action) {

@@ -4,11 +4,14 @@
 // clothfit import markers: a recording of motion capture.
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "apps/commands.h"
 #include "apps/config_options.h"
 #include "apps/import_commands.h"
 #include "apps/next_step.h"
 #include "apps/terminal.h"
+#include "apps/value_checks.h"
 #include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/shell.h"
 #include "tracking/import/take_file.h"
@@ -82,14 +85,15 @@ void AddClothOptions(CLI::App* command, MarkersOptions* options) {
                    "m along u and v; else what the markers span, and the margin")
       ->type_name("U V")
       ->expected(2);
-  command->add_option("--margin", take.margin, "cloth beyond the outermost markers, m")
+  command->add_option("--margin", take.margin, "cloth beyond the outermost markers, m; else none")
       ->type_name("M");
   command
-      ->add_option("--resolution", options->resolution,
-                   "particles along u and v; else 21 on the longer side")
+      ->add_option(
+          "--resolution", options->resolution,
+          fmt::format("particles along u and v; else {} on the longer side", kTakeParticles))
       ->type_name("NU NV")
       ->expected(2);
-  command->add_option("--density", take.areal_density, "of the cloth, kg/m^2, where it is known")
+  command->add_option("--density", take.areal_density, "of the cloth, kg/m^2; else a fit finds it")
       ->type_name("KG/M2");
   command
       ->add_option("--obstacle", take.obstacles,
@@ -97,7 +101,8 @@ void AddClothOptions(CLI::App* command, MarkersOptions* options) {
                    "box[:thickness=M,margin=M]; else as its markers suggest")
       ->type_name("BODY=SHAPE")
       ->allow_extra_args(false);
-  command->add_option("--ground", take.ground_height, "height of a ground, m")->type_name("M");
+  command->add_option("--ground", take.ground_height, "height of a ground, m; else there is none")
+      ->type_name("M");
 }
 
 void AddMarkerOptions(CLI::App* command, MarkersOptions* options) {
@@ -110,7 +115,8 @@ void AddMarkerOptions(CLI::App* command, MarkersOptions* options) {
       ->type_name("[NAME=]MARKER")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--ignore", take.ignored, "markers to leave out, separated by commas")
+  command
+      ->add_option("--ignore", take.ignored, "markers to leave out, separated by commas; else none")
       ->type_name("MARKER")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -129,9 +135,12 @@ void AddMarkerOptions(CLI::App* command, MarkersOptions* options) {
       ->add_option("--sigma", take.marker_sigma,
                    "of the markers, m; else from their jitter and layout")
       ->type_name("M");
-  command->add_option("--every", take.every, "keep one frame of so many")->type_name("N");
+  command->add_option("--every", take.every, "keep one frame of so many")
+      ->type_name("N")
+      ->capture_default_str();
   command->add_option("--held-out", take.held_out_share, "share of the frames, at the end")
-      ->type_name("SHARE");
+      ->type_name("SHARE")
+      ->capture_default_str();
 }
 
 void AddFileOptions(CLI::App* command, MarkersOptions* options) {
@@ -146,7 +155,7 @@ void AddFileOptions(CLI::App* command, MarkersOptions* options) {
       ->type_name("AXIS");
   command->add_option("--unit", options->unit, "of lengths in FILE; else as FILE says")
       ->type_name("m|cm|mm")
-      ->check(CLI::IsMember({"m", "cm", "mm"}));
+      ->check(OneOf({"m", "cm", "mm"}));
   command->add_option("--rate", facts.frame_rate, "frames a second of FILE; else as FILE says")
       ->type_name("HZ");
   command->add_flag("--skip-bad-rows", options->reading.skip_bad_rows,
@@ -162,7 +171,9 @@ void AddImportMarkers(CLI::App* import, Action* action) {
       "markers", "motion capture: C3D, TRC, OptiTrack Motive, Vicon, Qualisys or plain tables");
   command->alias("motive");  // what it was called when it read no other
   const auto options = std::make_shared<MarkersOptions>();
-  command->add_option("FILE", options->file, "read by what is in it, whatever its name")
+  command
+      ->add_option("FILE", options->file,
+                   "of motion capture; read by what is in it, whatever its name")
       ->required();
   AddFileOptions(command, options.get());
   AddMarkerOptions(command, options.get());

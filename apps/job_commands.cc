@@ -8,6 +8,7 @@
 
 #include "apps/interrupt.h"
 #include "apps/job_options.h"
+#include "apps/next_step.h"
 #include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/results.h"
@@ -42,7 +43,9 @@ int RunRange(JobPlan plan, const fs::path& folder, const ListOptions& options) {
   run.stop = StopOnInterrupt();
   const JobRunResult done = RunJobs(own, plan.work, run);
   if (*run.stop) return kExitInterrupted;
-  return FinishJobs({done, ""}, folder, true);
+  const int status = FinishJobs({done, ""}, folder, true);
+  if (status == kExitSuccess) PrintNext("clothfit status " + ShellWord(folder.string()));
+  return status;
 }
 
 int RunJobCommand(const ListOptions& options) {
@@ -85,6 +88,19 @@ int Gather(const fs::path& folder) {
         plan.list.jobs.size() - result.jobs.results.size(), plan.list.jobs.size(),
         ShellWord(folder.string()));
   return kExitFailure;
+}
+
+int RunStatusCommand(const fs::path& folder) {
+  const JobStatus status = StatusOfJobs(folder, ReadJobList(folder));
+  Print("{}", status.words);
+  const std::string place = ShellWord(folder.string());
+  if (status.is_under_way) {
+    PrintNext("clothfit status " + place + ", later");
+  } else {
+    PrintNext(status.is_complete ? "clothfit jobs " + place + " --gather"
+                                 : "clothfit job " + place + " --all");
+  }
+  return kExitSuccess;
 }
 
 CLI::App* AddFolderCommand(CLI::App* app, const std::string& name, const std::string& doc,
@@ -134,12 +150,7 @@ void AddStatusCommand(CLI::App* app, Action* action) {
   CLI::App* const status = AddFolderCommand(
       app, "status", "how many jobs are done, run and have failed, and why", folder.get());
   status->footer("Example:\n  clothfit status studies/cameras");
-  status->callback([=] {
-    *action = [=] {
-      Print("{}", DescribeStatus(*folder, ReadJobList(*folder)));
-      return kExitSuccess;
-    };
-  });
+  status->callback([=] { *action = [=] { return RunStatusCommand(*folder); }; });
 }
 
 }  // namespace clothfit

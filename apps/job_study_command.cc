@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // clothfit study NAME, of studies that are lists of jobs.
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "apps/config_options.h"
 #include "apps/job_options.h"
@@ -57,6 +62,32 @@ int RunJobStudy(const Study& study, const JobStudyOptions& given) {
   return RunPreparedJobs(std::move(lock), given.jobs);
 }
 
+std::string ValuesInWords(const nlohmann::json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number()) return fmt::format("{:g}", value.get<double>());
+  std::vector<std::string> words;
+  for (const nlohmann::json& one : value) words.push_back(ValuesInWords(one));
+  return fmt::format("{}", fmt::join(words, ","));
+}
+
+// "30, with --full 300" in the help: the value of either size.
+CLI::Option* DefaultIsOfSize(const nlohmann::json& reduced, const nlohmann::json& full,
+                             CLI::Option* option) {
+  const std::string text = ValuesInWords(reduced), of_full = ValuesInWords(full);
+  return option->default_str(of_full == text ? text : text + ", with --full " + of_full);
+}
+
+// --under-way of the field under_way of StudyOptions.
+template <class Value>
+CLI::Option* AddField(CLI::App* command, const std::string& field, Value* value,
+                      const std::string& doc) {
+  std::string name = "--" + field;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return DefaultIsOfSize(nlohmann::json(StudyOptions()).at(field),
+                         nlohmann::json(FullSize()).at(field),
+                         command->add_option(name, *value, doc));
+}
+
 void AddRecordingOptions(CLI::App* command, JobStudyOptions* options) {
   BeginGroup(command, "The recordings");
   command
@@ -64,42 +95,42 @@ void AddRecordingOptions(CLI::App* command, JobStudyOptions* options) {
                    "folder of recordings, made where they are missing, which studies of the same "
                    "size can share; FOLDER/recordings if left out")
       ->type_name("FOLDER");
-  command->add_option("--experiments", options->experiments, "which of the three")
+  AddField(command, "experiments", &options->experiments, "which of the three")
       ->type_name("NAME")
       ->delimiter(',');
-  command->add_option("--frames", options->frames, "of a recording")->type_name("N");
-  command->add_option("--picture", options->picture, "width of the pictures, px")->type_name("W");
-  command
-      ->add_option("--generator", options->generator,
-                   "particles a side of the simulation that makes the recordings, odd")
+  AddField(command, "frames", &options->frames, "of a recording")->type_name("N");
+  AddField(command, "picture", &options->picture, "width of the pictures, px")->type_name("W");
+  AddField(command, "generator", &options->generator,
+           "particles a side of the simulation that makes the recordings, odd")
       ->type_name("N");
 }
 
 void AddFitOptions(CLI::App* command, const Study& study, JobStudyOptions* options) {
   BeginGroup(command, "The fits");
-  if (!study.values.empty())
-    command->add_option("--values", options->values, study.values)->type_name("V")->delimiter(',');
-  command->add_option("--particles", options->particles, "a side, of fits")->type_name("N");
-  command->add_option("--fabric", options->fabric, "parameters to find")
+  if (study.values_of) {
+    DefaultIsOfSize(study.values_of(StudyOptions()), study.values_of(FullSize()),
+                    command->add_option("--values", options->values, study.values))
+        ->type_name("V")
+        ->delimiter(',');
+  }
+  AddField(command, "particles", &options->particles, "a side, of fits")->type_name("N");
+  AddField(command, "fabric", &options->fabric, "parameters to find")
       ->type_name("TERM.PARAMETER")
       ->delimiter(',');
-  command->add_option("--search", options->search, "OPTIMISER/STRATEGY, where the study has no own")
+  AddField(command, "search", &options->search, "OPTIMISER/STRATEGY, where the study has no own")
       ->type_name("NAME");
-  command
-      ->add_option("--simulations", options->simulations,
-                   "of the whole recording; a fit ends with the pass that reaches as many")
+  AddField(command, "simulations", &options->simulations,
+           "of the whole recording; a fit ends with the pass that reaches as many")
       ->type_name("N");
-  command
-      ->add_option("--points", options->points,
-                   "markers a frame, and tracks a camera and frame, at most")
+  AddField(command, "points", &options->points,
+           "markers a frame, and tracks a camera and frame, at most")
       ->type_name("N");
-  command
-      ->add_option("--under-way", options->under_way,
-                   "points of a fit's pattern search that are evaluated at a time, by as many "
-                   "threads; decides its course")
+  AddField(
+      command, "under_way", &options->under_way,
+      "points of a fit's pattern search that are evaluated at a time, by as many threads; decides "
+      "its course")
       ->type_name("N");
-  command->add_option("--starts", options->starts, "of each search that is compared")
-      ->type_name("N");
+  AddField(command, "starts", &options->starts, "of each search that is compared")->type_name("N");
 }
 
 void AddJobStudy(CLI::App* parent, const Study& study, Action* action) {
@@ -110,8 +141,7 @@ void AddJobStudy(CLI::App* parent, const Study& study, Action* action) {
   command->add_flag(
       "--full", options->full,
       "about the size of the paper's experiments, for a cluster; else minutes of two cores");
-  command->add_option("--seed", options->seed, "of recordings, starts and searches")
-      ->type_name("N");
+  AddField(command, "seed", &options->seed, "of recordings, starts and searches")->type_name("N");
   if (study.uses_recordings) {
     AddRecordingOptions(command, options.get());
     AddFitOptions(command, study, options.get());

@@ -10,6 +10,7 @@
 #include "apps/next_step.h"
 #include "apps/report/assets.h"
 #include "apps/terminal.h"
+#include "apps/value_checks.h"
 #include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/report/page_file.h"
@@ -109,13 +110,13 @@ void AddReportCommand(CLI::App* app, Action* action) {
       ->add_option("--picture-width", options->report.picture.width,
                    "width of the pictures at most, px; 16 to 4096")
       ->type_name("PX")
-      ->check(CLI::Range(16, 4096))
+      ->check(WholeNumber(16, 4096))
       ->capture_default_str();
   command
       ->add_option("--max-size", options->report.max_megabytes,
                    "size of the page at most, MB; pictures are left out until it holds")
       ->type_name("MB")
-      ->check(CLI::PositiveNumber)
+      ->check(NumberAboveZero())
       ->capture_default_str();
   command->add_flag("--force", options->force,
                     "replace the page that is there; in folders of clothfit none but its own");

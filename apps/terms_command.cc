@@ -103,6 +103,20 @@ void PrintCloth() {
     Print("{}", ParameterRow(table[i].name, table[i].parameter));
 }
 
+// How these parameters, or those of any term, are used.
+void PrintUse(const std::vector<std::string>& names) {
+  std::string term = "TERM", parameter = "TERM.PARAMETER";
+  if (names.size() == 1) {
+    term = names[0];
+    for (const NamedParameter& named : MakeParameterTable()) {
+      if (named.term != term) continue;
+      parameter = named.name;
+      break;
+    }
+  }
+  PrintNext(fmt::format("clothfit fit RECORDING --set {}=VALUE --free {}", parameter, term));
+}
+
 void PrintSummary() {
   Print("{:<22}{}\n", kCloth, "what the cloth is");
   for (const TermInfo& term : AllTerms()) Print("{:<22}{}\n", term.name, term.doc);
@@ -126,6 +140,7 @@ void PrintTables(const std::vector<std::string>& names) {
   for (const TermInfo& term : AllTerms()) {
     if (is_asked(term.name)) PrintTerm(term);
   }
+  PrintUse(names);
 }
 
 nlohmann::ordered_json ParameterAsJson(const std::string& name, const Parameter& p) {

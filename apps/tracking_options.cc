@@ -19,6 +19,21 @@ void AddSwitch(CLI::App* command, const std::string& name, bool* filter, const s
       "--no-" + name, [filter] { *filter = false; }, text);
 }
 
+// Sets one of the named values; the help lists the names, and which stands there now.
+template <class Value>
+void AddChoice(CLI::App* command, const std::string& name,
+               const std::map<std::string, Value>& choices, Value* value, const std::string& doc) {
+  std::string all, now;
+  for (const auto& [text, one] : choices) {
+    all += (all.empty() ? "" : "|") + text;
+    if (one == *value) now = text;
+  }
+  command->add_option(name, *value, doc)
+      ->transform(CLI::Transformer(choices))
+      ->option_text(all)
+      ->default_str(now);
+}
+
 void AddPointOptions(CLI::App* command, PointTrackerOptions* points) {
   command->add_option("--max-points", points->max_points, "points followed in each view")
       ->type_name("N")
@@ -37,24 +52,17 @@ void AddPointOptions(CLI::App* command, PointTrackerOptions* points) {
 }
 
 void AddMarkerOptions(CLI::App* command, MarkerTrackerOptions* markers) {
-  const std::map<std::string, Reidentification> reidentifications = {
-      {"reference", Reidentification::kReference}, {"tracking", Reidentification::kTracking}};
-  const std::map<std::string, MarkerPlace> places = {
-      {"closest-points", MarkerPlace::kClosestPoints},
-      {"reprojection", MarkerPlace::kReprojection}};
-  command
-      ->add_option("--reidentify", markers->reidentification,
-                   "3D: find features again by their look in the first frame (reference) or where "
-                   "they were seen last (tracking)")
-      ->type_name("HOW")
-      ->transform(CLI::Transformer(reidentifications))
-      ->option_text("reference|tracking");
-  command
-      ->add_option("--marker-place", markers->place,
-                   "3D: mean of the rays' closest points, or least reprojection error")
-      ->type_name("HOW")
-      ->transform(CLI::Transformer(places))
-      ->option_text("closest-points|reprojection");
+  AddChoice<Reidentification>(
+      command, "--reidentify",
+      {{"reference", Reidentification::kReference}, {"tracking", Reidentification::kTracking}},
+      &markers->reidentification,
+      "3D: find features again by their look in the first frame "
+      "(reference) or where they were seen last (tracking)");
+  AddChoice<MarkerPlace>(command, "--marker-place",
+                         {{"closest-points", MarkerPlace::kClosestPoints},
+                          {"reprojection", MarkerPlace::kReprojection}},
+                         &markers->place,
+                         "3D: mean of the rays' closest points, or least reprojection error");
   AddSwitch(command, "image-move-filter", &markers->check_image_move,
             "3D: no limit to a feature's move between frames");
   AddSwitch(command, "world-move-filter", &markers->check_world_move,

@@ -14,10 +14,13 @@
 #include "apps/config_options.h"
 #include "apps/interrupt.h"
 #include "apps/job_options.h"
+#include "apps/next_step.h"
 #include "apps/progress_display.h"
 #include "apps/terminal.h"
+#include "apps/value_checks.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
+#include "fitting/jobs/shell.h"
 #include "fitting/trials/effect_table.h"
 #include "fitting/trials/plan.h"
 #include "fitting/trials/trial_jobs.h"
@@ -43,7 +46,9 @@ int PrintEffects(const TrialsOptions& options, const std::vector<Trial>& trials)
       stop);
   display.Finish();
   Print("{}", EffectsAsMarkdown(effects));
-  return *stop ? kExitInterrupted : kExitSuccess;
+  if (*stop) return kExitInterrupted;
+  PrintNext("clothfit trials " + ShellWord(options.settings.plan) + " -o FOLDER");
+  return kExitSuccess;
 }
 
 int RunTrialsCommand(const TrialsOptions& options) {
@@ -52,6 +57,7 @@ int RunTrialsCommand(const TrialsOptions& options) {
   const std::vector<Trial> trials = MakeTrialPlan("PLAN", settings.plan, settings.size);
   if (options.list) {
     Print("{}", DescribePlan(trials));
+    PrintNext("clothfit trials " + ShellWord(settings.plan) + " -o FOLDER");
     return kExitSuccess;
   }
   if (options.effects) return PrintEffects(options, trials);
@@ -78,12 +84,13 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
       ->type_name("EFFECT");
   command
       ->add_option("--match", options->settings.size.match,
-                   "only trials with this in their name, see --list")
+                   "only trials with this in their name, see --list; else all")
       ->type_name("TEXT");
   command
       ->add_option("--sample", options->settings.size.sample,
-                   "only so many of them, drawn evenly over the list by the first seed")
-      ->type_name("N");
+                   "only so many of them, drawn evenly over the list by the first seed; 0: all")
+      ->type_name("N")
+      ->capture_default_str();
   command->add_option("--frames", options->settings.size.frame_count, "of each recording")
       ->type_name("N")
       ->capture_default_str();
@@ -96,7 +103,7 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
       ->add_option("--finest", options->settings.finest_side,
                    "particles a side that a fit may use, at most; 3 to 100")
       ->type_name("N")
-      ->check(CLI::Range(3, 100))
+      ->check(WholeNumber(3, 100))
       ->capture_default_str();
   CLI::Option* const same =
       command->add_flag("--same-generator", options->settings.size.same_generator,
@@ -109,7 +116,9 @@ void AddPlanOptions(CLI::App* command, TrialsOptions* options) {
 
 void AddRunOptions(CLI::App* command, TrialsOptions* options) {
   AddJobOptions(command, &options->jobs);
-  command->get_option("--output")->required(false);  // nothing is written by what only prints
+  command->get_option("--output")
+      ->required(false)  // nothing is written by what only prints
+      ->description("folder of results and tables; not needed by --list and --effects");
   BeginGroup(command, "How they are done");
   command->add_flag("--no-projection", options->settings.no_projection,
                     "candidates do not compete with the baseline and the faults");

@@ -18,7 +18,8 @@ struct DiagnosisOptions {
   Callbacks callbacks;
 };
 
-// An amount of an effect with its 90 % interval.
+// An amount of an effect with its 90 % interval, whose ends are no numbers where the diagnosis was
+// interrupted.
 struct Amount {
   std::string name, unit;
   double value = 0.0, lower = 0.0, upper = 0.0;

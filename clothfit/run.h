@@ -65,8 +65,16 @@ class CLOTHFIT_API Run {
 
   // The run as one page to open in a browser.
   void Report(const std::string& file, Existing existing = Existing::kRefuse) const;
-  // The motion for other programs; format: gltf, usda, pc2, mdd, csv, npy, or obj and ply, which
-  // make a folder.
+  // For other programs; lengths in m, z up. `format`:
+  //   gltf     binary glTF 2.0 (.glb), a morph target a frame; y is up
+  //   usda     Universal Scene Description as text, an animated mesh
+  //   pc2, mdd point caches for the run's mesh.obj, the second LightWave's
+  //   obj, ply a file a frame, in a folder `file`: Wavefront OBJ, binary PLY
+  //   csv      table of frame, time (s), particle, u, v, x, y, z
+  //   npy      NumPy array, frames x particles x 3
+  //   video    pictures of the first camera with the simulated outline (.mp4)
+  //   mjcf, newton, blender
+  //            the cloth itself, to be simulated by MuJoCo, Newton and Blender
   void Export(const std::string& format, const std::string& file,
               Existing existing = Existing::kRefuse) const;
 

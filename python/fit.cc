@@ -135,8 +135,18 @@ void AddFit(py::module_* module) {
             run.Export(format, file.string(), ToExisting(replace, false));
           },
           py::arg("format"), py::arg("file"), py::arg("replace") = false,
-          "Writes the motion for other programs: 'gltf', 'usda', 'pc2', 'mdd', 'csv', 'npy', "
-          "'obj', 'ply'.");
+          R"(Writes the run for other programs; lengths in m, z up. format:
+
+'gltf': binary glTF 2.0 (.glb), a morph target a frame; y is up.
+'usda': Universal Scene Description as text, an animated mesh.
+'pc2', 'mdd': point caches for the run's mesh.obj, the second LightWave's.
+'obj', 'ply': a file a frame, in a folder: Wavefront OBJ, binary PLY.
+'csv': table of frame, time (s), particle, u, v, x, y, z.
+'npy': NumPy array, frames x particles x 3.
+'video': pictures of the first camera with the simulated outline (.mp4).
+'mjcf', 'newton', 'blender': the cloth itself, to be simulated by MuJoCo, Newton and Blender.
+
+Raises InputError where format is none of these, the run lacks what it needs or file is there.)");
   module->def(
       "fit", &FitWatched, py::arg("recording"), py::arg("config") = py::none(), py::kw_only(),
       py::arg("folder") = py::none(), py::arg("replace") = false, py::arg("resume") = false,
@@ -150,7 +160,9 @@ Raises InputError where the input cannot be used, RuntimeError where the simulat
 }
 
 void AddDiagnosis(py::module_* module) {
-  py::class_<Amount>(*module, "Amount", "An amount of an effect with its 90 % interval.")
+  py::class_<Amount>(
+      *module, "Amount",
+      "An amount of an effect with its 90 % interval, nan where the diagnosis was interrupted.")
       .def_readonly("name", &Amount::name)
       .def_readonly("unit", &Amount::unit)
       .def_readonly("value", &Amount::value)

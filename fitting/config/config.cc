@@ -100,7 +100,7 @@ FitConfig DefaultConfig(const Recording& recording) {
   // Outlines alone lead over a rugged way: after 30 iterations it is chance how far a fit has come.
   if (HasMasks(recording) && recording.tracks.empty() && recording.markers.empty() &&
       !HasClouds(recording))
-    config.max_iterations = 100;
+    config.max_iterations = kIterationsOfOutlines;
   for (const NamedParameter& named : MakeParameterTable()) {
     config.parameters[named.name] = DefaultSetting(named.parameter);
   }

@@ -44,6 +44,8 @@ std::string ToString(Strategy strategy);  // "joint", "two-loop", "one-loop"
 // Throws InputError, naming the place.
 Strategy ParseStrategy(const std::string& place, const std::string& name);
 
+constexpr int kIterationsOfOutlines = 100;  // max_iterations where nothing else is observed
+
 struct FitConfig {
   std::string recording;  // the folder; the config of a run can be used again as it is
 

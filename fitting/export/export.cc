@@ -55,14 +55,14 @@ void WriteSequence(const RunMotion& motion, const std::string& format, const fs:
 
 const std::vector<ExportFormat>& ExportFormats() {
   static const std::vector<ExportFormat> kFormats = {
-      {"gltf", ".glb", false, "binary glTF 2.0, a morph target a frame; y is up"},
-      {"usda", ".usda", false, "USD as text, an animated mesh; z is up"},
-      {"pc2", ".pc2", false, "point cache for the run's mesh.obj"},
-      {"mdd", ".mdd", false, "point cache of LightWave for the run's mesh.obj"},
-      {"obj", ".obj", true, "Wavefront OBJ, a file a frame"},
-      {"ply", ".ply", true, "binary PLY with normals and (u, v), a file a frame"},
-      {"csv", ".csv", false, "table: frame, time, particle, u, v, x, y, z"},
-      {"npy", ".npy", false, "NumPy array, frames x particles x 3"},
+      {"gltf", ".glb", false, "binary glTF 2.0, animated, a morph target a frame; m, y is up"},
+      {"usda", ".usda", false, "Universal Scene Description as text, animated; m, z is up"},
+      {"pc2", ".pc2", false, "point cache (float32, m) for the run's mesh.obj"},
+      {"mdd", ".mdd", false, "point cache of LightWave (big-endian, with times) for mesh.obj"},
+      {"obj", ".obj", true, "Wavefront OBJ with normals and (u, v), m; a file a frame"},
+      {"ply", ".ply", true, "binary PLY with normals and (u, v), m; a file a frame"},
+      {"csv", ".csv", false, "table: frame, time (s), particle, u, v, x, y, z (m)"},
+      {"npy", ".npy", false, "NumPy array, float64, frames x particles x 3, m"},
       {"video", ".mp4", false, "pictures of a camera with the simulated outline"},
       {"mjcf", ".xml", false, "the cloth as a flex of MuJoCo, to be simulated there"},
       {"newton", ".py", false, "the cloth as a script for Newton and Warp"},

@@ -57,17 +57,19 @@ void CountWithoutResult(const SlurmTask& task, JobCounts* counts, const std::str
 
 }  // namespace
 
-std::string DescribeStatus(const fs::path& folder, const JobList& list) {
+JobStatus StatusOfJobs(const fs::path& folder, const JobList& list) {
   std::string problem;
   std::map<int, SlurmTask> tasks = FindSlurmTasks(folder, list, &problem);
   // Looked at afterwards, so that who has just ended has a result.
   const fs::path results = folder / kResultFolder;
   const std::set<std::string> ended = NamesOfResults(results);
   JobCounts counts;
+  int without_result = 0;
   for (int i = 0; i < static_cast<int>(list.jobs.size()); ++i) {
     const Job& job = list.jobs[static_cast<std::size_t>(i)];
     const std::string name = fmt::format("{} (job {})", job.name, i);
     if (ended.count(job.name) == 0) {
+      ++without_result;
       CountWithoutResult(problem.empty() ? tasks[i] : SlurmTask(), &counts, name);
       continue;
     }
@@ -79,7 +81,8 @@ std::string DescribeStatus(const fs::path& folder, const JobList& list) {
       "{} jobs: {} done, {} running, {} in the queue, {} not begun, {} failed\n", list.jobs.size(),
       counts.done, counts.running, counts.waiting, counts.open, counts.failed);
   if (!problem.empty()) text += "not known what runs: " + problem + "\n";
-  return text + counts.failures;
+  return {text + counts.failures, counts.running + counts.waiting > 0 || !problem.empty(),
+          without_result == 0};
 }
 
 }  // namespace clothfit

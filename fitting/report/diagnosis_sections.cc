@@ -299,6 +299,7 @@ ReportJson AnswerSection(const ReportScene& report, const DiagnosisRecord& recor
   for (const ReportJson& p : found) {
     const std::string name = p.at("name");
     const int index = FindParameter(table, name);
+    const ReportJson& interval = p.at("interval90");
     ReportJson item = {{"name", name},
                        {"doc", index < 0 ? "" : table[index].parameter.doc},
                        {"unit", p.at("unit")},
@@ -306,7 +307,7 @@ ReportJson AnswerSection(const ReportScene& report, const DiagnosisRecord& recor
                        {"bounds", {-kUnbounded, kUnbounded}},
                        {"start", nullptr},
                        {"value", p.at("value")},
-                       {"interval", p.at("interval90")},
+                       {"interval", interval.at(0).is_null() ? ReportJson() : interval},
                        {"truth", nullptr},
                        {"note", ""}};
     if (index >= 0) {
@@ -323,8 +324,11 @@ ReportJson AnswerSection(const ReportScene& report, const DiagnosisRecord& recor
   }
   ReportJson section = SectionOf("parameters", "How much of it", blocks, "Parameters");
   section["lead"] =
-      "Parameters of what was found, with 90 % intervals; \"off\" is where the term "
-      "does nothing.";
+      record.verdict == "interrupted"
+          ? "Parameters of what was found before the diagnosis was stopped, so without intervals; "
+            "\"off\" is where the term does nothing."
+          : "Parameters of what was found, with 90 % intervals; \"off\" is where the term does "
+            "nothing.";
   return section;
 }
 

@@ -126,10 +126,10 @@ void AddObservations(const Recording& recording, const FitConfig& config, Scene*
 void ChooseFrames(const Recording& recording, const FitConfig& config, Scene* scene) {
   if (config.frames && ((*config.frames)[0] < 0 || (*config.frames)[1] >= recording.frame_count ||
                         (*config.frames)[0] > (*config.frames)[1])) {
-    throw InputError("frames", "[" + std::to_string((*config.frames)[0]) + ", " +
-                                   std::to_string((*config.frames)[1]) +
-                                   "]; expected first <= last within 0 to " +
-                                   std::to_string(recording.frame_count - 1));
+    throw InputError(
+        "--frames (observations.frames)",
+        std::to_string((*config.frames)[0]) + " " + std::to_string((*config.frames)[1]) +
+            "; expected first <= last within 0 to " + std::to_string(recording.frame_count - 1));
   }
   for (int f = 0; f < recording.frame_count; ++f) {
     const bool chosen = !config.frames || (f >= (*config.frames)[0] && f <= (*config.frames)[1]);

@@ -26,9 +26,13 @@ const char* Law(const StudyFit& fit) {
   return IsReciprocal(fit) ? "reciprocal" : fit.linear > 0.0 ? "linear" : "none";
 }
 
+std::vector<double> AttractorStiffnesses(const StudyOptions& options) {
+  return ValuesOr(options, {10.0, 100.0, 1000.0},
+                  {1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0});
+}
+
 std::vector<Job> AttractionJobs(const StudyOptions& options) {
-  const std::vector<double> values = ValuesOr(options, {10.0, 100.0, 1000.0},
-                                              {1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0});
+  const std::vector<double> values = AttractorStiffnesses(options);
   std::vector<Job> jobs;
   for (const std::string& experiment : options.experiments) {
     StudyFit fit;
@@ -112,6 +116,7 @@ Study AttractionStudy() {
   study.values =
       "N/m, stiffnesses of all of a frame's attractors together; the reciprocal law pulls as the "
       "linear one at 1 cm";
+  study.values_of = AttractorStiffnesses;
   study.jobs = AttractionJobs;
   study.report = AttractionStudyReport;
   return study;

@@ -15,9 +15,13 @@
 namespace clothfit {
 namespace {
 
+std::vector<double> SilhouetteWeights(const StudyOptions& options) {
+  return ValuesOr(options, {0.001, 0.01, 0.1},
+                  {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1, 3e-1, 1.0});
+}
+
 std::vector<Job> AugmentedJobs(const StudyOptions& options) {
-  const std::vector<double> alphas =
-      ValuesOr(options, {0.001, 0.01, 0.1}, {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1, 3e-1, 1.0});
+  const std::vector<double> alphas = SilhouetteWeights(options);
   std::vector<Job> jobs;
   for (const std::string& experiment : options.experiments) {
     StudyFit fit;
@@ -91,6 +95,7 @@ Study AugmentedStudy() {
   study.name = "augmented";
   study.doc = "Figure 9: silhouettes and tracked points in one error, over each alone";
   study.values = "alpha, mm/px, weights of the silhouettes where that of the points is 1";
+  study.values_of = SilhouetteWeights;
   study.jobs = AugmentedJobs;
   study.report = AugmentedStudyReport;
   return study;

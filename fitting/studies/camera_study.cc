@@ -17,8 +17,12 @@ namespace {
 
 constexpr int kAll = 7;
 
+std::vector<double> NumbersOfCameras(const StudyOptions& options) {
+  return ValuesOr(options, {1, 2, 3, 5, 7}, {1, 2, 3, 4, 5, 6, 7});
+}
+
 std::vector<Job> CameraJobs(const StudyOptions& options) {
-  const std::vector<double> counts = ValuesOr(options, {1, 2, 3, 5, 7}, {1, 2, 3, 4, 5, 6, 7});
+  const std::vector<double> counts = NumbersOfCameras(options);
   std::vector<Job> jobs;
   for (const std::string& experiment : options.experiments) {
     for (const double count : counts) {
@@ -91,6 +95,7 @@ Study CameraStudy() {
   study.name = "cameras";
   study.doc = "Figure 10: the error against the number of cameras";
   study.values = "numbers of cameras, 1 to 7";
+  study.values_of = NumbersOfCameras;
   study.jobs = CameraJobs;
   study.report = CameraStudyReport;
   return study;

@@ -24,6 +24,8 @@ struct Study {
   std::string name, doc;  // of the command, one line
   // What --values are: name, unit and meaning; empty where there are none.
   std::string values;
+  // Those that are asked for, or the list of the size.
+  std::function<std::vector<double>(const StudyOptions&)> values_of;
   bool uses_recordings = true;
   std::function<std::vector<Job>(const StudyOptions&)> jobs;
   // Does one of them. Empty: RunStudyFit.

@@ -140,9 +140,9 @@ TEST_F(BadInput, ParametersByWrongNamesAndOutOfBounds) {
 }
 
 TEST_F(BadInput, OptionsOutOfRange) {
-  EXPECT_THAT(FitLine({"--window", "-1"}), HasSubstr("--window: -1: expected 0 or more"));
-  EXPECT_THAT(FitLine({"--initial-order", "3"}), HasSubstr("--initial-order: 3: expected"));
-  EXPECT_THAT(FitLine({"--resolution", "1", "9"}), HasSubstr("--resolution: [1, 9]: expected"));
+  EXPECT_THAT(FitLine({"--window", "-1"}), HasSubstr("--window: -1; expected 0 or more"));
+  EXPECT_THAT(FitLine({"--initial-order", "3"}), HasSubstr("--initial-order: 3; expected"));
+  EXPECT_THAT(FitLine({"--resolution", "1", "9"}), HasSubstr("--resolution: 1 9; expected"));
   EXPECT_THAT(FitLine({"--loss", "hubr"}), HasSubstr("--loss"));
 }
 

@@ -86,7 +86,7 @@ TEST_F(CompareCommand, FitsByOtherOptimisers) {
             summary.at("before").at("fit").at("marker_rms_m").get<double>());
   EXPECT_THAT(ReadTextFile(folder_.path() / "run" / "log.txt"), HasSubstr("sbplx/joint"));
   EXPECT_THAT(BadInputLine(Run({"fit", "rec", "-o", "x", "--optimiser", "newton"})),
-              HasSubstr("--optimiser: newton: expected one of lm"));
+              HasSubstr("--optimiser: newton; expected one of lm"));
   EXPECT_THAT(BadInputLine(Run({"fit", "rec", "-o", "x", "--strategy", "three-loop"})),
               HasSubstr("--strategy: 'three-loop': expected one of joint"));
 }

@@ -221,7 +221,8 @@ TEST_F(FitCommand, PredictRefusesWhatIsOutside) {
   EXPECT_THAT(BadInputLine(RunCommand({"predict", "run", "--at", "empty.csv", "-o", "x"}, path())),
               HasSubstr("empty.csv: holds no points"));
   EXPECT_THAT(BadInputLine(RunCommand({"predict", "rec", "--at", "empty.csv", "-o", "x"}, path())),
-              HasSubstr("rec: is not the folder of a run"));
+              HasSubstr("rec: is a recording; 'clothfit report rec' shows it, 'clothfit fit rec -o "
+                        "RUN' makes a run of it"));
   EXPECT_THAT(BadInputLine(RunCommand({"predict", "gone", "--at", "empty.csv", "-o", "x"}, path())),
               HasSubstr("gone: no such folder"));
 }

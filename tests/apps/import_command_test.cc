@@ -130,12 +130,15 @@ TEST_F(ImportCommand, PutsCamerasAndVideosTogether) {
   EXPECT_THAT(cameras.out, HasSubstr("left: 64 x 48 px, at (0.000, -1.000, 0.000) m"));
   EXPECT_THAT(cameras.out,
               HasSubstr("it needs --size, --frames, --rate, --ground, --origin or --corner"));
+  EXPECT_THAT(cameras.out,
+              testing::EndsWith("\nnext: clothfit import video CAMERA=FILE ... -o rec\n"));
   const CommandResult videos =
       Import({"video", "left=a.avi", "right=b.avi", "-o", "rec", "--size", "0.4", "0.3", "--origin",
               "-0.2", "-0.1", "1", "--v-axis", "0", "0", "-1"});
   ASSERT_EQ(videos.status, 0) << videos.err;
   EXPECT_THAT(videos.out, HasSubstr("2 cameras, 4 frames at 25 Hz"));
   EXPECT_THAT(videos.out, Not(HasSubstr("not written")));
+  EXPECT_THAT(videos.out, testing::EndsWith("\nnext: clothfit check rec\n"));
   const Recording recording = ReadRecording(path() / "rec");
   EXPECT_EQ(recording.frame_count, 4);
   EXPECT_EQ(std::get<FlatPlacement>(recording.cloth.initial).origin,

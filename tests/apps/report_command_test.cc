@@ -60,7 +60,7 @@ TEST_F(ReportCommand, ComparesTwoRuns) {
   EXPECT_THAT(BadInputLine(Run({"report", "run", "run", "-o", "a.html"})),
               HasSubstr("is the same run as run"));
   EXPECT_THAT(BadInputLine(Run({"report", "run", "rec", "-o", "a.html"})),
-              HasSubstr("rec: is not the folder of a run"));
+              HasSubstr("rec: is a recording; 'clothfit report rec' shows it"));
   EXPECT_THAT(BadInputLine(Run({"report", "run", "none", "-o", "a.html"})),
               HasSubstr("none: no such folder"));
   EXPECT_THAT(BadInputLine(Run({"report", "run", "", "-o", "a.html"})), HasSubstr("OTHER"));

@@ -80,6 +80,16 @@ TEST_F(StudyCommand, GivesTheSameNumbersWhoeverDoesTheWork) {
   EXPECT_EQ(Table("listed"), table);
 }
 
+TEST_F(StudyCommand, SaysWhatToDoNextOfAList) {
+  using testing::EndsWith;
+  ASSERT_EQ(Run(TinyStudy("list", "1", {"--prepare"})).status, 0);
+  EXPECT_THAT(Run({"status", "list"}).out, EndsWith("\nnext: clothfit job list --all\n"));
+  EXPECT_EQ(Run({"job", "list", "0"}).out, "next: clothfit status list\n");
+  ASSERT_EQ(Run({"job", "list", "1"}).status, 0);
+  EXPECT_THAT(Run({"status", "list"}).out, EndsWith("\nnext: clothfit jobs list --gather\n"));
+  EXPECT_THAT(Run({"jobs", "list", "--gather"}).out, EndsWith("\nnext: clothfit report list\n"));
+}
+
 TEST_F(StudyCommand, SearchesByManyThreadsAsByOne) {
   for (const char* threads : {"1", "3"}) {
     const CommandResult done =

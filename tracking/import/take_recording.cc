@@ -145,9 +145,9 @@ double SigmaOf(const MarkerTake& take, double layout_rms, const TakeOptions& opt
   return sigma;
 }
 
-// About square cells, 21 particles along the longer side.
+// About square cells, kTakeParticles along the longer side.
 Eigen::Vector2i DefaultResolution(const Eigen::Vector2d& size) {
-  constexpr double kCells = 20.0;
+  constexpr double kCells = kTakeParticles - 1;
   constexpr double kLeastCells = 4.0;
   const Eigen::Array2d cells = (kCells * size.array() / size.maxCoeff()).round().max(kLeastCells);
   return cells.cast<int>() + 1;

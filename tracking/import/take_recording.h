@@ -14,6 +14,8 @@
 
 namespace clothfit {
 
+constexpr int kTakeParticles = 21;  // along the longer side of the cloth
+
 struct TakeOptions {
   // Markers that something holds: MARKER or NAME=MARKER. "none" alone: nothing is held. Empty: they
   // are found (held_markers.h).
@@ -24,7 +26,7 @@ struct TakeOptions {
   std::filesystem::path layout_file;          // where the layout stands, for messages
   std::optional<Eigen::Vector2d> size;        // m; empty: what the markers span, and the margin
   std::optional<double> margin;               // m of cloth beyond the outermost markers
-  std::optional<Eigen::Vector2i> resolution;  // particles; empty: 21 along the longer side
+  std::optional<Eigen::Vector2i> resolution;  // particles; empty: kTakeParticles
   std::optional<double> areal_density;        // kg/m^2
   std::optional<double> ground_height;        // m
   std::optional<double> marker_sigma;         // m; empty: from the jitter and the layout

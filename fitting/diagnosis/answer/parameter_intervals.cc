@@ -3,6 +3,7 @@
 #include "fitting/diagnosis/answer/parameter_intervals.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace clothfit {
 
@@ -22,6 +23,11 @@ std::vector<EffectParameter> EstimatesOf(const FitResult& fit, const FitConfig& 
                           end(estimate.upper95)});
   }
   return parameters;
+}
+
+void ForgetIntervals(std::vector<EffectParameter>* parameters) {
+  for (EffectParameter& p : *parameters)
+    p.lower90 = p.upper90 = std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace clothfit

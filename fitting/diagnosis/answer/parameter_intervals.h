@@ -18,4 +18,7 @@ namespace clothfit {
 std::vector<EffectParameter> EstimatesOf(const FitResult& fit, const FitConfig& config,
                                          const std::vector<std::string>& names);
 
+// Makes both ends of every interval no number: of estimates by a search that was stopped.
+void ForgetIntervals(std::vector<EffectParameter>* parameters);
+
 }  // namespace clothfit

@@ -129,6 +129,9 @@ std::vector<std::string> DetailsOf(const Diagnosis& diagnosis) {
         "No effect in the catalogue explains all of what is missing: what comes nearest may only "
         "stand for it.");
   }
+  if (diagnosis.verdict == Verdict::kInterrupted && diagnosis.answer) {
+    sentences.push_back("The search was stopped: amounts may still change, and have no intervals.");
+  }
   sentences.erase(std::remove(sentences.begin(), sentences.end(), ""), sentences.end());
   return sentences;
 }

@@ -18,6 +18,17 @@
 #include "tracking/text/text.h"
 
 namespace clothfit {
+namespace {
+
+// What is known so far, without the intervals, which are of a search that came to its end.
+void AnswerAsInterrupted(Diagnosis* diagnosis) {
+  diagnosis->verdict = Verdict::kInterrupted;
+  for (Model& model : diagnosis->models) ForgetIntervals(&model.parameters);
+  if (diagnosis->answer) ForgetIntervals(&diagnosis->answer->parameters);
+  diagnosis->words = DescribeDiagnosis(*diagnosis);
+}
+
+}  // namespace
 
 const BothMeshes& Diagnoser::WithoutPhysics() const {
   for (const Kept& kept : kept_)
@@ -193,9 +204,8 @@ void Diagnoser::TellSoFar() {
   Diagnoser interrupted(*this);
   interrupted.Answer();
   Diagnosis& so_far = interrupted.diagnosis_;
-  so_far.verdict = Verdict::kInterrupted;
   interrupted.TellFit();
-  so_far.words = DescribeDiagnosis(so_far);
+  AnswerAsInterrupted(&so_far);
   if (options_.so_far) options_.so_far(so_far);
   so_far_ = std::move(so_far);
 }
@@ -211,8 +221,7 @@ void Diagnoser::Conclude() {
       diagnosis_.baseline_fit = now_.fine.fit;
     }
     diagnosis_.effects = swaps_;
-    diagnosis_.verdict = Verdict::kInterrupted;
-    diagnosis_.words = DescribeDiagnosis(diagnosis_);
+    AnswerAsInterrupted(&diagnosis_);
     return;
   }
   Say("measuring how certain the answer is", 0.8);

@@ -125,31 +125,44 @@ TEST_F(Slurm, IsNotGivenAJobTwice) {
 }
 
 TEST_F(Slurm, TellsTheStatus) {
-  EXPECT_THAT(DescribeStatus(place(), TenJobs()), HasSubstr("10 jobs: 0 done, 0 running, 0 in the "
-                                                            "queue, 10 not begun, 0 failed"));
+  EXPECT_THAT(StatusOfJobs(place(), TenJobs()).words,
+              HasSubstr("10 jobs: 0 done, 0 running, 0 in the "
+                        "queue, 10 not begun, 0 failed"));
   Submit();
   for (const int job : {0, 1, 2, 3}) Finish(job);
   Finish(4, "it diverges");
   test_.Write("queue", "12_2 RUNNING\n12_3 PENDING\n");
   test_.Write("study/slurm/12_4.log", "one\ntwo\nthree\nslurmstepd: error: DUE TO TIME LIMIT\n");
-  const std::string status = DescribeStatus(place(), TenJobs());
+  const JobStatus under_way = StatusOfJobs(place(), TenJobs());
+  EXPECT_TRUE(under_way.is_under_way);
+  EXPECT_FALSE(under_way.is_complete);
+  const std::string status = under_way.words;
   EXPECT_THAT(status, HasSubstr("4 done, 1 running, 1 in the queue, 0 not begun, 4 failed"));
   EXPECT_THAT(status, HasSubstr("job4 (job 4): it diverges\n"));
   EXPECT_THAT(status, HasSubstr("job7 (job 7) was lost: "));
   EXPECT_THAT(status, HasSubstr("12_4.log ends\n      two\n      three\n      slurmstepd"));
   EXPECT_THAT(status, HasSubstr("12_6.log says nothing\n"));
   ASSERT_EQ(mkfifo((place() / "slurm" / "12_5.log").c_str(), 0600), 0);
-  EXPECT_THAT(DescribeStatus(place(), TenJobs()),
+  EXPECT_THAT(StatusOfJobs(place(), TenJobs()).words,
               HasSubstr("12_5.log: is a pipe; expected a file\n"));
   Program("squeue", "echo 'slurm_load_jobs error: Unable to contact slurm controller'; exit 1\n");
-  EXPECT_THAT(DescribeStatus(place(), TenJobs()),
+  EXPECT_THAT(StatusOfJobs(place(), TenJobs()).words,
               HasSubstr("not known what runs: squeue: slurm_load_jobs error: Unable to contact"));
+}
+
+TEST_F(Slurm, HasDoneAllWhereEachJobHasAResult) {
+  for (int job = 0; job < 9; ++job) Finish(job);
+  EXPECT_FALSE(StatusOfJobs(place(), TenJobs()).is_complete);
+  Finish(9, "it diverges");
+  const JobStatus status = StatusOfJobs(place(), TenJobs());
+  EXPECT_TRUE(status.is_complete);
+  EXPECT_FALSE(status.is_under_way);
 }
 
 TEST_F(Slurm, IsNotAskedForArraysThatCannotBe) {
   const auto refuses = [&](const std::string& array) {
     test_.Write("study/slurm/submitted.json", "[" + array + "]");
-    EXPECT_THAT(InputErrorOf([&] { DescribeStatus(place(), TenJobs()); }),
+    EXPECT_THAT(InputErrorOf([&] { StatusOfJobs(place(), TenJobs()).words; }),
                 HasSubstr("submitted.json: array '"))
         << array;
   };

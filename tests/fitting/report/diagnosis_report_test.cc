@@ -283,5 +283,26 @@ TEST_F(DiagnosisReport, OfOneThatFoundNothingShowsTheBaselineAlone) {
   EXPECT_THAT(ErrorOf(), HasSubstr("is damaged, or of another version of clothfit"));
 }
 
+TEST_F(DiagnosisReport, OfOneThatWasInterruptedShowsNoIntervals) {
+  const json finished = SectionNamed("parameters").at("blocks")[0].at("items");
+  ASSERT_EQ(finished.size(), 1u);
+  EXPECT_EQ(finished[0].at("interval"), json({0.5, 1.5}));
+  const fs::path file = folder_ / "diagnosis.json";
+  json record = json::parse(ReadTextFile(file));
+  record["verdict"] = "interrupted";
+  record["answer"]["parameters"][0]["interval90"] = {nullptr, nullptr};
+  WriteWholeFile(file, record.dump());
+  const json data = DataOfPage(MakeReport(folder_, kTestAssets).html);
+  int checked = 0;
+  for (const json& section : data.at("sections")) {
+    if (section.at("id") != "parameters") continue;
+    ++checked;
+    EXPECT_TRUE(section.at("blocks")[0].at("items")[0].at("interval").is_null());
+    EXPECT_EQ(section.at("blocks")[0].at("items")[0].at("value"), 1.0);
+    EXPECT_THAT(section.at("lead").get<std::string>(), HasSubstr("without intervals"));
+  }
+  EXPECT_EQ(checked, 1);
+}
+
 }  // namespace
 }  // namespace clothfit

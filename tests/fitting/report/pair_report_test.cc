@@ -213,7 +213,7 @@ TEST_F(PairReport, RefusesWhatIsNoPair) {
     return InputErrorOf([&] { MakePairReport(a, b, kTestAssets, options); });
   };
   EXPECT_THAT(error(At("run"), At("run") / "."), HasSubstr("is the same run as"));
-  EXPECT_THAT(error(At("run"), At("rec")), HasSubstr("is not the folder of a run"));
+  EXPECT_THAT(error(At("run"), At("rec")), HasSubstr("is a recording;"));
   EXPECT_THAT(error(At("none"), At("run")), HasSubstr("no such folder"));
   ReportOptions options;
   options.pictures = At("rec");

@@ -103,6 +103,15 @@ TEST(RunFolder, IsKnownWithoutAManifest) {
                         "a diagnosis"));
 }
 
+TEST(RunFolder, KnowsARecordingWhoeverWroteIt) {
+  const TestFolder folder;
+  folder.Write("rec/recording.yaml", "format: 1\n");
+  const std::string place = (folder.path() / "rec").string();
+  EXPECT_EQ(InputErrorOf([&] { RunFolder::Open(place); }),
+            place + ": is a recording; 'clothfit report " + place + "' shows it, 'clothfit fit " +
+                place + " -o RUN' makes a run of it");
+}
+
 // A scene with a marker in every frame and a track that is held out with its camera.
 struct RunOfScene : testing::Test {
   RunOfScene() {

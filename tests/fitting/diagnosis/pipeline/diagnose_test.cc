@@ -116,6 +116,15 @@ TEST(Diagnose, ThatIsInterruptedAnswersByItsLastRound) {
   ASSERT_TRUE(diagnosis.answer && diagnosis.fit);
   EXPECT_GE(diagnosis.answer->log_evidence, kStrongEvidence);
   EXPECT_FALSE(diagnosis.motions.answer.empty());
+  // An amount, and no interval of a search that was stopped.
+  EXPECT_THAT(diagnosis.words, HasSubstr("amounts may still change, and have no intervals."));
+  EXPECT_THAT(diagnosis.words, HasSubstr("wind: "));
+  EXPECT_THAT(diagnosis.words, testing::Not(testing::ContainsRegex("\\([-+.0-9e]+ to ")));
+  ASSERT_FALSE(diagnosis.answer->parameters.empty());
+  for (const EffectParameter& p : diagnosis.answer->parameters) {
+    EXPECT_TRUE(std::isfinite(p.value)) << p.name;
+    EXPECT_TRUE(std::isnan(p.lower90) && std::isnan(p.upper90)) << p.name;
+  }
 }
 
 TEST(Diagnose, FindsNothingMissingWhereNothingIs) {
