@@ -14,8 +14,8 @@ namespace clothfit {
 namespace {
 
 // Gone on with on a grid, where the fit has another; itself where not. Outlines alone, which no
-// windows lead, go by a grid between the two where the other one is much finer: most iterations
-// are made there, each of which costs a third.
+// windows lead, go by a grid between the two where the other one is much finer: the first
+// iterations, which gain most, cost less there.
 std::optional<FittedScene> FitOn(const std::array<int, 2>& grid, const FittedScene& fitted,
                                  int most_iterations, const FitRunner& runner) {
   if (!fitted.scene.mesh.is_grid() || fitted.scene.mesh.grid == grid) return fitted;
@@ -25,7 +25,7 @@ std::optional<FittedScene> FitOn(const std::array<int, 2>& grid, const FittedSce
   if (!HasPoints(fitted.scene) && to >= 2.0 * from) {
     const int side = static_cast<int>(std::lround(std::sqrt(from * to)));
     const std::optional<FittedScene> between =
-        FitOn(GridWithSide(grid, side), fitted, most_iterations, runner);
+        FitOn(GridWithSide(grid, side), fitted, most_iterations / 2, runner);
     if (between) return FitOn(grid, *between, most_iterations, runner);
   }
   ModelStart start = GoOn(fitted);
