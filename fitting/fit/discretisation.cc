@@ -7,12 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit/correlation_time.h"
+#include "fitting/fit/finer_mesh.h"
 #include "fitting/optimise/checked_factor.h"
 #include "fitting/rollout/nudging.h"
-#include "fitting/rollout/window_cost.h"
 #include "fitting/scene/grid_side.h"
 
 namespace clothfit {
@@ -35,10 +34,6 @@ FitConfig ConfigOfPoints(const FitConfig& config) {
   return of_points;
 }
 
-bool SeesOutlinesAlone(const Scene& scene) {
-  return scene.silhouettes && !scene.clouds && !HasPoints(scene);
-}
-
 // One frame of so many, so that the Jacobian of a long recording stays small.
 std::size_t ThinningOf(const Scene& scene) {
   constexpr Eigen::Index kMostRows = 50000;
@@ -52,91 +47,6 @@ Scene EveryFitted(const Scene& scene, std::size_t every) {
   for (std::size_t frame = 0; frame < some.is_fitted.size(); ++frame)
     if (frame % every != 0) some.is_fitted[frame] = false;
   return some;
-}
-
-struct PointRows {
-  Eigen::VectorXd residuals;
-  RowMajorMatrix jacobian;
-};
-
-// A recording's markers and tracks alone, or its outlines, as it is given and on the finer mesh.
-struct PointScene {
-  Scene scene;
-  FitConfig config;
-  double weight = 1.0;  // of the squares of its rows
-  std::optional<PointRows> own, finer;
-};
-
-void KeepRows(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& kept, PointRows* rows) {
-  Eigen::Index to = 0;
-  for (const auto& [first, count] : kept) {
-    rows->residuals.segment(to, count) = rows->residuals.segment(first, count).eval();
-    if (rows->jacobian.cols() > 0)
-      rows->jacobian.middleRows(to, count) = rows->jacobian.middleRows(first, count).eval();
-    to += count;
-  }
-  rows->residuals.conservativeResize(to);
-  if (rows->jacobian.cols() > 0) rows->jacobian.conservativeResize(to, Eigen::NoChange);
-}
-
-std::optional<PointRows> Evaluate(const Scene& scene, const FitConfig& config,
-                                  const Eigen::VectorXd& theta, bool derivatives) {
-  const FreeParameters free(config, scene, MakeParameterTable());
-  WindowSimulator simulator(scene, config, free, false, nullptr);
-  const ObservationResiduals observations(scene, config);
-  PointRows rows;
-  const auto outcome = EvaluateWindow(&simulator, observations, simulator.FirstStart(theta), theta,
-                                      0, scene.last_fitted_frame, WindowRows::kAll, &rows.residuals,
-                                      derivatives ? &rows.jacobian : nullptr);
-  if (outcome != WindowSimulator::Outcome::kComplete) return std::nullopt;
-  if (SeesOutlinesAlone(scene)) KeepRows(OutlineRows(scene), &rows);
-  return rows;
-}
-
-std::optional<PointRows> EvaluateFiner(const Scene& scene, FitConfig config,
-                                       const Eigen::VectorXd& theta) {
-  if (!scene.mesh.is_grid()) return std::nullopt;
-  const std::array<int, 2> grid = scene.mesh.grid;
-  config.resolution = GridWithSide(grid, FinerSide(std::max(grid[0], grid[1])));
-  config.max_step = 0.5 * scene.step;
-  Scene finer = MakeScene(scene.recording, config);
-  finer.is_fitted = scene.is_fitted;
-  return Evaluate(finer, config, theta, false);
-}
-
-// Both meshes side by side.
-void EvaluateBoth(const JointVector& free, const Eigen::VectorXd& theta,
-                  std::vector<PointScene>* scenes) {
-  ParallelFor(2 * static_cast<int>(scenes->size()), NumThreads(0), [&](int piece, int) {
-    const auto i = static_cast<std::size_t>(piece / 2);
-    const Eigen::VectorXd own = free.Of(i, theta);
-    PointScene& one = (*scenes)[i];
-    if (piece % 2 == 0) one.finer = EvaluateFiner(one.scene, one.config, own);
-    if (piece % 2 == 1) one.own = Evaluate(one.scene, one.config, own, true);
-  });
-}
-
-// The rows of all, one recording after the other, with the columns of all. Empty where one has
-// none.
-std::optional<PointRows> Stack(const JointVector& free, const std::vector<PointScene>& points,
-                               std::optional<PointRows> PointScene::*rows) {
-  PointRows all;
-  Eigen::Index count = 0;
-  for (const PointScene& one : points) {
-    if (!(one.*rows)) return std::nullopt;
-    count += (one.*rows)->residuals.size();
-  }
-  all.residuals.resize(count);
-  all.jacobian.setZero((points.front().*rows)->jacobian.cols() > 0 ? count : 0, free.size());
-  Eigen::Index row = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const PointRows& one = *(points[i].*rows);
-    const double root = std::sqrt(points[i].weight);
-    all.residuals.segment(row, one.residuals.size()) = root * one.residuals;
-    if (one.jacobian.cols() > 0) free.PutColumns(i, root * one.jacobian, row, &all.jacobian);
-    row += one.residuals.size();
-  }
-  return all;
 }
 
 double RootMeanSquare(const Eigen::VectorXd& values) {
@@ -191,7 +101,7 @@ std::optional<Misfit> MisfitOfPoints(const Scene& scene, const FitConfig& config
   if (!HasPoints(scene)) return {};
   const Scene points = PointsOf(scene);
   const FitConfig of_points = ConfigOfPoints(config);
-  const std::optional<PointRows> rows = Evaluate(points, of_points, theta, false);
+  const std::optional<PointRows> rows = EvaluateRows(points, of_points, theta, false);
   if (!rows) return {};
   const FreeParameters free(of_points, points, MakeParameterTable());
   return MeasureMisfit(SeenResiduals(points, rows->residuals), free.size());
@@ -219,20 +129,6 @@ std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes,
                                      *one.own, one.finer));
   }
   return fit;
-}
-
-std::vector<std::pair<Eigen::Index, Eigen::Index>> OutlineRows(const Scene& scene) {
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> rows;
-  Eigen::Index row = 0;
-  for (const SilhouetteObservation& s : scene.silhouettes->observations) {
-    const bool is_seen = s.field && s.frame <= scene.last_fitted_frame &&
-                         scene.is_fitted[static_cast<std::size_t>(s.frame)];
-    if (!is_seen) continue;
-    const auto count = static_cast<Eigen::Index>(s.outline.size());
-    rows.emplace_back(row, count);
-    row += count + scene.mesh.num_particles();
-  }
-  return rows;
 }
 
 double OutlineCorrelation(const std::vector<std::vector<double>>& outlines, double frame_rate) {

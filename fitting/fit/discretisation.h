@@ -5,7 +5,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "fitting/fit/misfit.h"
@@ -45,11 +44,6 @@ std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes, const Eige
 // Of outlines where they are all that is observed, what their intervals have to hold beyond noise,
 // by the same estimate; empty where something else is observed, or they cannot be simulated.
 std::optional<ModelErrors> MeasureOutlines(const JointScenes& scenes, const Eigen::VectorXd& theta);
-
-// The rows of the points of measured outlines, each outline's first row and their number, among
-// those of ObservationResiduals of the fitted frames. Particles' own rows, as many as the mesh has
-// particles, are left out.
-std::vector<std::pair<Eigen::Index, Eigen::Index>> OutlineRows(const Scene& scene);
 
 // So many residuals of outlines say as much as one: of neighbours along an outline by
 // CorrelationTime, in time those of 0.2 s. `outlines`: residuals of one each.

@@ -5,15 +5,18 @@
 #include "fitting/fit/discretisation.h"
 
 #include <cmath>
+#include <random>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/fit/finer_mesh.h"
 #include "fitting/fit/search.h"
 #include "fitting/rollout/window_cost.h"
 #include "fitting/studies/recovery_study.h"
+#include "tests/support/silhouette_scene.h"
 
 namespace clothfit {
 namespace {
@@ -126,6 +129,73 @@ TEST(Discretisation, IsNotKnownOfMeshesThatAreNoGrid) {
   ASSERT_TRUE(points);
   EXPECT_FALSE(points->misfit.discretisation);
   EXPECT_EQ(points->errors.by_entries.size(), 0);
+}
+
+// Neighbours along an outline and the 0.2 s that hang together.
+TEST(Outlines, SayLessThanTheyHaveRows) {
+  std::vector<std::vector<double>> outlines(200);
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  for (std::vector<double>& outline : outlines) {
+    for (int i = 0; i < 40; ++i) outline.push_back(i % 4 == 0 ? normal(random) : outline.back());
+  }
+  // Of runs of four 1 + 2 (3/4 + 2/4 + 1/4) say as much as one.
+  EXPECT_NEAR(OutlineCorrelation(outlines, 5.0), 4.0, 0.3);
+  EXPECT_NEAR(OutlineCorrelation(outlines, 50.0), 40.0, 3.0);
+}
+
+// Of a mesh's particles there are no rows, so that those of two meshes can be told apart.
+TEST(Outlines, HaveTheSameRowsOnEveryMesh) {
+  const SilhouetteScene known = MakeSilhouetteScene();
+  FitConfig finer = known.config;
+  finer.resolution = {10, 10};
+  const auto count = [](const Scene& scene) {
+    Eigen::Index rows = 0;
+    for (const auto& [first, of_one] : OutlineRows(scene)) rows += of_one;
+    return rows;
+  };
+  const Eigen::Index rows = count(known.scene);
+  EXPECT_GT(rows, 0);
+  EXPECT_EQ(rows, count(MakeScene(known.scene.recording, finer)));
+  EXPECT_EQ(rows, ObservationResiduals(known.scene, known.config)
+                      .NumObserved(0, known.scene.last_fitted_frame));
+}
+
+// By their correlation and by what a finer mesh makes of them.
+TEST(Outlines, HaveIntervalsWithMeshAndCorrelation) {
+  const SilhouetteScene known = MakeSilhouetteScene();
+  const JointScenes scenes({{"", &known.scene, &known.config}});
+  const Eigen::VectorXd at = scenes.free().start();
+  const std::optional<ModelErrors> errors = MeasureOutlines(scenes, at);
+  ASSERT_TRUE(errors);
+  EXPECT_GT(errors->correlation, 2.0);
+  EXPECT_GT(errors->amplitude, 0.0);
+  const PointScene one{known.scene, known.config, 1.0, {}, {}};
+  std::vector<PointScene> both = {one};
+  EvaluateBoth(scenes.free(), at, &both);
+  ASSERT_TRUE(both[0].own && both[0].finer);
+  EXPECT_EQ(both[0].own->residuals.size(), both[0].finer->residuals.size());
+  const PointRows& own = *both[0].own;
+  const auto sigma = [&](const ModelErrors& with) {
+    return QuantifyUncertainty(scenes.free(), static_cast<int>(own.residuals.size()), own.residuals,
+                               own.jacobian, with)
+        .sigma;
+  };
+  ModelErrors of_mesh = *errors;
+  of_mesh.correlation = 1.0;
+  const Eigen::VectorXd plain = sigma({}), with_mesh = sigma(of_mesh), with_both = sigma(*errors);
+  EXPECT_TRUE((with_mesh.array() >= plain.array() * (1.0 - 1e-9)).all());
+  EXPECT_GT((with_mesh - plain).maxCoeff(), 0.0);
+  EXPECT_TRUE((with_both.array() >= with_mesh.array() * (1.0 - 1e-9)).all());
+  EXPECT_GT((with_both - with_mesh).maxCoeff(), 0.0);
+}
+
+TEST(Outlines, AreMeasuredWhereNothingElseIsSeen) {
+  const Recording recording = FinelyMeshed();
+  const FitConfig config = ConfigOf(recording, 7);
+  const Scene scene = MakeScene(recording, config);
+  const JointScenes scenes({{"", &scene, &config}});
+  EXPECT_FALSE(MeasureOutlines(scenes, scenes.free().start()));
 }
 
 }  // namespace
