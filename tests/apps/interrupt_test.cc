@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <ostream>
+#include <regex>
 #include <thread>
 
 #include <nlohmann/json.hpp>
@@ -192,8 +193,16 @@ json NumbersOf(const TestFolder& folder, const std::string& run) {
   return summary;
 }
 
+// The rows of progress.csv without their last column, the seconds. Not every search tells its way.
+std::string ProgressOf(const TestFolder& folder, const std::string& run) {
+  const fs::path file = folder.path() / run / "progress.csv";
+  if (!fs::exists(file)) return "";
+  return std::regex_replace(ReadTextFile(file), std::regex(",[^,\n]*\n"), "\n");
+}
+
 void ExpectSameRun(const TestFolder& folder, const std::string& run, const std::string& whole) {
   EXPECT_EQ(NumbersOf(folder, run), NumbersOf(folder, whole));
+  EXPECT_EQ(ProgressOf(folder, run), ProgressOf(folder, whole));
   for (const char* file : {"parameters.yaml", "trajectory.npy", "residuals.csv", "config.yaml"})
     EXPECT_EQ(ReadTextFile(folder.path() / run / file), ReadTextFile(folder.path() / whole / file))
         << file;
