@@ -89,7 +89,7 @@ kills: build ## 40 kills of fits and 40 of diagnoses, resumed and compared (KILL
 	rm -rf build/kills
 	tools/kills $(BUILD)/apps/clothfit build/kills --jobs $(JOBS) $(KILLS_ARGS)
 
-soak: build ## Random fits, kills and full disks for SOAK_SECONDS=3600, invariants checked
+soak: test-packages build ## Random commands, kills and full disks for SOAK_SECONDS=3600, invariants checked
 	tools/soak $(BUILD)/apps/clothfit $(SOAK_SECONDS)
 
 bench: configure ## Build and run the benchmarks (BENCH_ARGS=--benchmark_filter=...)

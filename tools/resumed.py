@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The clothfit authors
 # SPDX-License-Identifier: Apache-2.0
-"""The folders of two runs or diagnoses, compared byte for byte but for times, for kills and soak."""
+"""What kills and soak share: how to go on with a run or diagnosis, and whether two folders are the same."""
 
 import pathlib
 import re
@@ -49,3 +49,15 @@ def differences(folder, other, ignored=()):
             or without_times(folder / file) != without_times(other / file)
         )
     )
+
+
+def resume_command(command, folder):
+    """What goes on with `command` (words without -o) in `folder` (a path, absolute).
+
+    From the beginning where a fit was ended before anything was written.
+    """
+    if command[0] == "diagnose":
+        return [*command, "-o", str(folder), "--resume"]
+    if (folder / "config.yaml").exists():
+        return ["fit", "--resume", "-o", str(folder), "--quiet"]
+    return [*command, "-o", str(folder), "--force"]
