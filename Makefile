@@ -18,7 +18,7 @@ export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
 .PHONY: help demo portable test test-browser test-deep build docs bench format format-check tidy clean \
-        packages test-packages configure report-modules report-assets fuzz soak \
+        packages test-packages configure report-modules report-assets fuzz kills soak \
         install uninstall deb test-library test-deb test-debian library-packages
 
 help: ## Show this list
@@ -87,7 +87,11 @@ fuzz: ## Run each fuzzer of the readers for FUZZ_SECONDS=60 (tools/fuzz says mor
 	@tools/install_packages packages.txt tests/packages.txt
 	JOBS=$(JOBS) tools/fuzz
 
-soak: build ## Random fits, kills and full disks for SOAK_SECONDS=3600, invariants checked
+kills: build ## 40 kills of fits and 40 of diagnoses, resumed and compared (KILLS_ARGS=--fits 1)
+	rm -rf build/kills
+	tools/kills $(BUILD)/apps/clothfit build/kills --jobs $(JOBS) $(KILLS_ARGS)
+
+soak: test-packages build ## Random commands, kills and full disks for SOAK_SECONDS=3600, invariants checked
 	tools/soak $(BUILD)/apps/clothfit $(SOAK_SECONDS)
 
 bench: configure ## Build and run the benchmarks (BENCH_ARGS=--benchmark_filter=...)

@@ -213,6 +213,11 @@ void Fitter::LengthenWindows() {
   const Patience at_the_end{std::min(2 * kMostIterations, config_.max_iterations), 0.2 * kTolerance,
                             kLeastRadius, kAny};
   ShootingWindows windows(scenes_, callbacks_.stop);
+  const FrameCounts before{in_windows_.simulated, in_windows_.differentiated};
+  const auto count_frames = [&] {
+    in_windows_.simulated = before.simulated + windows.simulated_frames();
+    in_windows_.differentiated = before.differentiated + windows.differentiated_frames();
+  };
   const int all = static_cast<int>(lengths_.size()), count = std::min(all, most_lengths_);
   at_best_ = {};
   for (int& k = progress_.next_window; k < count && !Stopped(); ++k) {
@@ -220,13 +225,17 @@ void Fitter::LengthenWindows() {
     stage_ = fmt::format("windows of {:.2g} s", length.seconds);
     stage_share_ = kShareOfWindows / all;
     stage_begin_ = k * stage_share_;
-    if (!windows.Lay(progress_.theta, length.frames)) {
+    const bool is_laid = windows.Lay(progress_.theta, length.frames);
+    count_frames();
+    if (!is_laid) {
       if (!Stopped()) Log(stage_ + ": the motion that they begin from cannot be simulated");
       break;
     }
     RecalledEvaluation evaluate = Recalled(
         {[&](const Eigen::VectorXd& at, Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) {
-           return windows.Evaluate(at, residuals, jacobian);
+           const bool is_usable = windows.Evaluate(at, residuals, jacobian);
+           count_frames();  // each iteration reports them
+           return is_usable;
          },
          [&] {
            return FrameCounts{windows.simulated_frames(), windows.differentiated_frames()};
@@ -254,8 +263,7 @@ void Fitter::LengthenWindows() {
     if (only_forecasts_ && k == count - 1)
       in_windows_.residuals = windows.Residuals(progress_.theta);
   }
-  in_windows_.simulated += windows.simulated_frames();
-  in_windows_.differentiated += windows.differentiated_frames();
+  count_frames();
 }
 
 double Fitter::CostOf(const Eigen::VectorXd& residuals, const Eigen::VectorXd& theta) const {

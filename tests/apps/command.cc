@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,6 +52,14 @@ RunningCommand::RunningCommand(const std::vector<std::string>& arguments, const 
 }
 
 void RunningCommand::Signal(int signal) const { kill(process_, signal); }
+
+bool RunningCommand::Handles(int signal) const {
+  std::ifstream status(fmt::format("/proc/{}/status", process_));
+  for (std::string key, value; status >> key && std::getline(status, value);) {
+    if (key == "SigCgt:") return (std::stoull(value, nullptr, 16) >> (signal - 1) & 1) != 0;
+  }
+  return false;
+}
 
 bool RunningCommand::HasEnded() {
   if (!has_ended_) has_ended_ = wait4(process_, &wait_status_, WNOHANG, &usage_) == process_;

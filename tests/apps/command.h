@@ -28,6 +28,8 @@ class RunningCommand {
   RunningCommand(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                  const std::function<void()>& before_start = {});
   void Signal(int signal) const;
+  // Has it a handler of its own for this signal by now? False once it has ended.
+  bool Handles(int signal) const;
   bool HasEnded();  // without waiting
   CommandResult Wait();
 
