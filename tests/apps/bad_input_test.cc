@@ -269,7 +269,6 @@ TEST_F(BadInput, NamesThatSteerATerminal) {
   EXPECT_THAT(result.out, HasSubstr("initially mesh a\\x1b[2J.obj\n"));
 }
 
-// OpenCV reads on beyond the text where a tag does not end.
 TEST_F(BadInput, CalibrationsThatAreCutOff) {
   const std::string whole =
       "<?xml version=\"1.0\"?>\n<opencv_storage>\n<!-- 3 < 4 -->\n<image_width>640</image_width>\n"
@@ -297,10 +296,13 @@ TEST_F(BadInput, CalibrationsNestedTooDeep) {
   folder_.Write("deep.yml", list);
   folder_.Write("items.yml", items + "1\n");
   folder_.Write("maps.yml", maps + "1\n");
-  for (const char* file : {"deep.xml", "deep.yml", "items.yml", "maps.yml"}) {
-    EXPECT_THAT(BadInputLine(RunCommand({"import", "opencv", file, "-o", "out"}, path())),
-                HasSubstr("is nested too deep"));
-  }
+  const auto error_of = [&](const char* file) {
+    return BadInputLine(RunCommand({"import", "opencv", file, "-o", "out"}, path()));
+  };
+  EXPECT_THAT(error_of("deep.xml"), HasSubstr("is nested too deep"));
+  EXPECT_THAT(error_of("deep.yml"), HasSubstr("is nested too deep"));
+  EXPECT_THAT(error_of("items.yml"), HasSubstr("items.yml: line 3: column 4"));
+  EXPECT_THAT(error_of("maps.yml"), HasSubstr("maps.yml: line 3: column 5"));
 }
 
 }  // namespace
