@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Bad input is told in one line that names the place; nothing is left behind.
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 
@@ -267,6 +268,40 @@ TEST_F(BadInput, NamesThatSteerATerminal) {
   const CommandResult result = RunCommand({"check", "rec"}, path());
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("initially mesh a\\x1b[2J.obj\n"));
+}
+
+bool SteersTerminal(const CommandResult& result) {
+  const std::string text = result.out + result.err;
+  return text.find("\xe2\x80\xae") != std::string::npos ||
+         std::any_of(text.begin(), text.end(),
+                     [](unsigned char c) { return (c < ' ' && c != '\n') || c == 0x7f; });
+}
+
+// Wherever they stand: in the recording, as its folder, as the run's, in the command line.
+TEST_F(BadInput, NamesThatSteerATerminalAnywhere) {
+  const std::string bad = "a\x1b[2J\r\n\a\x7f\xe2\x80\xae<b>'\"";
+  const std::string as_yaml = "\"a\\x1b[2J\\r\\n\\a\\x7f\\u202e<b>\"";
+  const std::string file = "rec/recording.yaml", whole = ReadTextFile(path() / file);
+  const std::vector<std::string> fit = {"fit", "rec", "-o", bad, "--max-iterations", "0"};
+  for (const char* name : {"small", "left", "handles/left.csv", "gravity"}) {
+    Replace(file, name, as_yaml);
+    for (const std::vector<std::string>& words : {fit, {"check", "rec"}}) {
+      const CommandResult result = RunCommand(words, path());
+      EXPECT_FALSE(SteersTerminal(result)) << name;
+      EXPECT_THAT(BadInputLine(result), HasSubstr("a\\x1b[2J")) << name;
+    }
+    folder_.Write(file, whole);
+  }
+  EXPECT_FALSE(SteersTerminal(RunCommand({"fit", "rec", "--set", bad + "=1"}, path())));
+  const CommandResult fitted = RunCommand(fit, path());
+  EXPECT_EQ(fitted.status, 0);
+  EXPECT_FALSE(SteersTerminal(fitted));
+  EXPECT_THAT(fitted.out, HasSubstr("run: a\\x1b[2J"));
+  fs::rename(path() / "rec", path() / (bad + "rec"));
+  const CommandResult checked = RunCommand({"check", bad + "rec"}, path());
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_FALSE(SteersTerminal(checked));
+  EXPECT_THAT(checked.out, HasSubstr("a\\x1b[2J"));
 }
 
 TEST_F(BadInput, CalibrationsThatAreCutOff) {
