@@ -17,7 +17,7 @@ TARGET ?= demo
 export OPENBLAS_NUM_THREADS ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo portable test test-browser test-deep build docs bench format format-check tidy clean \
+.PHONY: help demo portable test test-browser test-deep test-threads build docs bench format format-check tidy clean \
         packages test-packages configure report-modules report-assets fuzz kills soak \
         install uninstall deb test-library test-deb test-debian library-packages
 
@@ -68,12 +68,22 @@ test: test-packages build ## Build everything and run all tests and source check
 	ctest --preset $(PRESET)
 
 test-browser: report-modules build ## The tests of the report's page, in Chromium, which this installs
-	ctest --preset $(PRESET) -R '^(report_|export_gltf)' --output-on-failure
+	ctest --preset $(PRESET) -R '^(report_|hostile_page|export_gltf)' --output-on-failure
 
-test-deep: test ## The same under the sanitizers, 2000 broken inputs, then clang-tidy: many minutes
-	CLOTHFIT_MUTATIONS=2000 ctest --preset $(PRESET) -R '^MutatedInput$$'
+# CLOTHFIT_MUTATION_SEED=N has other inputs broken.
+test-deep: test ## Sanitizers, 2000 broken inputs, 1000 fits in turn, then clang-tidy: hours
+	CLOTHFIT_MUTATIONS=2000 CLOTHFIT_FITS=1000 ctest --preset $(PRESET) -R '^(MutatedInput|Memory)$$'
 	$(MAKE) --no-print-directory test PRESET=asan-ubsan
+	$(MAKE) --no-print-directory test-threads
 	$(MAKE) --no-print-directory tidy
+
+# Of all work that several threads share, and of what a signal stops.
+THREADED := ParallelFor|Simulation|RolloutDerivative|SyntheticPictures|Renderer|TrackRecordingTest|LoadMask
+THREADED := $(THREADED)|SoftSilhouette|CloudResiduals|CloudFitTest|NodeSums|Discretisation|Windows
+THREADED := $(THREADED)|ShootingWindows|JointRollout|JointFit|RunJobs|FitRunnerTest|Diagnose|Report|Interrupted
+test-threads: test-packages ## What several threads do, under the thread sanitizer
+	$(MAKE) --no-print-directory build PRESET=tsan
+	ctest --preset tsan -R '^($(THREADED))$$'
 
 build: configure ## Build everything (PRESET=release, JOBS=all cores)
 	cmake --build --preset $(PRESET) --parallel $(JOBS)

@@ -52,6 +52,7 @@ FitResult FitWithDisplay(const Scene& scene, const FitConfig& config, const RunF
     callbacks.progress = [&display, &scene](const FitProgress& progress) {
       display.Show(progress, scene.recording.frame_count);
     };
+    callbacks.note = [&display](const std::string& line) { display.Note(line); };
   }
   FitResult result = FitIntoRun(scene, config, run, callbacks, options.resume);
   display.Finish();

@@ -110,8 +110,10 @@ FitResult FitAllWithDisplay(const std::vector<JointRecording>& recordings, const
   ProgressDisplay display;
   FitCallbacks callbacks;
   callbacks.stop = StopOnInterrupt();
-  if (!options.quiet)
+  if (!options.quiet) {
     callbacks.progress = [&](const FitProgress& progress) { display.Show(progress, frames); };
+    callbacks.note = [&](const std::string& line) { display.Note(line); };
+  }
   FitResult result = FitIntoJointRun(recordings, run, callbacks, options.resume);
   display.Finish();
   return result;

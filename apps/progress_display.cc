@@ -101,6 +101,12 @@ void ProgressDisplay::Finish() {
   unshown_.clear();
 }
 
+void ProgressDisplay::Note(const std::string& line) {
+  if (has_bar_) std::fputs("\r\x1b[K", Terminal());
+  has_bar_ = false;
+  std::fputs((Printable(line) + "\n").c_str(), Terminal());
+}
+
 double ProgressDisplay::SecondsSince(Clock::time_point time) {
   return std::chrono::duration<double>(Clock::now() - time).count();
 }

@@ -26,6 +26,8 @@ class ProgressDisplay {
   void Show(const FitProgress& progress, int recorded_frames);
   // `fraction` of the whole is done; plain lines of one stage come at intervals.
   void Show(const std::string& stage, const std::string& state, double fraction);
+  // A line that stays, above what is shown afterwards.
+  void Note(const std::string& line);
   // Shows where it ended and leaves the bar's line; nothing is shown afterwards.
   void Finish();
 

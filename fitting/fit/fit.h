@@ -59,6 +59,7 @@ struct FitCallbacks {
   // What the same fit evaluated before it was interrupted, and evaluates now; null: nothing is
   // kept.
   EvaluationJournal* journal = nullptr;
+  std::function<void(const std::string&)> note;  // lines for who waits, of fits into a run
 };
 
 // How well one simulation of all frames explains the observations. Open loop: only the handles

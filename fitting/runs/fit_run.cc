@@ -15,6 +15,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit/search.h"
 #include "fitting/rollout/window_simulator.h"
+#include "fitting/runs/expected_time.h"
 #include "fitting/runs/obstacles.h"
 #include "fitting/runs/workload.h"
 #include "tracking/silhouette/raster.h"
@@ -69,12 +70,16 @@ void LogContact(const Scene& scene, const FitConfig& config, const StepReport& s
   if (!line.empty()) run.AppendLog(line);
 }
 
-FitCallbacks WithRun(const FitCallbacks& callbacks, const RunFolder& run) {
+// `time` is told where it is not null.
+FitCallbacks WithRun(const FitCallbacks& callbacks, const RunFolder& run, ExpectedTime* time) {
   FitCallbacks all = callbacks;
-  all.progress = [&run, &callbacks,
+  all.progress = [&run, &callbacks, time,
                   begin = std::chrono::steady_clock::now()](const FitProgress& progress) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     run.AppendProgress(progress, passed.count());
+    const std::string line = time ? time->Tell(progress.fraction, passed.count()) : "";
+    if (!line.empty()) run.AppendLog(line);
+    if (!line.empty() && callbacks.note) callbacks.note(line);
     if (callbacks.progress) callbacks.progress(progress);
   };
   all.log = [&run, &callbacks](const std::string& line) {
@@ -194,7 +199,8 @@ FitResult FitWithCheckpoint(const RunFolder& run, const FitCallbacks& callbacks,
     run.RemoveCheckpoint();
   }
   EvaluationJournal journal = run.OpenCheckpoint();
-  FitCallbacks with_run = WithRun(callbacks, run);
+  ExpectedTime time;  // not of what the checkpoint has, which goes faster
+  FitCallbacks with_run = WithRun(callbacks, run, resume ? nullptr : &time);
   with_run.journal = &journal;
   FitResult result = fit(with_run);
   write(result);

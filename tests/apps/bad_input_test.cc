@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Bad input is told in one line that names the place; nothing is left behind.
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 
@@ -269,7 +270,40 @@ TEST_F(BadInput, NamesThatSteerATerminal) {
   EXPECT_THAT(result.out, HasSubstr("initially mesh a\\x1b[2J.obj\n"));
 }
 
-// OpenCV reads on beyond the text where a tag does not end.
+bool SteersTerminal(const CommandResult& result) {
+  const std::string text = result.out + result.err;
+  return text.find("\xe2\x80\xae") != std::string::npos ||
+         std::any_of(text.begin(), text.end(),
+                     [](unsigned char c) { return (c < ' ' && c != '\n') || c == 0x7f; });
+}
+
+// Wherever they stand: in the recording, as its folder, as the run's, in the command line.
+TEST_F(BadInput, NamesThatSteerATerminalAnywhere) {
+  const std::string bad = "a\x1b[2J\r\n\a\x7f\xe2\x80\xae<b>'\"";
+  const std::string as_yaml = "\"a\\x1b[2J\\r\\n\\a\\x7f\\u202e<b>\"";
+  const std::string file = "rec/recording.yaml", whole = ReadTextFile(path() / file);
+  const std::vector<std::string> fit = {"fit", "rec", "-o", bad, "--max-iterations", "0"};
+  for (const char* name : {"small", "left", "handles/left.csv", "gravity"}) {
+    Replace(file, name, as_yaml);
+    for (const std::vector<std::string>& words : {fit, {"check", "rec"}}) {
+      const CommandResult result = RunCommand(words, path());
+      EXPECT_FALSE(SteersTerminal(result)) << name;
+      EXPECT_THAT(BadInputLine(result), HasSubstr("a\\x1b[2J")) << name;
+    }
+    folder_.Write(file, whole);
+  }
+  EXPECT_FALSE(SteersTerminal(RunCommand({"fit", "rec", "--set", bad + "=1"}, path())));
+  const CommandResult fitted = RunCommand(fit, path());
+  EXPECT_EQ(fitted.status, 0);
+  EXPECT_FALSE(SteersTerminal(fitted));
+  EXPECT_THAT(fitted.out, HasSubstr("run: a\\x1b[2J"));
+  fs::rename(path() / "rec", path() / (bad + "rec"));
+  const CommandResult checked = RunCommand({"check", bad + "rec"}, path());
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_FALSE(SteersTerminal(checked));
+  EXPECT_THAT(checked.out, HasSubstr("a\\x1b[2J"));
+}
+
 TEST_F(BadInput, CalibrationsThatAreCutOff) {
   const std::string whole =
       "<?xml version=\"1.0\"?>\n<opencv_storage>\n<!-- 3 < 4 -->\n<image_width>640</image_width>\n"
@@ -297,10 +331,13 @@ TEST_F(BadInput, CalibrationsNestedTooDeep) {
   folder_.Write("deep.yml", list);
   folder_.Write("items.yml", items + "1\n");
   folder_.Write("maps.yml", maps + "1\n");
-  for (const char* file : {"deep.xml", "deep.yml", "items.yml", "maps.yml"}) {
-    EXPECT_THAT(BadInputLine(RunCommand({"import", "opencv", file, "-o", "out"}, path())),
-                HasSubstr("is nested too deep"));
-  }
+  const auto error_of = [&](const char* file) {
+    return BadInputLine(RunCommand({"import", "opencv", file, "-o", "out"}, path()));
+  };
+  EXPECT_THAT(error_of("deep.xml"), HasSubstr("is nested too deep"));
+  EXPECT_THAT(error_of("deep.yml"), HasSubstr("is nested too deep"));
+  EXPECT_THAT(error_of("items.yml"), HasSubstr("items.yml: line 3: column 4"));
+  EXPECT_THAT(error_of("maps.yml"), HasSubstr("maps.yml: line 3: column 5"));
 }
 
 }  // namespace

@@ -40,6 +40,13 @@ TEST(ProgressDisplay, DoesNotGoBack) {
   EXPECT_THAT(text, Not(HasSubstr(" 30 %")));
 }
 
+TEST(ProgressDisplay, NotesStay) {
+  testing::internal::CaptureStderr();
+  ProgressDisplay display;
+  display.Note("takes long\x1b[2J");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "takes long\\x1b[2J\n");
+}
+
 TEST(ProgressDisplay, ShortWorkShowsNothingWhereLinesComeNowAndThen) {
   testing::internal::CaptureStderr();
   ProgressDisplay display(ProgressDisplay::Lines::kNowAndThen);

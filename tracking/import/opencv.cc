@@ -9,11 +9,9 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <opencv2/core.hpp>
 
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/base/input_file.h"
-#include "tracking/import/opencv_nesting.h"
+#include "tracking/import/storage_file.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -36,35 +34,16 @@ struct Value {
 
 class Calibration {
  public:
-  explicit Calibration(const fs::path& file) : file_(file) {
-    constexpr std::size_t kMostBytes = 16 << 20;  // of one camera, with every view of a board
-    const std::string text = ReadInputFile(file, kMostBytes);
-    if (!IsShallow(text)) throw InputError(file.string(), "is nested too deep for a calibration");
-    // OpenCV takes it for the end.
-    if (text.find('\0') != std::string::npos)
-      throw InputError(file.string(), "has a byte of zeros; expected text");
-    if (!HasWholeTags(text)) throw InputError(file.string(), "has a tag that does not end");
-    try {
-      storage_.open(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    } catch (const std::exception&) {
-      throw InputError(file.string(), "cannot be read by OpenCV's FileStorage");
-    }
-    if (!storage_.isOpened()) {
-      throw InputError(file.string(), "cannot be read by OpenCV's FileStorage");
-    }
-  }
+  explicit Calibration(const fs::path& file)
+      : file_(file.string()), documents_(ReadStorageFile(file)) {}
 
   // Under the first of these keys that is there.
   std::optional<Value> Find(const std::vector<std::string>& keys) const {
     for (const std::string& key : keys) {
-      const std::string place = file_.string() + ": " + key;
-      try {
-        const cv::FileNode node = storage_[key];
-        if (!node.empty()) return Value{place, NumbersIn(node, place)};
-      } catch (const InputError&) {
-        throw;
-      } catch (const std::exception&) {  // damaged files make OpenCV throw more than its own kind
-        throw InputError(place, "expected a matrix or a list of numbers in a file of OpenCV's");
+      for (const YAML::Node& document : documents_) {
+        const YAML::Node node = document[key];
+        const std::string place = file_ + ": " + key;
+        if (node.IsDefined()) return Value{place, StorageNumbers(node, place)};
       }
     }
     return std::nullopt;
@@ -73,49 +52,13 @@ class Calibration {
   Value Require(const std::vector<std::string>& keys) const {
     std::optional<Value> value = Find(keys);
     if (value) return *value;
-    throw InputError(file_.string(), fmt::format("key '{}' is missing; expected one of {}",
-                                                 keys.front(), JoinNames(keys)));
+    throw InputError(file_, fmt::format("key '{}' is missing; expected one of {}", keys.front(),
+                                        JoinNames(keys)));
   }
 
  private:
-  // Of a matrix, a list or a single number.
-  static std::vector<double> NumbersIn(const cv::FileNode& node, const std::string& place) {
-    std::vector<double> numbers;
-    if (node.isMap()) {
-      constexpr int kMostNumbers = 1000;  // OpenCV makes room for what rows and cols say
-      const int rows = static_cast<int>(node["rows"]), columns = static_cast<int>(node["cols"]);
-      if (rows < 1 || columns < 1 || rows > kMostNumbers / columns)
-        throw InputError(place, fmt::format("expected a matrix, found {} x {}", rows, columns));
-      cv::Mat matrix;
-      node >> matrix;
-      matrix.reshape(1).convertTo(matrix, CV_64F);
-      for (int row = 0; row < matrix.rows; ++row) {
-        for (int column = 0; column < matrix.cols; ++column) {
-          numbers.push_back(matrix.at<double>(row, column));
-        }
-      }
-    } else {
-      AppendNumbers(node, place, &numbers);
-    }
-    for (const double number : numbers) {
-      if (!std::isfinite(number)) throw InputError(place, "expected finite numbers");
-    }
-    return numbers;
-  }
-
-  static void AppendNumbers(const cv::FileNode& node, const std::string& place,
-                            std::vector<double>* numbers) {
-    if (node.isInt() || node.isReal()) {
-      numbers->push_back(node.real());
-    } else if (node.isSeq()) {  // a matrix may be a list of its rows
-      for (const cv::FileNode& item : node) AppendNumbers(item, place, numbers);
-    } else {
-      throw InputError(place, "expected a matrix or a list of numbers");
-    }
-  }
-
-  fs::path file_;
-  cv::FileStorage storage_;
+  std::string file_;
+  std::vector<YAML::Node> documents_;
 };
 
 void ReadLens(const Calibration& calibration, Camera* camera) {

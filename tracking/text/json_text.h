@@ -21,7 +21,9 @@ inline constexpr int kMostJsonLevels = 100;
 // is JSON at all the parser tells.
 std::string ReadJsonText(const std::filesystem::path& file);
 
-// Whether it has no more levels than that.
+// Whether it has no more levels than that, and no string or bytes of no stated length: those may
+// hold others of their kind, level by level, and clothfit writes none. As of JSON, the parser tells
+// whether it is CBOR.
 bool IsShallowCbor(std::string_view bytes);
 
 }  // namespace clothfit

@@ -3,6 +3,7 @@
 #include "tracking/text/json_text.h"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/support/test_folder.h"
 
@@ -40,6 +41,37 @@ TEST(JsonText, IsRefusedAsCborWhereItIsNestedTooDeep) {
   EXPECT_FALSE(IsShallowCbor(nested(kMostJsonLevels + 1)));
   EXPECT_FALSE(IsShallowCbor(nested(10'000'000)));
   EXPECT_FALSE(IsShallowCbor(std::string(10'000'000, '\x9f')));  // lists of no stated length
+  EXPECT_FALSE(IsShallowCbor(std::string(10'000'000, '\xbf')));
+}
+
+// The parser calls itself for every piece of a string.
+TEST(JsonText, IsRefusedAsCborWhereStringsHaveNoLength) {
+  for (const char kind : {'\x7f', '\x5f'}) {
+    EXPECT_FALSE(IsShallowCbor(std::string(10'000'000, kind)));
+    EXPECT_FALSE(IsShallowCbor(std::string("\x82\x61\x41") + kind + "\x61\x41\xff"));
+  }
+}
+
+TEST(JsonText, IsTakenAsCborWhateverItsStringsAndNumbersAre) {
+  nlohmann::json json = {{"text", std::string(300, '\x7f')}, {"empty", nlohmann::json::array()}};
+  for (const std::size_t size : {0, 23, 24, 255, 256, 65536}) {
+    json["sizes"].push_back({std::string(size, '_'), std::vector<double>(size / 8, 1e300), size,
+                             -static_cast<std::int64_t>(size), nlohmann::json::binary({1, 0x5f})});
+  }
+  json["deep"] = nlohmann::json::parse(Nested(kMostJsonLevels - 1));
+  std::string bytes;
+  nlohmann::json::to_cbor(json, bytes);
+  EXPECT_TRUE(IsShallowCbor(bytes));
+  json["deep"] = nlohmann::json::parse(Nested(kMostJsonLevels));  // its map is another level
+  bytes.clear();
+  nlohmann::json::to_cbor(json, bytes);
+  EXPECT_FALSE(IsShallowCbor(bytes));
+}
+
+TEST(JsonText, IsNotReadBeyondItsEndAsCbor) {
+  for (const char* cut : {"", "\x9b", "\x9b\x01", "\x7b\xff\xff\xff\xff\xff\xff\xff\xff", "\xff",
+                          "\xfb\x01", "\xc1\x01", "\x5c", "\xbb\xff\xff\xff\xff\xff\xff\xff\xff"})
+    EXPECT_TRUE(IsShallowCbor(cut)) << cut;
 }
 
 }  // namespace

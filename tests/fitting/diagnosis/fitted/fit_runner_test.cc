@@ -49,7 +49,8 @@ fs::path OnlyFile(const fs::path& folder) {
 }
 
 TEST(KeptFit, IsNoneWhereItIsNestedTooDeep) {
-  EXPECT_FALSE(FitFromBytes(std::string(1'000'000, '\x81') + '\0').has_value());
+  for (const char kind : {'\x81', '\x7f', '\x5f'})  // lists, pieces of text, pieces of bytes
+    EXPECT_FALSE(FitFromBytes(std::string(1'000'000, kind) + '\0').has_value());
 }
 
 class FitRunnerTest : public testing::Test {
