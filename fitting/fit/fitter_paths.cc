@@ -87,7 +87,7 @@ bool Fitter::ContinueHandlePaths(FrameByFrame* search, int first, int last) {
   std::vector<std::vector<PathPoint>> paths(scene.handles.size());
   std::vector<SceneHandle> handles = scene.handles;
   free.ApplyToHandles(progress_.theta, &handles);
-  const Outcome outcome =
+  const WindowSimulator::Outcome outcome =
       rollout_[0].Run(rollout_[0].FirstStart(progress_.theta), progress_.theta, first, false,
                       [&](int frame, const State& at, const Sensitivity*) {
                         state = at;
@@ -95,7 +95,7 @@ bool Fitter::ContinueHandlePaths(FrameByFrame* search, int first, int last) {
                         for (std::size_t h = 0; h < handles.size(); ++h)
                           paths[h].push_back({time, handles[h].path.At(time)});
                       });
-  if (outcome != Outcome::kComplete) return false;
+  if (outcome != WindowSimulator::Outcome::kComplete) return false;
   const FrameByFrameResult found = search->Continue(progress_.theta, state, first, last);
   frames_for_paths_ += found.simulated_frames;
   differentiated_for_paths_ += found.differentiated_frames;
