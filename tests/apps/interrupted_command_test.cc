@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
 // Each takes seconds.
-const std::vector<std::vector<std::string>> kCommands = {
+const std::vector<std::vector<std::string>> kInterruptedCommands = {
     {"fit", "rec", "-o", "out"},
     {"diagnose", "rec", "-o", "out"},
     {"simulate", "rec", "-o", "out", "--resolution", "61", "61"},
@@ -92,7 +92,7 @@ TEST_P(InterruptedCommand, EndsWithinTwoSecondsAndAtOnceByTheSecond) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, InterruptedCommand, testing::ValuesIn(kCommands),
+INSTANTIATE_TEST_SUITE_P(Commands, InterruptedCommand, testing::ValuesIn(kInterruptedCommands),
                          [](const auto& tested) { return tested.param.front(); });
 
 }  // namespace
