@@ -32,7 +32,7 @@ std::optional<PointRows> EvaluateFiner(const Scene& scene, FitConfig config,
   const std::array<int, 2> grid = scene.mesh.grid;
   config.resolution = GridWithSide(grid, FinerSide(std::max(grid[0], grid[1])));
   config.max_step = 0.5 * scene.step;
-  Scene finer = MakeScene(scene.recording, config);
+  Scene finer = MakeScene(scene.recording, config, &scene);
   finer.is_fitted = scene.is_fitted;
   return EvaluateRows(finer, config, theta, false);
 }

@@ -42,8 +42,8 @@ DiagnosisRecord ReadDiagnosisRecord(const fs::path& folder) {
     if (record.json.at("format") != kFormat)
       throw InputError(file.string(), std::string("has another format; expected ") + kFormat);
     record.verdict = record.json.at("verdict").get<std::string>();
-    record.headline = Typeset(record.json.at("headline").get<std::string>());
     record.words = Typeset(record.json.at("words").get<std::string>());
+    record.headline = Typeset(record.json.value("headline", record.words));  // not yet in 0.1.0
     record.effects = record.json.at("effects").get<std::vector<std::string>>();
     record.confidence_set = record.json.at("ambiguity").get<std::vector<std::string>>();
     CheckFiles(record);

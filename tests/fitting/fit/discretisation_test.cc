@@ -156,7 +156,7 @@ TEST(Outlines, HaveTheSameRowsOnEveryMesh) {
   };
   const Eigen::Index rows = count(known.scene);
   EXPECT_GT(rows, 0);
-  EXPECT_EQ(rows, count(MakeScene(known.scene.recording, finer)));
+  EXPECT_EQ(rows, count(MakeScene(known.scene.recording, finer, &known.scene)));
   EXPECT_EQ(rows, ObservationResiduals(known.scene, known.config)
                       .NumObserved(0, known.scene.last_fitted_frame));
 }

@@ -186,7 +186,8 @@ TEST_F(DiagnosisReport, ShowsObstaclesThatMove) {
 // The errors on the page are of what the diagnosis went by, as those of its sentences are.
 TEST_F(DiagnosisReport, LeavesOutWhatTheDiagnosisLeftOut) {
   const auto error_of = [](const std::string& html) {
-    for (const json& error : DataOfPage(html).at("errors")) {
+    const json data = DataOfPage(html);
+    for (const json& error : data.at("errors")) {
       if (error.at("kind") == "markers" && error.at("held_out") == true)
         return error.at("after").get<double>();
     }
@@ -285,19 +286,21 @@ TEST_F(DiagnosisReport, OfOneThatFoundNothingShowsTheBaselineAlone) {
 
 TEST_F(DiagnosisReport, OfOneThatWasInterruptedShowsNoIntervals) {
   const json finished = SectionNamed("parameters").at("blocks")[0].at("items");
-  ASSERT_EQ(finished.size(), 1u);
+  ASSERT_FALSE(finished.empty());
   EXPECT_EQ(finished[0].at("interval"), json({0.5, 1.5}));
   const fs::path file = folder_ / "diagnosis.json";
   json record = json::parse(ReadTextFile(file));
   record["verdict"] = "interrupted";
-  record["answer"]["parameters"][0]["interval90"] = {nullptr, nullptr};
+  for (json& parameter : record["answer"]["parameters"])
+    parameter["interval90"] = {nullptr, nullptr};
   WriteWholeFile(file, record.dump());
   const json data = DataOfPage(MakeReport(folder_, kTestAssets).html);
   int checked = 0;
   for (const json& section : data.at("sections")) {
     if (section.at("id") != "parameters") continue;
     ++checked;
-    EXPECT_TRUE(section.at("blocks")[0].at("items")[0].at("interval").is_null());
+    for (const json& item : section.at("blocks")[0].at("items"))
+      EXPECT_TRUE(item.at("interval").is_null()) << item;
     EXPECT_EQ(section.at("blocks")[0].at("items")[0].at("value"), 1.0);
     EXPECT_THAT(section.at("lead").get<std::string>(), HasSubstr("without intervals"));
   }
