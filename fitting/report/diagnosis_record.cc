@@ -31,6 +31,12 @@ void CheckFiles(const DiagnosisRecord& record) {
   if (!record.effects.empty()) RequireFile(record.folder / "model.npy", kWholeDiagnosis);
 }
 
+// What diagnoses of 0.1.0 have for a headline.
+std::string FirstSentence(const std::string& words) {
+  const std::size_t end = words.find(". ");
+  return end == std::string::npos ? words : words.substr(0, end + 1);
+}
+
 }  // namespace
 
 DiagnosisRecord ReadDiagnosisRecord(const fs::path& folder) {
@@ -43,7 +49,7 @@ DiagnosisRecord ReadDiagnosisRecord(const fs::path& folder) {
       throw InputError(file.string(), std::string("has another format; expected ") + kFormat);
     record.verdict = record.json.at("verdict").get<std::string>();
     record.words = Typeset(record.json.at("words").get<std::string>());
-    record.headline = Typeset(record.json.value("headline", record.words));  // not yet in 0.1.0
+    record.headline = Typeset(record.json.value("headline", FirstSentence(record.words)));
     record.effects = record.json.at("effects").get<std::vector<std::string>>();
     record.confidence_set = record.json.at("ambiguity").get<std::vector<std::string>>();
     CheckFiles(record);

@@ -42,6 +42,14 @@ bool AreOfOneClass(const std::vector<std::string>& effects) {
   return classes.size() < 2;
 }
 
+std::string TitleOfErrors(const DiagnosisRecord& record) {
+  if (record.effects.empty()) return "Error of the baseline";
+  const std::string title = "Error of the baseline → with what was found";
+  // The page's recording is the one that was given.
+  return record.verdict == "observation fault" ? title + ", against the recording with its fault"
+                                               : title;
+}
+
 Grade GradeOf(const DiagnosisRecord& record) {
   if (record.verdict == "nothing is missing") return Grade::kGood;
   if (record.verdict == "named")
@@ -180,8 +188,7 @@ ReportPage MakeDiagnosisReport(const fs::path& folder, const ReportAssets& asset
   return MakeScenePage({report,
                         {GradeOf(record), record.headline, Sentences(record)},
                         "Diagnosis of " + report.scene().recording.name,
-                        record.effects.empty() ? "Error of the baseline"
-                                               : "Error of the baseline → with what was found",
+                        TitleOfErrors(record),
                         ChangesOf(report, misfits),
                         std::move(fields),
                         std::move(obstacles),

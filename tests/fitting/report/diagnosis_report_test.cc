@@ -284,6 +284,19 @@ TEST_F(DiagnosisReport, OfOneThatFoundNothingShowsTheBaselineAlone) {
   EXPECT_THAT(ErrorOf(), HasSubstr("is damaged, or of another version of clothfit"));
 }
 
+// Of 0.1.0, which had no headline; and errors of a fault are against the recording that has it.
+TEST_F(DiagnosisReport, OfAnEarlierVersionBeginsWithItsFirstSentence) {
+  const fs::path file = folder_ / "diagnosis.json";
+  json record = json::parse(ReadTextFile(file));
+  record.erase("headline");
+  record["words"] = "What was left out: a camera. It is turned by 0.5 degrees. That is a fault.";
+  record["verdict"] = "observation fault";
+  WriteWholeFile(file, record.dump());
+  const std::string html = MakeReport(folder_, kTestAssets).html;
+  EXPECT_THAT(html, HasSubstr("<h1>What was left out: a camera.</h1>"));
+  EXPECT_THAT(html, HasSubstr("against the recording with its fault"));
+}
+
 TEST_F(DiagnosisReport, OfOneThatWasInterruptedShowsNoIntervals) {
   const json finished = SectionNamed("parameters").at("blocks")[0].at("items");
   ASSERT_FALSE(finished.empty());
