@@ -8,6 +8,7 @@
 #include "clothfit/detail/boundary.h"
 #include "clothfit/detail/data.h"
 #include "fitting/diagnosis/answer/folder.h"
+#include "fitting/diagnosis/answer/headline.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
 #include "fitting/runs/fit_run.h"
 #include "tracking/outliers/outliers.h"
@@ -29,6 +30,7 @@ Model ToModel(const clothfit::Model& model) {
 Diagnosis ToDiagnosis(const clothfit::Diagnosis& found) {
   const FitConfig& config = found.answer ? found.answer->config : found.baseline;
   Diagnosis diagnosis{ToString(found.verdict),
+                      HeadlineOf(found),
                       found.words,
                       found.effects,
                       found.confidence_set,

@@ -47,7 +47,8 @@ struct Diagnosis {
   // "nothing missing", "named", "observation fault", "none of the above", "undecided" or
   // "interrupted".
   std::string verdict;
-  std::string words;                 // the answer as a paragraph
+  std::string headline;              // the answer, with all that the recording cannot tell apart
+  std::string words;                 // the same as a paragraph, which begins with the headline
   std::vector<std::string> effects;  // that were named, and faults
   std::vector<std::string>
       cannot_tell;                    // what the recording cannot tell from the first, itself too

@@ -182,7 +182,10 @@ void AddDiagnosis(py::module_* module) {
       .def_readonly("kept", &Model::kept);
   py::class_<Diagnosis>(*module, "Diagnosis", "What physics a recording shows that a fit lacks.")
       .def_readonly("verdict", &Diagnosis::verdict, "'named', 'nothing missing', ...")
-      .def_readonly("words", &Diagnosis::words, "the answer as a paragraph")
+      .def_readonly("headline", &Diagnosis::headline,
+                    "the answer, with all that the recording cannot tell apart")
+      .def_readonly("words", &Diagnosis::words,
+                    "the same as a paragraph, which begins with the headline")
       .def_readonly("effects", &Diagnosis::effects, "that were named")
       .def_readonly("cannot_tell", &Diagnosis::cannot_tell,
                     "effects that the recording cannot tell from the first, itself among them")

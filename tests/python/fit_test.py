@@ -89,4 +89,5 @@ def test_a_diagnosis_names_what_is_missing(windy):
     amounts = {amount.name: amount for amount in diagnosis.models[0].amounts}
     assert abs(amounts["wind.y"].value - 0.8) < 0.05
     assert diagnosis.config["wind.y"] == pytest.approx(amounts["wind.y"].value)
-    assert diagnosis.candidates[0].name == "wind" and diagnosis.words
+    assert diagnosis.candidates[0].name == "wind"
+    assert diagnosis.headline and diagnosis.words.startswith(diagnosis.headline)
