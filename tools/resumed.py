@@ -12,7 +12,7 @@ LOGS = {"log.txt"}
 TIMES = [
     # A number, or an object of stages; at any depth, any number of times.
     (r"\.json$", re.compile(rb'"seconds": *(?:\{[^{}]*\}|[-+.0-9eE]+)'), rb'"seconds": 0'),
-    (r"^diagnosis\.md$", re.compile(rb"(?<=\n## Time\n).*?(?=\n## |\Z)", re.S), b""),
+    (r"^diagnosis\.md$", re.compile(rb"(?<=# Time\n).*?(?=\n#|\Z)", re.S), b""),
     # The last column.
     (r"^progress\.csv$", re.compile(rb",[^,\n]*$", re.M), b""),
     # CBOR: a string of 7 bytes, then a number of 8 or 4.

@@ -75,7 +75,7 @@ EffectParameter SizeOf(const std::vector<EffectParameter>& parts) {
   return size;
 }
 
-std::string AsOneNumber(const std::vector<EffectParameter>& amounts) {
+static std::string AsOneNumber(const std::vector<EffectParameter>& amounts) {
   if (IsTilt(amounts)) return Alone(SizeOf(amounts));
   if (!IsVector(amounts)) return "";
   const EffectParameter size = SizeOf(amounts);

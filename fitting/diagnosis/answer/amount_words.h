@@ -17,11 +17,7 @@ std::string Alone(const EffectParameter& p);
 // Of numbers that are one: its size, whose errors are theirs along it.
 EffectParameter SizeOf(const std::vector<EffectParameter>& parts);
 
-// Of a term's amounts, as one number, with a direction where it has one; empty where they are
-// several.
-std::string AsOneNumber(const std::vector<EffectParameter>& amounts);
-
-// As one number, or one by one with what each is, but for those that are nothing beside the largest
+// A term's, as one number with a direction where it has one, or one by one with what each is, but for those that are nothing beside the largest
 // of their unit.
 std::string AmountsOfTerm(const std::vector<EffectParameter>& amounts);
 

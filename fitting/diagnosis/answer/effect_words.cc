@@ -48,9 +48,7 @@ OwnParameters OwnOf(const std::string& effect, const std::vector<EffectParameter
 std::string TermInBrief(const OwnParameters& own) {
   const std::string place = FirstPlace(own.shapes);
   if (!place.empty()) return ", " + place;
-  const std::string number = AsOneNumber(own.amounts);
-  if (!number.empty()) return " of " + number;
-  return own.amounts.empty() ? "" : " (" + AmountsOfTerm(own.amounts) + ")";
+  return own.amounts.empty() ? "" : " of " + AmountsOfTerm(own.amounts);
 }
 
 // Amounts of one unit are the parts of one number.

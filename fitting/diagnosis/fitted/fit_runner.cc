@@ -85,6 +85,17 @@ FitResult FitRunner::UnderWay::Once(const std::string& key, const std::function<
   return fit.get();
 }
 
+void RemovePartsOfKeptFits(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator file(folder, error), end; !error && file != end;
+       file.increment(error)) {
+    const fs::path place = PlaceOfPartFile(file->path().filename().string());
+    std::error_code ignored;
+    if (place.extension() == kEnding && fs::is_regular_file(file->symlink_status(ignored)))
+      fs::remove(file->path(), ignored);
+  }
+}
+
 int NumKeptFits(const fs::path& folder) {
   if (!fs::is_directory(folder)) return 0;
   const fs::directory_iterator files(folder);

@@ -49,7 +49,7 @@ TEST(EffectWords, TellInBriefHowMuchOrWhere) {
                                             {"obstacle_sphere.z", "m", 0.7034, 0.6834, 0.7234}};
   EXPECT_EQ(InBrief("wind", all), "wind of 0.552 m/s (0.542 to 0.562) along +y");
   EXPECT_EQ(InBrief("heavy_patch", all),
-            "heavy patch (0.3 (0.2 to 0.4) mass at its middle beside the cloth's own, over that)");
+            "heavy patch of 0.3 (0.2 to 0.4) mass at its middle beside the cloth's own, over that");
   EXPECT_EQ(InBrief("obstacle_sphere", all), "unseen ball, its middle at (-0.52, 0.10, 0.70) m");
   EXPECT_EQ(InBrief("hem", all), "hem");  // nothing is known of it
   EXPECT_EQ(InBrief("bending.damping", {{"bending.damping", "N s", 0.001, 0.0005, 0.002}}),

@@ -70,7 +70,7 @@ TEST(Headline, NamesWhatWasFoundBesides) {
   diagnosis.effects = diagnosis.answer->effects = {"wind", "hem"};
   diagnosis.answer->parameters.push_back({"hem.low_u", "kg/m", 0.05, 0.04, 0.06});
   diagnosis.models[0].parameters[1].value = 7.0;
-  const std::string hem = "hem (0.05 kg/m (0.04 to 0.06) along the side of least u)";
+  const std::string hem = "hem of 0.05 kg/m (0.04 to 0.06) along the side of least u";
   EXPECT_EQ(HeadlineOf(diagnosis), std::string("W") + kWindInBrief +
                                        ", or gravity tilt of 4.01 degrees (3.44 to 4.58): this " +
                                        "recording cannot tell; besides, " + hem + ".");

@@ -293,8 +293,13 @@ TEST(DiagnosisFolder, GoesOnWithWhatIsNotFinishedOnly) {
     return "";
   };
   EXPECT_THAT(error_of(Existing::kRefuse), HasSubstr("--resume goes on with it"));
+  const std::string part = "run/fits/.forecasts-" + std::string(64, 'b') + ".cbor.a1b2c3.part";
+  folder.Write(part, "half of a fit, whose writer was killed");
+  folder.Write("run/fits/.mine.txt.a1b2c3.part", "mine");
   EXPECT_EQ(error_of(Existing::kResume), "");
   EXPECT_EQ(NumKeptFits(fits), 1);
+  EXPECT_FALSE(fs::exists(folder.path() / part));
+  EXPECT_TRUE(fs::exists(fits / ".mine.txt.a1b2c3.part"));
   folder.Write("run/fits/mine.txt", "mine");
   EXPECT_EQ(error_of(Existing::kReplace), "");
   EXPECT_EQ(NumKeptFits(fits), 0);
