@@ -17,8 +17,8 @@ std::string Alone(const EffectParameter& p);
 // Of numbers that are one: its size, whose errors are theirs along it.
 EffectParameter SizeOf(const std::vector<EffectParameter>& parts);
 
-// A term's, as one number with a direction where it has one, or one by one with what each is, but for those that are nothing beside the largest
-// of their unit.
+// A term's, as one number with a direction where it has one, or one by one with what each is, but
+// for those that are nothing beside the largest of their unit.
 std::string AmountsOfTerm(const std::vector<EffectParameter>& amounts);
 
 // What only shapes a term's force: its places, sizes and times.
