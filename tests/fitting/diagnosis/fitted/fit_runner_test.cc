@@ -299,7 +299,7 @@ TEST(DiagnosisFolder, GoesOnWithWhatIsNotFinishedOnly) {
   EXPECT_EQ(error_of(Existing::kResume), "");
   EXPECT_EQ(NumKeptFits(fits), 1);
   EXPECT_FALSE(fs::exists(folder.path() / part));
-  EXPECT_TRUE(fs::exists(fits / ".mine.txt.a1b2c3.part"));
+  EXPECT_TRUE(fs::remove(fits / ".mine.txt.a1b2c3.part"));
   folder.Write("run/fits/mine.txt", "mine");
   EXPECT_EQ(error_of(Existing::kReplace), "");
   EXPECT_EQ(NumKeptFits(fits), 0);
