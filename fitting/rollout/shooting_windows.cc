@@ -206,10 +206,13 @@ double ShootingWindows::simulated_frames() const {
   return frames;
 }
 
+// Which simulator differentiated which window differs from run to run, and with it the rounding of
+// the sum.
 double ShootingWindows::differentiated_frames() const {
+  constexpr double kExactly = 1e6;  // parts of a frame
   double frames = 0.0;
   for (const auto& simulator : simulators_) frames += simulator->differentiated_frames();
-  return frames;
+  return std::round(kExactly * frames) / kExactly;
 }
 
 }  // namespace clothfit

@@ -84,24 +84,6 @@ bool IsReached(const fs::path& folder, const fs::path& file) {
   return true;
 }
 
-// What a killed writer left of a file under way.
-void RemovePartFiles(const fs::path& folder, const std::set<std::string>& files) {
-  std::set<std::string> folders;
-  for (const std::string& file : files)
-    if (IsReached(folder, file)) folders.insert(fs::path(file).parent_path().string());
-  for (const std::string& one : folders) {
-    std::error_code error;
-    for (fs::directory_iterator entry(folder / one, error), end; !error && entry != end;
-         entry.increment(error)) {
-      const std::string place = PlaceOfPartFile(entry->path().filename().string());
-      std::error_code ignored;
-      if (!place.empty() && files.count((fs::path(one) / place).string()) > 0 &&
-          fs::is_regular_file(entry->symlink_status(ignored)))
-        fs::remove(entry->path(), ignored);
-    }
-  }
-}
-
 void RemoveFile(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(fs::symlink_status(file, error))) return;
@@ -173,6 +155,23 @@ std::set<std::string> FilesNamed(const fs::path& folder, const std::regex& names
       found.insert(name);
   }
   return found;
+}
+
+void RemovePartFiles(const fs::path& folder, const std::set<std::string>& files) {
+  std::set<std::string> folders;
+  for (const std::string& file : files)
+    if (IsReached(folder, file)) folders.insert(fs::path(file).parent_path().string());
+  for (const std::string& one : folders) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder / one, error), end; !error && entry != end;
+         entry.increment(error)) {
+      const std::string place = PlaceOfPartFile(entry->path().filename().string());
+      std::error_code ignored;
+      if (!place.empty() && files.count((fs::path(one) / place).string()) > 0 &&
+          fs::is_regular_file(entry->symlink_status(ignored)))
+        fs::remove(entry->path(), ignored);
+    }
+  }
 }
 
 void RemoveWritten(const fs::path& folder, const std::set<std::string>& files) {

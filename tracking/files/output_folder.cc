@@ -14,6 +14,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* kImports = "import ";  // how the commands begin that add to a recording
 
+// What a writer leaves that was killed before the folder had its first manifest.
+bool IsPartOfManifest(const fs::path& file) {
+  return PlaceOfPartFile(file.filename().string()) == kManifestFile;
+}
+
 // True where there is nothing, or an empty folder.
 bool IsFree(const fs::path& folder) {
   std::error_code error;
@@ -24,7 +29,7 @@ bool IsFree(const fs::path& folder) {
   if (!fs::is_directory(status)) throw InputError(folder.string(), "is a file; expected a folder");
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    if (entry->path().filename() != kLockFile) return false;
+    if (entry->path().filename() != kLockFile && !IsPartOfManifest(entry->path())) return false;
   }
   if (error) throw InputError(folder.string(), "cannot be read: " + error.message());
   return true;
@@ -64,6 +69,10 @@ OutputFolder::OutputFolder(fs::path folder, FolderKind kind, std::string command
   const std::optional<Manifest> manifest = Look();  // now that nobody else changes it
   was_there_ = manifest.has_value();
   manifest_ = manifest.value_or(Manifest{kind_, {}});
+  if (existing_ == Existing::kJoin) return;  // others may be writing
+  std::set<std::string> unfinished = {kManifestFile};
+  if (existing_ == Existing::kResume) unfinished.merge(manifest_.All());
+  RemovePartFiles(path_, unfinished);
 }
 
 OutputFolder::~OutputFolder() {

@@ -183,6 +183,32 @@ TEST_F(OutputFolderTest, TidiesUpAfterAKilledWriter) {
 }
 
 // Recordings are put together by several imports.
+TEST_F(OutputFolderTest, BeginsWhereAWriterWasKilledBeforeItsFirstManifest) {
+  const fs::path begun = test_.path() / "begun";
+  const std::string part = std::string(".") + kManifestFile + ".a1b2c3.part";
+  for (const Existing existing : {Existing::kRefuse, Existing::kReplace, Existing::kResume}) {
+    fs::remove_all(begun);
+    test_.Write("begun/" + part, "half of it");
+    WriteFolder(begun, FolderKind::kRun, existing, {{"a.csv", "new"}});
+    EXPECT_FALSE(fs::exists(begun / part));
+    EXPECT_EQ(ReadTextFile(begun / "a.csv"), "new");
+  }
+  fs::remove_all(begun);
+  test_.Write("begun/.mine.csv.a1b2c3.part", "mine");
+  EXPECT_THAT(ErrorOf(begun, FolderKind::kRun, Existing::kRefuse), HasSubstr("is not empty"));
+}
+
+TEST_F(OutputFolderTest, ResumesWithoutWhatAKilledWriterLeft) {
+  test_.Write("run/.a.csv.a1b2c3.part", "half of it");
+  test_.Write("run/deep/er/.b.csv.a1b2c3.part", "half of it");
+  test_.Write("run/.mine.csv.a1b2c3.part", "mine");
+  const OutputFolder resumed(place(), FolderKind::kRun, "fit", Existing::kResume);
+  EXPECT_FALSE(Has(".a.csv.a1b2c3.part"));
+  EXPECT_FALSE(Has("deep/er/.b.csv.a1b2c3.part"));
+  EXPECT_EQ(Read(".mine.csv.a1b2c3.part"), "mine");
+  EXPECT_EQ(Read("a.csv"), "a");
+}
+
 TEST(RecordingFolder, TakesMoreFilesAndReplacesImportedOnesOnly) {
   const TestFolder test;
   const fs::path place = test.path() / "rec";
