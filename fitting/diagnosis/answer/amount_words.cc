@@ -48,6 +48,16 @@ bool IsPlace(const std::vector<EffectParameter>& shapes, std::size_t first) {
   return true;
 }
 
+// With a direction where there is one; empty where they are several.
+std::string AsOneNumber(const std::vector<EffectParameter>& amounts) {
+  if (IsTilt(amounts)) return Alone(SizeOf(amounts));
+  if (!IsVector(amounts)) return "";
+  const EffectParameter size = SizeOf(amounts);
+  if (!(size.value > 0.0)) return Alone(size);
+  const Eigen::Vector3d along(amounts[0].value, amounts[1].value, amounts[2].value);
+  return Alone(size) + " along " + DirectionText(along / size.value);
+}
+
 }  // namespace
 
 std::string Alone(const EffectParameter& p) {
@@ -73,15 +83,6 @@ EffectParameter SizeOf(const std::vector<EffectParameter>& parts) {
   size.lower90 = std::max(0.0, size.value - std::sqrt(below));
   size.upper90 = size.value + std::sqrt(above);
   return size;
-}
-
-static std::string AsOneNumber(const std::vector<EffectParameter>& amounts) {
-  if (IsTilt(amounts)) return Alone(SizeOf(amounts));
-  if (!IsVector(amounts)) return "";
-  const EffectParameter size = SizeOf(amounts);
-  if (!(size.value > 0.0)) return Alone(size);
-  const Eigen::Vector3d along(amounts[0].value, amounts[1].value, amounts[2].value);
-  return Alone(size) + " along " + DirectionText(along / size.value);
 }
 
 std::string AmountsOfTerm(const std::vector<EffectParameter>& amounts) {
