@@ -18,12 +18,16 @@ async function pxTooWide(page) {
   const ids = await page.$$eval('section.card', (sections) => sections.map(({ id }) => id));
   assert.ok(ids.length >= 2);
   for (const id of ids) {
-    await page.evaluate((one) => document.getElementById(one).scrollIntoView(), id);
+    await page.evaluate((one) => document.getElementById(one).scrollIntoView({ behavior: 'instant' }), id);
     await page.waitForTimeout(30);
   }
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-  await page.evaluate(() => scrollTo(0, 0));
-  await page.waitForTimeout(100);
+  // What is drawn meanwhile may move the page on.
+  await page.waitForFunction(() => {
+    const isAtTop = scrollY === 0;
+    scrollTo({ top: 0, behavior: 'instant' });
+    return isAtTop;
+  }, null, { polling: 100 });
   return wide;
 }
 
@@ -58,7 +62,7 @@ async function checkFirstScreen(page, kind, name) {
     assert.ok(box && box.bottom > box.top, `${name}: ${selector} is there`);
     assert.ok(box.left >= 0 && box.right <= width + 0.5, `${name}: ${selector} is not cut off`);
     assert.ok(box.top >= 0 && box.bottom <= (selector === '.transport' ? height : lowest) + 0.5,
-      `${name}: ${selector} is on the first screen`);
+      `${name}: ${selector} is on the first screen (${box.top.toFixed(0)} to ${box.bottom.toFixed(0)} of ${lowest.toFixed(0)} px)`);
   }
 }
 
