@@ -6,6 +6,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/files/npy_file.h"
+#include "fitting/report/markdown_blocks.h"
 #include "fitting/report/record_file.h"
 #include "tracking/text/text.h"
 
@@ -31,12 +32,6 @@ void CheckFiles(const DiagnosisRecord& record) {
   if (!record.effects.empty()) RequireFile(record.folder / "model.npy", kWholeDiagnosis);
 }
 
-// What diagnoses of 0.1.0 have for a headline.
-std::string FirstSentence(const std::string& words) {
-  const std::size_t end = words.find(". ");
-  return end == std::string::npos ? words : words.substr(0, end + 1);
-}
-
 }  // namespace
 
 DiagnosisRecord ReadDiagnosisRecord(const fs::path& folder) {
@@ -49,7 +44,8 @@ DiagnosisRecord ReadDiagnosisRecord(const fs::path& folder) {
       throw InputError(file.string(), std::string("has another format; expected ") + kFormat);
     record.verdict = record.json.at("verdict").get<std::string>();
     record.words = Typeset(record.json.at("words").get<std::string>());
-    record.headline = Typeset(record.json.value("headline", FirstSentence(record.words)));
+    // Diagnoses of 0.1.0 have none.
+    record.headline = Typeset(record.json.value("headline", FirstSentence(record.words).first));
     record.effects = record.json.at("effects").get<std::vector<std::string>>();
     record.confidence_set = record.json.at("ambiguity").get<std::vector<std::string>>();
     CheckFiles(record);

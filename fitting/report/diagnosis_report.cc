@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 #include "fitting/report/diagnosis_record.h"
 #include "fitting/report/diagnosis_sections.h"
 #include "fitting/report/kinds.h"
+#include "fitting/report/markdown_blocks.h"
 #include "fitting/report/scene_page.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/outliers/swapped_markers.h"
@@ -57,16 +59,16 @@ Grade GradeOf(const DiagnosisRecord& record) {
   return record.verdict == "observation fault" ? Grade::kPartial : Grade::kPoor;
 }
 
-// What follows the headline, as its sentences: a full stop within a number is followed by no blank.
+// What follows the headline, as its sentences.
 std::vector<std::string> Sentences(const DiagnosisRecord& record) {
   const std::string& words = record.words;
   const bool has_headline = words.rfind(record.headline, 0) == 0;
   std::vector<std::string> sentences;
-  for (std::size_t begin = has_headline ? record.headline.size() + 1 : 0; begin < words.size();) {
-    const std::size_t stop = words.find(". ", begin);
-    const std::size_t end = stop == std::string::npos ? words.size() : stop + 1;
-    sentences.push_back(words.substr(begin, end - begin));
-    begin = end + 1;
+  const std::size_t begin = has_headline ? record.headline.size() + 1 : 0;
+  for (std::string rest = words.substr(std::min(begin, words.size())); !rest.empty();) {
+    auto [first, others] = FirstSentence(rest);
+    sentences.push_back(std::move(first));
+    rest = std::move(others);
   }
   return sentences;
 }

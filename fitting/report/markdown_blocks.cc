@@ -181,6 +181,12 @@ Cells SplitCsv(const std::string& line) {
 
 }  // namespace
 
+std::pair<std::string, std::string> FirstSentence(const std::string& paragraph) {
+  const std::size_t stop = paragraph.find(". ");
+  if (stop == std::string::npos) return {paragraph, ""};
+  return {paragraph.substr(0, stop + 1), paragraph.substr(stop + 2)};
+}
+
 MarkdownPage ParseMarkdown(const std::string& text) { return MarkdownReader(text).Read(); }
 
 ReportJson CsvTable(const std::string& text, const std::string& title, std::size_t most,

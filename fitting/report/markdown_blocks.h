@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fitting/report/report_sections.h"
@@ -19,6 +20,10 @@ struct MarkdownPage {
   ReportJson blocks = ReportJson::array();
 };
 MarkdownPage ParseMarkdown(const std::string& text);
+
+// The first full sentence, and what is left of the paragraph. A full stop within a number is
+// followed by no blank.
+std::pair<std::string, std::string> FirstSentence(const std::string& paragraph);
 
 // The first `most` rows of comma separated values, quotes understood, as a table that can be
 // sorted. Numbers are numbers. `num_rows`: how many there are. Null where the text holds no header.

@@ -113,13 +113,6 @@ void AddConditions(const fs::path& folder, Study* study) {
   study->sections.push_back(SectionOf("configuration", "Conditions", blocks));
 }
 
-// The first full sentence, and what is left of the paragraph.
-std::pair<std::string, std::string> FirstSentence(const std::string& paragraph) {
-  const std::size_t stop = paragraph.find(". ");
-  if (stop == std::string::npos) return {paragraph, ""};
-  return {paragraph.substr(0, stop + 1), paragraph.substr(stop + 2)};
-}
-
 // In a study's text tables come first and what they come to after them: that is the verdict, and
 // what stands before them tells what was measured.
 PageVerdict VerdictOf(const std::vector<MarkdownPage>& pages) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <optional>
+#include <regex>
 #include <string>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "fitting/diagnosis/fitted/kept_fit.h"
 #include "fitting/files/sha256.h"
 #include "fitting/fit/fit_inputs.h"
+#include "tracking/files/manifest.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/text/json_text.h"
 
@@ -86,13 +88,9 @@ FitResult FitRunner::UnderWay::Once(const std::string& key, const std::function<
 }
 
 void RemovePartsOfKeptFits(const fs::path& folder) {
-  std::error_code error;
-  for (fs::directory_iterator file(folder, error), end; !error && file != end;
-       file.increment(error)) {
-    const fs::path place = PlaceOfPartFile(file->path().filename().string());
+  for (const std::string& name : FilesNamed(folder, std::regex(R"(\..*\.part)"))) {
     std::error_code ignored;
-    if (place.extension() == kEnding && fs::is_regular_file(file->symlink_status(ignored)))
-      fs::remove(file->path(), ignored);
+    if (fs::path(PlaceOfPartFile(name)).extension() == kEnding) fs::remove(folder / name, ignored);
   }
 }
 
