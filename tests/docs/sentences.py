@@ -29,6 +29,7 @@ SOURCES = (
     ("fitting/diagnosis/compare/separating_motion.cc", None, None),
     ("fitting/diagnosis/locate/discrepancy_text.cc", None, None),
     ("tracking/recording/warnings.cc", None, None),
+    ("tracking/recording/placement_warning.cc", None, None),
     ("tracking/recording/point_warnings.cc", None, None),
     ("tracking/outliers/outliers.cc", None, None),
     ("tracking/outliers/swapped_markers.cc", None, None),

@@ -107,31 +107,6 @@ void WarnOfJumps(const Recording& recording, std::vector<std::string>* warnings)
   }
 }
 
-void WarnOfInitialPlacement(const Recording& recording, std::vector<std::string>* warnings) {
-  if (std::holds_alternative<MeshPlacement>(recording.cloth.initial)) return;
-  const std::map<int, std::vector<WatchedPoint>> seen = WatchedPoints(recording);
-  const double limit = 0.05 * recording.cloth.size.maxCoeff();
-  if (seen.count(0) != 0) {
-    const std::vector<WatchedPoint>& points = seen.at(0);
-    std::vector<Eigen::Vector2d> uv;
-    for (const WatchedPoint& point : points) uv.push_back(point.uv);
-    const std::vector<Eigen::Vector3d> placed = InitialPositions(recording, uv);
-    int count = 0;
-    std::string first;
-    for (size_t i = 0; i < points.size(); ++i) {
-      const double distance = (placed[i] - points[i].position).norm();
-      if (distance <= limit + 3.0 * points[i].sigma || count++ != 0) continue;
-      first = fmt::format("{}, {:.3f} m", points[i].label, distance);
-    }
-    if (count > 0) {
-      warnings->push_back(
-          fmt::format("{} points at frame 0 are far from the initial placement "
-                      "(first: {})",
-                      count, first));
-    }
-  }
-}
-
 void WarnOfInitialStretch(const Recording& recording, std::vector<std::string>* warnings) {
   const auto* placement = std::get_if<PointPlacement>(&recording.cloth.initial);
   if (placement == nullptr) return;
@@ -175,7 +150,6 @@ void WarnOfGround(const Recording& recording, std::vector<std::string>* warnings
 void WarnOfPoints(const Recording& recording, std::vector<std::string>* warnings) {
   WarnOfStretch(recording, warnings);
   WarnOfJumps(recording, warnings);
-  WarnOfInitialPlacement(recording, warnings);
   WarnOfInitialStretch(recording, warnings);
   WarnOfGround(recording, warnings);
 }

@@ -14,7 +14,7 @@ namespace clothfit {
 inline constexpr double kUnlikelyStretch = 1.1;  // more than cloth is likely to stretch
 
 // Appends one line for each kind of oddity: points farther apart than the cloth allows, markers
-// that jump or change their (u, v), points far from the initial placement, cloth below the ground.
+// that jump or change their (u, v), a stretched start, cloth below the ground.
 void WarnOfPoints(const Recording& recording, std::vector<std::string>* warnings);
 
 }  // namespace clothfit

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "tracking/recording/placement_warning.h"
 #include "tracking/recording/point_warnings.h"
 #include "tracking/recording/summary.h"
 
@@ -167,6 +168,7 @@ std::vector<std::string> Warnings(const Recording& recording) {
   std::vector<std::string> warnings;
   const Coverage coverage = FindCoverage(recording);
   WarnOfCoverage(recording, coverage, &warnings);
+  WarnOfPlacement(recording, &warnings);
   WarnOfPoints(recording, &warnings);
   WarnOfHandles(recording, &warnings);
   WarnOfCameras(recording, &warnings);

@@ -110,9 +110,10 @@ INSTANTIATE_TEST_SUITE_P(
                "markers jump 1 times between frames (first: marker 2 by 0.610 m to frame 2)"},
         Oddity{"MovingUv", [](Recording* r) { r->markers[8].uv.x() += 0.01; },
                "1 markers change their (u, v) between frames (first: marker 2)"},
-        Oddity{"FarFromInitial",
-               [](Recording* r) { std::get<FlatPlacement>(r->cloth.initial).origin.z() = 0.1; },
-               "4 points at frame 0 are far from the initial placement (first: marker 0, 0.100 m)"},
+        Oddity{
+            "FarFromInitial",
+            [](Recording* r) { std::get<FlatPlacement>(r->cloth.initial).origin.z() = 0.1; },
+            "handle corner: its path begins 0.100 m from where the cloth's start has its (u, v)"},
         Oddity{"StretchedInitial",
                [](Recording* r) {
                  r->cloth.initial = PointPlacement{
