@@ -224,6 +224,8 @@ PageVerdict JudgeFit(const VerdictFacts& facts) {
   if (const ErrorChange* const fitted = Find(facts, kind, false)) {
     verdict.sentences.push_back(FittedSentence(*fitted));
   }
+  if (!facts.lack_of_support.empty() && verdict.grade != Grade::kGood)
+    verdict.sentences.push_back(AsSentence(facts.lack_of_support));
   if (const std::optional<double> ratio = HeldOutRatio(facts)) {
     verdict.sentences.push_back(HeldOutSentence(*Find(facts, kind, true), *ratio));
   }

@@ -12,6 +12,7 @@
 #include "tracking/files/whole_file.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/outliers/swapped_markers.h"
+#include "tracking/recording/support.h"
 
 namespace clothfit {
 namespace {
@@ -130,6 +131,7 @@ Json SummaryAsJson(const Scene& scene, const FitConfig& config, const FitResult&
   json["misfit"] = MisfitAsJson(result.misfit);
   json["put_right"] = DescribeSwaps(scene.recording);
   json["left_out"] = LeftOutAsJson(scene.recording);
+  json["lack_of_support"] = DescribeLackOfSupport(scene.recording);
   json["unknown_in_held_out_frames"] = HandlesUnknownInHeldOutFrames(scene);
   json["statements"] = result.statements;
   json["parameters"] = EstimatesAsJson(result);

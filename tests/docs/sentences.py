@@ -31,6 +31,7 @@ SOURCES = (
     ("tracking/recording/warnings.cc", None, None),
     ("tracking/recording/placement_warning.cc", None, None),
     ("tracking/recording/point_warnings.cc", None, None),
+    ("tracking/recording/support.cc", None, None),
     ("tracking/outliers/outliers.cc", None, None),
     ("tracking/outliers/swapped_markers.cc", None, None),
     ("tracking/import/c3d.cc", "void FitFile(", None),

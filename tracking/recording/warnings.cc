@@ -10,6 +10,7 @@
 #include "tracking/recording/placement_warning.h"
 #include "tracking/recording/point_warnings.h"
 #include "tracking/recording/summary.h"
+#include "tracking/recording/support.h"
 
 namespace clothfit {
 namespace {
@@ -39,13 +40,8 @@ void WarnOfHandles(const Recording& recording, std::vector<std::string>* warning
                                       handle.name, kDefaultPathSigma));
     }
   }
-  if (recording.handles.empty() && !recording.ground_height) {
-    warnings->emplace_back("there is neither a handle nor ground: the cloth falls freely");
-  }
-  if (recording.handles.empty() && recording.obstacles.empty() && recording.ground_height) {
-    warnings->emplace_back(
-        "there is no handle and no obstacle: nothing moves the cloth but its fall to the ground");
-  }
+  std::string lack = DescribeLackOfSupport(recording);
+  if (!lack.empty()) warnings->push_back(std::move(lack));
 }
 
 void WarnOfScene(const Recording& recording, std::vector<std::string>* warnings) {

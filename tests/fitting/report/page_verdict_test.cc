@@ -58,6 +58,12 @@ TEST(PageVerdict, IsNoBetterThanItsWorstPart) {
   EXPECT_THAT(JudgeFit(unfinished).sentences, Contains("The fit came to rest where it did."));
   EXPECT_THAT(JudgeFit(unfinished).sentences, Not(Contains(HasSubstr("it may get better"))));
 
+  VerdictFacts falling = GoodFacts();
+  falling.lack_of_support = "nothing holds it";
+  EXPECT_THAT(JudgeFit(falling).sentences, Not(Contains("Nothing holds it.")));  // it did fall
+  falling.noise_factor = 20.0;
+  EXPECT_THAT(JudgeFit(falling).sentences, Contains("Nothing holds it."));
+
   VerdictFacts broken = GoodFacts();
   broken.simulated_frames = 12;
   EXPECT_EQ(JudgeFit(broken).grade, Grade::kPoor);

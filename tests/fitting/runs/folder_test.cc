@@ -225,6 +225,7 @@ TEST_F(RunOfScene, SummarisesWithNullForWhatIsNotKnown) {
   EXPECT_TRUE(json.at("before").at("fit").at("track_rms_px").is_null());
   EXPECT_TRUE(json.at("cost").at("after").is_null());
   EXPECT_EQ(json.at("frames").at("fitted"), 4);
+  EXPECT_EQ(json.at("lack_of_support"), "");
   EXPECT_EQ(json.at("statements")[0], "say \"this\"");
   EXPECT_EQ(json.at("parameters").at("a.b").at("interval")[0], 1.5);
   EXPECT_TRUE(json.at("parameters").at("a.b").at("interval")[1].is_null());

@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
                  r->obstacles.clear();
                  r->ground_height = -1.0;
                },
-               "there is no handle and no obstacle"},
+               "there is no handle, and no obstacle under the cloth"},
         Oddity{"BelowGround", [](Recording* r) { r->ground_height = 0.05; },
                "the initial placement reaches 0.0500 m below the ground"},
         Oddity{"GapInPath", [](Recording* r) { (*r->handles[0].path)[1] = std::nullopt; },

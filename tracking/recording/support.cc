@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tracking/recording/support.h"
+
+#include <algorithm>
+
+#include "autodiff_sim/mesh/obj_file.h"
+#include "tracking/recording/initial_placement.h"
+
+namespace clothfit {
+namespace {
+
+struct BoundingSphere {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // m, world
+  double radius = 0.0;                               // m
+};
+
+// m, how far a shape extends from its origin.
+double ReachOf(const BallShape& ball) { return ball.radius; }
+double ReachOf(const BarShape& bar) { return bar.radius + 0.5 * bar.length; }
+double ReachOf(const BoxShape& box) { return 0.5 * box.size.norm(); }
+double ReachOf(const MeshShape& mesh) {
+  double farthest = 0.0;
+  for (const Eigen::Vector3d& vertex : ReadObjSurface(mesh.file.string()).positions)
+    farthest = std::max(farthest, vertex.norm());
+  return farthest;
+}
+
+BoundingSphere SphereOf(const PlacedCloth& cloth) {
+  const Eigen::Map<const Eigen::Matrix3Xd> particles(cloth.x.data(), 3, cloth.x.size() / 3);
+  BoundingSphere sphere{particles.rowwise().mean(), 0.0};
+  sphere.radius = (particles.colwise() - sphere.centre).colwise().norm().maxCoeff();
+  return sphere;
+}
+
+bool MayCatch(const ObstacleDescription& obstacle, const BoundingSphere& cloth,
+              const Eigen::Vector3d& gravity) {
+  if (obstacle.path.size() > 1) return true;
+  const Eigen::Vector3d offset = obstacle.path.front().position - cloth.centre;
+  const Eigen::Vector3d down = gravity.normalized();
+  const double below = offset.dot(down), beside = (offset - below * down).norm();
+  const double reach =
+      cloth.radius + std::visit([](const auto& shape) { return ReachOf(shape); }, obstacle.shape);
+  return beside <= reach && below >= -reach;
+}
+
+}  // namespace
+
+std::string DescribeLackOfSupport(const Recording& recording) {
+  if (!recording.handles.empty()) return "";
+  if (!recording.obstacles.empty()) {
+    const BoundingSphere cloth = SphereOf(PlaceCloth(recording));
+    const auto may_catch = [&](const ObstacleDescription& obstacle) {
+      return MayCatch(obstacle, cloth, recording.gravity);
+    };
+    if (std::any_of(recording.obstacles.begin(), recording.obstacles.end(), may_catch)) return "";
+  }
+  if (!recording.ground_height)
+    return "there is neither a handle nor ground, nor an obstacle under the cloth: it falls freely";
+  return "there is no handle, and no obstacle under the cloth: nothing moves it but its fall to "
+         "the "
+         "ground";
+}
+
+}  // namespace clothfit
