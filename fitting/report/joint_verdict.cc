@@ -138,8 +138,7 @@ PageVerdict JudgeJointFit(const Json& summary) {
   if (!rugged_cost.empty()) {
     verdict.sentences.push_back(AsSentence(rugged_cost));
   } else if (status != "converged") {
-    verdict.sentences.push_back("The fit ended without converging (" + status +
-                                "): it may get better.");
+    verdict.sentences.push_back(SayHowItEnded(status));
   }
   return verdict;
 }

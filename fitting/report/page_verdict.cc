@@ -162,8 +162,7 @@ std::vector<std::string> Reservations(const VerdictFacts& facts) {
   if (!facts.rugged_cost.empty()) {
     sentences.push_back(AsSentence(facts.rugged_cost));
   } else if (facts.status != "converged") {
-    sentences.push_back("The fit ended without converging (" + facts.status +
-                        "): it may get better.");
+    sentences.push_back(SayHowItEnded(facts.status));
   }
   if (!ReachesTheEnd(facts)) {
     sentences.push_back(fmt::format("Only {} of {} frames could be simulated.",
@@ -213,6 +212,12 @@ std::string ToString(Grade grade) {
       break;
   }
   return "poor";
+}
+
+std::string SayHowItEnded(const std::string& status) {
+  if (status == "failed") return "The fit failed.";
+  if (status == "interrupted") return "The fit was interrupted: it may get better.";
+  return "The fit has not converged: it may get better.";
 }
 
 PageVerdict JudgeFit(const VerdictFacts& facts) {

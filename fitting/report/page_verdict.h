@@ -46,6 +46,9 @@ struct PageVerdict {
 };
 std::string ToString(PageVerdict::Grade grade);
 
+// A sentence on a fit whose status, as summary.json has it, is not "converged".
+std::string SayHowItEnded(const std::string& status);
+
 // Good: converged, residuals that noise alone may leave (Misfit::IsNoise; of outlines within 1.5
 // times the stated noise), and held-out errors within 1.5 times the fitted ones, where those can be
 // judged. Partial: within 5 and 2.5 times, and better than the start. Else poor. Of a recording

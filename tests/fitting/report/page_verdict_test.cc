@@ -53,10 +53,18 @@ TEST(PageVerdict, IsNoBetterThanItsWorstPart) {
   VerdictFacts unfinished = GoodFacts();
   unfinished.status = "not converged";
   EXPECT_EQ(JudgeFit(unfinished).grade, Grade::kPartial);
-  EXPECT_THAT(JudgeFit(unfinished).sentences, Contains(HasSubstr("without converging")));
+  EXPECT_THAT(JudgeFit(unfinished).sentences,
+              Contains("The fit has not converged: it may get better."));
   unfinished.rugged_cost = "the fit came to rest where it did";
   EXPECT_THAT(JudgeFit(unfinished).sentences, Contains("The fit came to rest where it did."));
   EXPECT_THAT(JudgeFit(unfinished).sentences, Not(Contains(HasSubstr("it may get better"))));
+
+  VerdictFacts stopped = GoodFacts();
+  stopped.status = "interrupted";
+  EXPECT_THAT(JudgeFit(stopped).sentences, Contains("The fit was interrupted: it may get better."));
+  stopped.status = "failed";
+  EXPECT_THAT(JudgeFit(stopped).sentences, Contains("The fit failed."));
+  EXPECT_THAT(JudgeFit(stopped).sentences, Not(Contains(HasSubstr("it may get better"))));
 
   VerdictFacts falling = GoodFacts();
   falling.lack_of_support = "nothing holds it";
