@@ -19,6 +19,7 @@
 #include "apps/help_text.h"
 #include "apps/manual_pages_command.h"
 #include "apps/memory_limit.h"
+#include "apps/option_errors.h"
 #include "apps/signals.h"
 #include "apps/terminal.h"
 #include "apps/version_text.h"
@@ -92,6 +93,7 @@ int Run(int argc, char** argv) {
   CLI::App app("fits a simulated cloth to recordings of a real one", "clothfit");
   Action action;
   DeclareCommands(&app, &action);
+  RefuseWhatIsNotFinite(&app);
   if (argc == 3 && std::string(argv[1]) == "manual-pages") return WriteManualPages(app, argv[2]);
   const std::vector<std::string> words = CompleteCommands(app, {argv + 1, argv + argc});
   try {

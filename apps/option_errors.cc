@@ -3,6 +3,8 @@
 #include "apps/option_errors.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -61,11 +63,26 @@ std::string DescribePair(const CLI::App& command, const Words& words) {
   return "";
 }
 
-// Of "N", "NU NV" and the like, what the help calls numbers that count something.
-bool AreWholeNumbers(const CLI::Option& option) {
-  const Words names = {"N", "N ...", "NU NV", "A B", "K", "PX"};
+// Whether the help calls the option's values one of these.
+bool IsCalled(const CLI::Option& option, const Words& names) {
   const std::string type = option.get_type_name();
   return std::find(names.begin(), names.end(), type.substr(0, type.find(':'))) != names.end();
+}
+
+// Numbers that count something, and all others.
+bool AreWholeNumbers(const CLI::Option& option) {
+  return IsCalled(option, {"N", "N ...", "NU NV", "A B", "K", "PX", "W H"});
+}
+bool AreOtherNumbers(const CLI::Option& option) {
+  return IsCalled(option, {"DEGREES", "HZ", "KG/M2", "M", "MB", "S", "S11 .. S44", "SHARE", "U V",
+                           "V", "W", "X Y Z"});
+}
+
+// "inf", "nan" and "1e999", which CLI11 takes for numbers.
+bool IsNotFinite(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return end != text.c_str() && *end == '\0' && !std::isfinite(value);
 }
 
 // "a number", "2 whole numbers".
@@ -136,6 +153,20 @@ std::string DescribeOptionError(const CLI::App& command, const CLI::ParseError& 
   if (Is<CLI::ConversionError>(error)) return name + ": " + DescribeKind(*option);
   if (Is<CLI::ArgumentMismatch>(error)) return name + ": " + DescribeNumber(*option);
   return name + text.substr(option->get_name().size());
+}
+
+void RefuseWhatIsNotFinite(CLI::App* app) {
+  for (CLI::App* command : app->get_subcommands([](CLI::App*) { return true; }))
+    RefuseWhatIsNotFinite(command);
+  for (CLI::Option* option : app->get_options()) {
+    const bool are_whole = AreWholeNumbers(*option);
+    if (!are_whole && !AreOtherNumbers(*option)) continue;
+    const char* const expected = are_whole ? "a whole number" : "a finite number";
+    const auto problem = [expected](const std::string& text) {
+      return IsNotFinite(text) ? text + "; expected " + expected : "";
+    };
+    option->check(CLI::Validator(problem, ""));
+  }
 }
 
 void RefuseValuesOfFlags(const CLI::App& command, const Words& words) {

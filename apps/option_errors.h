@@ -16,6 +16,10 @@ namespace clothfit {
 std::string DescribeOptionError(const CLI::App& command, const CLI::ParseError& error,
                                 const std::vector<std::string>& words);
 
+// Has all commands refuse "inf", "nan" and "1e999" for numbers, which are those options whose type
+// the help calls by one of the names of numbers. To be called once all options are there.
+void RefuseWhatIsNotFinite(CLI::App* app);
+
 // Throws InputError where a flag is given a value, as in --force=3, which CLI11 takes for anything.
 void RefuseValuesOfFlags(const CLI::App& command, const std::vector<std::string>& words);
 
