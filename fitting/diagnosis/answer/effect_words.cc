@@ -65,6 +65,11 @@ std::string FaultInBrief(const std::vector<EffectParameter>& amounts) {
   return words;
 }
 
+void AddUnlessTold(const std::string& part, const std::string& told, std::string* words) {
+  if (told.find(" " + part) != std::string::npos) return;
+  *words += (words->empty() ? "" : ", ") + part;
+}
+
 }  // namespace
 
 std::string InBrief(const std::string& effect, const std::vector<EffectParameter>& parameters) {
@@ -88,20 +93,24 @@ std::string PlainNames(const std::vector<std::string>& effects) {
 }
 
 std::string AmountsInWords(const std::vector<std::string>& effects,
-                           const std::vector<EffectParameter>& parameters) {
+                           const std::vector<EffectParameter>& parameters,
+                           const std::string& told) {
   std::string words;
   for (const std::string& effect : effects) {
     const bool is_term = TermNamed(effect).has_value();
     const OwnParameters own = OwnOf(effect, parameters);
     if (own.amounts.empty()) continue;
-    std::string of_effect = is_term ? AmountsOfTerm(own.amounts) : "";
-    if (!own.shapes.empty()) of_effect += ", " + ShapesOfTerm(own.shapes);
-    if (!is_term) {
+    std::string of_effect;
+    if (is_term) {
+      AddUnlessTold(AmountsOfTerm(own.amounts), told, &of_effect);
+      if (!own.shapes.empty()) AddUnlessTold(ShapesOfTerm(own.shapes), told, &of_effect);
+    } else {
       for (const EffectParameter& p : own.amounts) {
         const std::string part(TrimBlanks(std::string_view(p.name).substr(effect.size())));
-        of_effect += (of_effect.empty() ? "" : ", ") + part + (part.empty() ? "" : " ") + Alone(p);
+        AddUnlessTold(part + (part.empty() ? "" : " ") + Alone(p), told, &of_effect);
       }
     }
+    if (of_effect.empty()) continue;
     words +=
         fmt::format("{}{}: {}.", words.empty() ? "" : " ", Capitalised(TitleOf(effect)), of_effect);
   }

@@ -24,8 +24,9 @@ std::string PlainNames(const std::vector<std::string>& effects);
 // Of all effects, "Wind: 0.56 m/s (0.51 to 0.93) along +y." and the like, one after the other, with
 // places and shapes. Velocities, forces and moments are told as one number and a direction, tilts
 // as one angle in degrees; amounts that are nothing beside the largest of their unit are left out.
-// Both ends of an interval are of 90 %.
+// Both ends of an interval are of 90 %. What stands in `told`, as InBrief has it, is not repeated.
 std::string AmountsInWords(const std::vector<std::string>& effects,
-                           const std::vector<EffectParameter>& parameters);
+                           const std::vector<EffectParameter>& parameters,
+                           const std::string& told = "");
 
 }  // namespace clothfit

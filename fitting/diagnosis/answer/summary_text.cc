@@ -29,7 +29,8 @@ std::string NameEffects(const Diagnosis& diagnosis) {
                       : is_fault ? "Put right in the observation: "
                                  : "What was left out: ";
   words += PlainNames(diagnosis.effects) + ".";
-  const std::string amounts = AmountsInWords(diagnosis.effects, answer.parameters);
+  const std::string amounts =
+      AmountsInWords(diagnosis.effects, answer.parameters, HeadlineOf(diagnosis));
   if (!amounts.empty()) words += " " + amounts;
   return words + fmt::format(" {}; the natural logarithm of the odds for it is {:.3g}.",
                              SayShare(answer), answer.log_evidence);
@@ -76,7 +77,8 @@ std::string SayOthers(const Diagnosis& diagnosis) {
   std::string words = "This recording cannot tell it from " + PlainNames(others) + ".";
   for (const std::string& other : others) {
     const Model* const model = ModelWith(diagnosis, other);
-    const std::string amounts = model ? AmountsInWords({other}, model->parameters) : "";
+    const std::string amounts =
+        model ? AmountsInWords({other}, model->parameters, HeadlineOf(diagnosis)) : "";
     if (!amounts.empty()) words += " " + amounts;
   }
   return words;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/answer/amount_words.h"
 
 namespace clothfit {
 namespace {
@@ -122,6 +123,19 @@ TEST(EffectWords, TellThePlaneThatIsTiltedByOneAngle) {
                       {"obstacle_plane.angle_2", "rad", 4.0 * degree, kUnknown, kUnknown}}),
       "Unseen plane: 5e+04 Pa/m (4e+04 to 6e+04) pressure per depth, height 0.2 m (0.1 to 0.3), "
       "turned by 5 degrees.");
+}
+
+TEST(EffectWords, RepeatNothingThatWasTold) {
+  const std::vector<EffectParameter> hem = {{"hem.low_v", "kg/m", 0.05, 0.04, 0.06}};
+  EXPECT_EQ(AmountsInWords({"hem"}, hem,
+                           "Hem of 0.05 kg/m (0.04 to 0.06) along the side of "
+                           "least v."),
+            "");
+  EXPECT_NE(AmountsInWords({"hem"}, hem, "Hem of 10.05 kg/m."), "");
+  const std::vector<EffectParameter> pose = {{"camera cam1: pose shift x", "m", 0.03, 0.02, 0.04}};
+  EXPECT_EQ(AmountsInWords({"camera cam1: pose"}, pose,
+                           "Pose of camera cam1 off by " + Alone(pose.front()) + "."),
+            "Pose of camera cam1: shift x 0.03 m (0.02 to 0.04).");
 }
 
 TEST(EffectWords, TellPlacesAfterAmountsAndFaultsAsTheyAre) {

@@ -118,7 +118,7 @@ TEST(Diagnose, ThatIsInterruptedAnswersByItsLastRound) {
   EXPECT_FALSE(diagnosis.motions.answer.empty());
   // An amount, and no interval of a search that was stopped.
   EXPECT_THAT(diagnosis.words, HasSubstr("amounts may still change, and have no intervals."));
-  EXPECT_THAT(diagnosis.words, HasSubstr("Wind: "));
+  EXPECT_THAT(diagnosis.words, HasSubstr("wind of "));
   EXPECT_THAT(diagnosis.words, testing::Not(testing::ContainsRegex("\\([-+.0-9e]+ to ")));
   ASSERT_FALSE(diagnosis.answer->parameters.empty());
   for (const EffectParameter& p : diagnosis.answer->parameters) {
