@@ -201,9 +201,14 @@ bool WarnOfKind(const Recording& recording, const std::vector<Sight>& all, const
 }
 
 void WarnOfPaths(const Recording& recording, std::vector<std::string>* warnings) {
-  for (const HandleDescription& handle : recording.handles) {
+  std::vector<Eigen::Vector2d> uv;
+  for (const HandleDescription& handle : recording.handles) uv.push_back(handle.uv);
+  if (uv.empty()) return;
+  const Places placed = PlacedAt(recording, uv);
+  for (size_t i = 0; i < uv.size(); ++i) {
+    const HandleDescription& handle = recording.handles[i];
     if (!handle.path || !handle.path->front()) continue;
-    const double off = (*handle.path->front() - PlacedAt(recording, {handle.uv}).front()).norm();
+    const double off = (*handle.path->front() - placed[i]).norm();
     const double noise = 3.0 * handle.path_sigma.value_or(kDefaultPathSigma);
     if (off <= Tolerance(recording) + noise) continue;
     warnings->push_back(fmt::format(

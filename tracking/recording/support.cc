@@ -3,8 +3,9 @@
 #include "tracking/recording/support.h"
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
-#include "autodiff_sim/mesh/obj_file.h"
 #include "tracking/recording/initial_placement.h"
 
 namespace clothfit {
@@ -15,21 +16,21 @@ struct BoundingSphere {
   double radius = 0.0;                               // m
 };
 
-// m, how far a shape extends from its origin.
+// m, how far a shape extends from its origin; of a mesh only its file knows.
 double ReachOf(const BallShape& ball) { return ball.radius; }
 double ReachOf(const BarShape& bar) { return bar.radius + 0.5 * bar.length; }
 double ReachOf(const BoxShape& box) { return 0.5 * box.size.norm(); }
-double ReachOf(const MeshShape& mesh) {
-  double farthest = 0.0;
-  for (const Eigen::Vector3d& vertex : ReadObjSurface(mesh.file.string()).positions)
-    farthest = std::max(farthest, vertex.norm());
-  return farthest;
-}
+double ReachOf(const MeshShape&) { return std::numeric_limits<double>::infinity(); }
 
-BoundingSphere SphereOf(const PlacedCloth& cloth) {
-  const Eigen::Map<const Eigen::Matrix3Xd> particles(cloth.x.data(), 3, cloth.x.size() / 3);
-  BoundingSphere sphere{particles.rowwise().mean(), 0.0};
-  sphere.radius = (particles.colwise() - sphere.centre).colwise().norm().maxCoeff();
+// Of the corners, which a fold or a wave hardly leaves.
+BoundingSphere SphereOf(const Recording& recording) {
+  const Eigen::Vector2d& size = recording.cloth.size;
+  const std::vector<Eigen::Vector3d> corners =
+      InitialPositions(recording, {{0.0, 0.0}, {size.x(), 0.0}, {0.0, size.y()}, size});
+  BoundingSphere sphere;
+  for (const Eigen::Vector3d& corner : corners) sphere.centre += 0.25 * corner;
+  for (const Eigen::Vector3d& corner : corners)
+    sphere.radius = std::max(sphere.radius, (corner - sphere.centre).norm());
   return sphere;
 }
 
@@ -49,7 +50,8 @@ bool MayCatch(const ObstacleDescription& obstacle, const BoundingSphere& cloth,
 std::string DescribeLackOfSupport(const Recording& recording) {
   if (!recording.handles.empty()) return "";
   if (!recording.obstacles.empty()) {
-    const BoundingSphere cloth = SphereOf(PlaceCloth(recording));
+    if (std::holds_alternative<MeshPlacement>(recording.cloth.initial)) return "";
+    const BoundingSphere cloth = SphereOf(recording);
     const auto may_catch = [&](const ObstacleDescription& obstacle) {
       return MayCatch(obstacle, cloth, recording.gravity);
     };
@@ -57,9 +59,8 @@ std::string DescribeLackOfSupport(const Recording& recording) {
   }
   if (!recording.ground_height)
     return "there is neither a handle nor ground, nor an obstacle under the cloth: it falls freely";
-  return "there is no handle, and no obstacle under the cloth: nothing moves it but its fall to "
-         "the "
-         "ground";
+  return "there is no handle, and no obstacle under the cloth: nothing moves it but its "
+         "fall to the ground";
 }
 
 }  // namespace clothfit

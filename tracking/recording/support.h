@@ -13,7 +13,7 @@ namespace clothfit {
 // What is missing, in words that begin a line: without a handle a cloth only falls, freely where
 // neither ground nor an obstacle can catch it. Empty where there is a handle, or an obstacle that
 // may catch it. An obstacle that moves, or whose bounding sphere is below that of the cloth or in
-// it, may. Throws InputError where a mesh file cannot be used.
+// it, may; so may any where it, or the cloth, is a mesh. No file is read.
 std::string DescribeLackOfSupport(const Recording& recording);
 
 }  // namespace clothfit

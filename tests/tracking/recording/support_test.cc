@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/recording/support.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "tests/support/test_folder.h"
 
 namespace clothfit {
 namespace {
@@ -53,11 +52,13 @@ TEST(LackOfSupport, KnowsAnObstacleThatMayCatchIt) {
   expect({"bar", BarShape{0.02, 0.3}, {{{0.5, 0, 0.2}, {0, 1.57, 0}}}}, false);
   expect({"box", BoxShape{{0.4, 0.4, 0.1}}, {{{0.5, 0, 0.2}, {0, 0, 0}}}}, true);
   expect({"box", BoxShape{{0.1, 0.1, 0.1}}, {{{0.5, 0, 0.2}, {0, 0, 0}}}}, false);
-  const TestFolder folder;
-  const MeshShape sail{folder.Write("sail.obj", "v 0 0 0\nv -0.3 0 0\nv 0 0.3 0\nf 1 2 3\n")};
-  expect({"sail", sail, {{{0.5, 0, 0.2}, {0, 0, 0}}}}, true);
-  expect({"sail", sail, {{{0.7, 0, 0.2}, {0, 0, 0}}}}, false);
-  EXPECT_EQ(checked, 11);
+  expect({"bust", MeshShape{"bust.obj"}, {{{0.5, 0, 0.2}, {0, 0, 0}}}}, true);
+  EXPECT_EQ(checked, 10);
+  Recording mesh = FallingCloth();
+  mesh.cloth.initial = MeshPlacement{"cloth.obj"};
+  EXPECT_THAT(DescribeLackOfSupport(mesh), HasSubstr("it falls freely"));
+  mesh.obstacles = {Ball({0.5, 0, 0.2})};
+  EXPECT_EQ(DescribeLackOfSupport(mesh), "");
 }
 
 }  // namespace
