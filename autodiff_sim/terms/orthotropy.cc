@@ -13,11 +13,15 @@ std::vector<StretchOrthotropy::Element> StretchOrthotropy::Elements(const TermCo
 
 std::vector<ShearOrthotropy::Element> ShearOrthotropy::Elements(const TermContext& context) {
   std::vector<Element> elements;
-  for (const Spring& spring : context.topology.shear) {
-    const Eigen::Vector2d along =
-        context.mesh.uv[spring.nodes[1]] - context.mesh.uv[spring.nodes[0]];
-    // Half the sine of twice the angle to the warp: 1/2 on one bias and -1/2 on the other.
-    elements.push_back({spring.nodes, spring, along.x() * along.y() / along.squaredNorm()});
+  for (const BiasSprings& springs : PairBiasSprings(context)) {
+    Element element = {springs.nodes, springs, {}};
+    for (int i = 0; i < springs.springs; ++i) {
+      const std::array<int, 2>& nodes = springs.bias[i].nodes;
+      const Eigen::Vector2d along = context.mesh.uv[nodes[1]] - context.mesh.uv[nodes[0]];
+      // Half the sine of twice the angle to the warp: 1/2 on one bias and -1/2 on the other.
+      element.exponent[i] = along.x() * along.y() / along.squaredNorm();
+    }
+    elements.push_back(element);
   }
   return elements;
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "autodiff_sim/term/fold_angle.h"
+#include "autodiff_sim/terms/shear.h"
 #include "autodiff_sim/terms/spring.h"
 
 namespace clothfit {
@@ -61,22 +62,40 @@ struct ShearOrthotropy : TermDefaults {
   static constexpr const char* kTitle = "unequal shearing along the two diagonals";
   static constexpr const char* kDoc = "shearing unlike along the two bias directions";
   static constexpr const char* kReference = "orthotropic plate, Lekhnitskii 1968";
-  static constexpr int kNodes = 2;
+  static constexpr int kNodes = 4;
   static constexpr bool kInternal = true;
   static constexpr bool kUsesShrinkage = true;
   static constexpr std::array<Parameter, 1> kParameters = {
       {{"ratio", "1", "stiffness along the bias u = v over that along u = -v", 1.0, 1.0, 0.02, 50.0,
         Scale::kLog, 2.0}}};
   static constexpr std::array<const char*, 2> kReads = {"shear.stiffness", "bending.stiffness"};
-  using Element = Directed<Spring>;
+  struct Element {
+    std::array<int, 4> nodes;
+    BiasSprings elastic;
+    std::array<double, 2> exponent;
+  };
   static std::vector<Element> Elements(const TermContext& context);
 
+  // What the springs pull with their own stiffnesses, less what they pull with the same.
   template <class T>
   static void AddForce(const Element& element, const ElementInput<ShearOrthotropy, T>& in,
                        ElementOutput<ShearOrthotropy, T>* out) {
-    AddExtraSpringForce<T>(element.elastic, in.read[0],
-                           ExtraShare<T>(in.parameter[0], element.exponent), in.read[1],
-                           in.shrinkage, in.x, &out->force);
+    const BiasSprings& springs = element.elastic;
+    std::array<Vector3<T>, 2> dx;
+    std::array<T, 2> length2{T(1.0), T(1.0)}, own;
+    for (int i = 0; i < springs.springs; ++i) {
+      dx[i] = in.x[2 * i + 1] - in.x[2 * i];
+      length2[i] = dx[i].dot(dx[i]);
+    }
+    for (int i = 0; i < 2; ++i)
+      own[i] = in.read[0] * (1.0 + ExtraShare<T>(in.parameter[0], element.exponent[i]));
+    const auto pulls = [&](const std::array<T, 2>& stiffness) {
+      return BiasPulls<T>(springs, stiffness, T(0.0), in.read[1], in.shrinkage, length2,
+                          {T(0.0), T(0.0)});
+    };
+    const std::array<T, 2> unlike = pulls(own), alike = pulls({in.read[0], in.read[0]});
+    for (int i = 0; i < springs.springs; ++i)
+      AddPull<T>(unlike[i] - alike[i], dx[i], &out->force[2 * i], &out->force[2 * i + 1]);
   }
 };
 

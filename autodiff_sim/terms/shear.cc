@@ -4,29 +4,45 @@
 
 namespace clothfit {
 
-// Two at a time where they cross in a cell of a grid, whose two follow one another.
-std::vector<Shear::Element> Shear::Elements(const TermContext& context) {
+// The two of a cell follow one another.
+std::vector<BiasSprings> PairBiasSprings(const TermContext& context) {
   const std::vector<Spring>& springs = context.topology.shear;
-  std::vector<Element> elements;
+  std::vector<BiasSprings> pairs;
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const auto [a, b] = springs[i].nodes;
-    Element element = {{a, b, b, b}, 1, {springs[i], {}}};
+    BiasSprings pair = {{a, b, b, b}, 1, {springs[i], {}}};
     if (context.mesh.is_grid()) {
       const Spring& other = springs[++i];
-      element = {{a, b, other.nodes[0], other.nodes[1]}, 2, {springs[i - 1], other}};
+      pair = {{a, b, other.nodes[0], other.nodes[1]}, 2, {springs[i - 1], other}};
     }
-    elements.push_back(element);
+    pairs.push_back(pair);
   }
-  return elements;
+  return pairs;
 }
 
 double Shear::Energy(const Element& element, const ElementInput<Shear, double>& in) {
-  double energy = 0.0;
-  for (int i = 0; i < element.springs; ++i) {
-    const Eigen::Vector3d dx = in.x[2 * i + 1] - in.x[2 * i];
-    energy += SpringEnergy(element.bias[i], {in.parameter[0], 0.0, in.read[0]}, in.shrinkage, dx);
+  const SpringLaw<double> law = {in.parameter[0], 0.0, in.read[0]};
+  const Eigen::Vector3d dx = in.x[1] - in.x[0];
+  if (element.springs == 1) return SpringEnergy(element.bias[0], law, in.shrinkage, dx);
+  std::array<double, 2> strain;
+  for (int i = 0; i < 2; ++i) {
+    strain[i] =
+        (in.x[2 * i + 1] - in.x[2 * i]).norm() / RestLength<double>(element.bias[i], in.shrinkage) -
+        1.0;
   }
-  return energy;
+  const double rest_length = RestLength<double>(element.bias[0], in.shrinkage);
+  const double area = element.bias[0].weight * rest_length * rest_length;
+  const double mean = 0.5 * (strain[0] + strain[1]), shear = 0.5 * (strain[0] - strain[1]);
+  double energy = law.stiffness * shear * shear;
+  if (Buckles(element.bias[0], law)) {
+    energy +=
+        2.0 * BuckledEnergy(
+                  law.stiffness,
+                  BucklingLoad(law.bending, law.stiffness, element.bias[0].buckling_length), mean);
+  } else {
+    energy += law.stiffness * mean * mean;
+  }
+  return area * energy;
 }
 
 }  // namespace clothfit

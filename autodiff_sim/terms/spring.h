@@ -38,6 +38,13 @@ bool Buckles(const Spring& spring, const SpringLaw<T>& law) {
   return spring.buckling_length > 0.0 && Value(law.stiffness) > 0.0;
 }
 
+// N/m, per width of cloth: the material's tension without wrinkles. rest_length and length in m;
+// rate: dx.dv (m^2/s) from one end to the other.
+template <class T>
+T PlainTension(const SpringLaw<T>& law, const T& rest_length, const T& length, const T& rate) {
+  return law.stiffness * (length / rest_length - 1.0) + law.damping * rate / (length * rest_length);
+}
+
 // N/m: the spring's tension over its length. With dx (m) and dv (m/s) from one end to the other,
 // length2 is dx.dx (m^2) and rate dx.dv (m^2/s).
 template <class T>
@@ -46,14 +53,11 @@ T SpringPull(const Spring& spring, const SpringLaw<T>& law, const std::array<T, 
   using std::sqrt;
   const T length = sqrt(length2);
   const T rest_length = RestLength<T>(spring, shrinkage);
-  if (!Buckles(spring, law)) {
-    const T elastic = law.stiffness * ((length - rest_length) / length);
-    const T viscous = law.damping * (rate / length2);
-    return (elastic + viscous) * spring.weight;
+  T tension = PlainTension<T>(law, rest_length, length, rate);
+  if (Buckles(spring, law)) {
+    tension = BuckledTension<T>(
+        tension, BucklingLoad<T>(law.bending, law.stiffness, spring.buckling_length));
   }
-  const T load = BucklingLoad<T>(law.bending, law.stiffness, spring.buckling_length);
-  const T viscous = law.damping * rate / (length * rest_length);
-  const T tension = BuckledTension<T>(law.stiffness * (length / rest_length - 1.0) + viscous, load);
   return tension * (rest_length * spring.weight) / length;
 }
 

@@ -4,6 +4,8 @@
 // The law of threads that buckle below their mesh, and a strip in compression.
 #include "autodiff_sim/term/buckling.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -12,6 +14,7 @@
 
 #include "autodiff_sim/base/dual.h"
 #include "autodiff_sim/scenes/cloth_scene.h"
+#include "autodiff_sim/terms/shear.h"
 #include "tests/autodiff_sim/step/motion.h"
 
 namespace clothfit {
@@ -95,6 +98,63 @@ TEST(Buckling, TheEnergyIsConvex) {
     const double slope = BuckledTension<T>(500.0 * e, T(0.3)).derivative(0);
     EXPECT_GE(slope, kBuckledShare * 500.0) << strain;
     EXPECT_LE(slope, 500.0 * (1.0 + 1e-12)) << strain;
+  }
+}
+
+constexpr double kShear = 20.0, kBending = 1e-5, kDiagonal = 0.1;  // N/m, N m, m
+
+// The tensions per width of two springs of kDiagonal that cross, of their strains.
+template <class T>
+std::array<T, 2> BiasTensions(const std::array<T, 2>& stiffness, const std::array<T, 2>& strain) {
+  BiasSprings springs = {{0, 1, 2, 3}, 2, {}};
+  std::array<T, 2> length2;
+  for (int i = 0; i < 2; ++i) {
+    springs.bias[i].rest_length = springs.bias[i].buckling_length = kDiagonal;
+    springs.bias[i].weight = 1.0;
+    length2[i] = kDiagonal * kDiagonal * (1.0 + strain[i]) * (1.0 + strain[i]);
+  }
+  std::array<T, 2> tensions = BiasPulls<T>(springs, stiffness, T(0.0), T(kBending),
+                                           {T(0.0), T(0.0)}, length2, {T(0.0), T(0.0)});
+  for (int i = 0; i < 2; ++i) tensions[i] = tensions[i] * (1.0 + strain[i]);
+  return tensions;
+}
+
+// Whatever the load, where no area is lost; and of a fold along a bias it resists with a half.
+TEST(Buckling, TautClothKeepsItsShearStiffness) {
+  const double load = BucklingLoad(kBending, kShear, kDiagonal);
+  for (const double strain : {0.02, 0.1, 0.3}) {
+    ASSERT_GT(kShear * strain, 10.0 * load);
+    const auto [along, across] = BiasTensions<double>({kShear, kShear}, {strain, -strain});
+    EXPECT_NEAR(along, kShear * strain, 1e-12 * kShear);
+    EXPECT_NEAR(across, -kShear * strain, 1e-12 * kShear);
+    const auto [crease, folded] = BiasTensions<double>({kShear, kShear}, {0.0, -strain});
+    EXPECT_NEAR(crease, 0.5 * kShear * strain, load + kBuckledShare * kShear * strain);
+    EXPECT_NEAR(folded, -0.5 * kShear * strain, load + kBuckledShare * kShear * strain);
+    const auto [first, second] = BiasTensions<double>({kShear, kShear}, {-strain, -strain});
+    EXPECT_NEAR(first, -load, kBuckledShare * kShear * strain + 0.01 * load);
+    EXPECT_EQ(first, second);
+  }
+}
+
+// Of the two springs of a cell together, alike or not: their tensions' derivatives are a symmetric,
+// positive definite matrix.
+TEST(Buckling, TheEnergyOfACellIsConvex) {
+  using T = Dual<8>;
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::array<T, 2> stiffness, strain;
+    for (int i = 0; i < 2; ++i) {
+      stiffness[i] = T(kShear * (trial % 2 == 0 ? 1.0 : LogUniform(-0.5, 0.5, &random)));
+      strain[i] = T(LogUniform(-4.0, -0.5, &random) * (random() % 2 == 0 ? 1.0 : -1.0));
+      strain[i].SetDerivative(i, 1.0);
+    }
+    const std::array<T, 2> tension = BiasTensions<T>(stiffness, strain);
+    Eigen::Matrix2d slope;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) slope(i, j) = tension[i].derivative(j);
+    EXPECT_NEAR(slope(0, 1), slope(1, 0), 1e-9 * slope.norm());
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(slope).eigenvalues()[0],
+              0.9 * kBuckledShare * std::min(stiffness[0].a, stiffness[1].a));
   }
 }
 

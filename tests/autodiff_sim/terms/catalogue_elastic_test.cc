@@ -196,12 +196,17 @@ TEST(OrthotropyPhysics, SplitsStiffnessByTheRatiosRoot) {
   const double shear = InitialValue("shear.stiffness");
   for (const TermScene& scene : MakeTermScenes()) {
     for (const auto& element : SceneElements<ShearOrthotropy>(scene)) {
-      const Eigen::Vector2d d = edge(scene, element.nodes[0], element.nodes[1]);
-      const double extra = d.x() * d.y() > 0.0 ? shear : -0.5 * shear;
-      const Eigen::VectorXd force =
-          Force<StretchSpring>(element.elastic, scene, Numbers({extra, 0.0}));
-      EXPECT_LE((Force<ShearOrthotropy>(element, scene, ratio) - force).norm(),
-                1e-12 * force.norm());
+      const BiasSprings& springs = element.elastic;
+      ASSERT_EQ(springs.bias[0].buckling_length, 0.0);  // so that each pulls by itself
+      Eigen::VectorXd expected = 0.0 * Force<ShearOrthotropy>(element, scene, ratio);
+      for (int i = 0; i < springs.springs; ++i) {
+        const Eigen::Vector2d d = edge(scene, springs.nodes[2 * i], springs.nodes[2 * i + 1]);
+        const double extra = d.x() * d.y() > 0.0 ? shear : -0.5 * shear;
+        expected.segment<6>(6 * i) =
+            Force<StretchSpring>(springs.bias[i], scene, Numbers({extra, 0.0})).head<6>();
+      }
+      EXPECT_LE((Force<ShearOrthotropy>(element, scene, ratio) - expected).norm(),
+                1e-12 * expected.norm());
     }
   }
 }
