@@ -119,10 +119,6 @@ bool Is(const CLI::ParseError& error) {
 
 }  // namespace
 
-bool StartsWith(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
-}
-
 std::string DescribeOptionError(const CLI::App& command, const CLI::ParseError& error,
                                 const Words& words) {
   const std::string text = error.what();

@@ -19,6 +19,4 @@ std::string DescribeOptionError(const CLI::App& command, const CLI::ParseError& 
 // Throws InputError where a flag is given a value, as in --force=3, which CLI11 takes for anything.
 void RefuseValuesOfFlags(const CLI::App& command, const std::vector<std::string>& words);
 
-bool StartsWith(const std::string& text, const std::string& start);
-
 }  // namespace clothfit

@@ -6,6 +6,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -106,7 +107,7 @@ bool OutputFolder::MayReplace(const std::string& file) const {
   if (existing_ == Existing::kRefuse || existing_ == Existing::kAdd) return false;
   if (existing_ != Existing::kAddAndReplace) return manifest_.Lists(file);
   return std::any_of(manifest_.files.begin(), manifest_.files.end(), [&](const auto& group) {
-    return group.first.rfind(kImports, 0) == 0 && group.second.count(file) > 0;
+    return StartsWith(group.first, kImports) && group.second.count(file) > 0;
   });
 }
 

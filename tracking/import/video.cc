@@ -59,7 +59,7 @@ void CheckCamera(const NamedVideo& video, const VideoFacts& facts,
 void ReplaceValue(const fs::path& file, const std::string& key, const std::string& value,
                   std::string* text) {
   size_t at = text->rfind("\n" + key + ":");
-  at = text->rfind(key + ":", 0) == 0 ? 0 : at == std::string::npos ? at : at + 1;
+  at = StartsWith(*text, key + ":") ? 0 : at == std::string::npos ? at : at + 1;
   if (at == std::string::npos) {
     throw InputError(file.string(), fmt::format("expected a line '{}: {}'", key, value));
   }
