@@ -17,7 +17,8 @@ int EditDistance(std::string_view a, std::string_view b);
 // "did you mean 'size'?" when one of the names is near, otherwise "expected one of size, ...".
 std::string Suggestion(std::string_view wrong, const std::vector<std::string>& right_names);
 
-// "a, b, c".
-std::string JoinNames(const std::vector<std::string>& names);
+// "a, b, c"; before the last name stands `last`, unless that is empty.
+std::string JoinNames(const std::vector<std::string>& names, std::string_view between = ", ",
+                      std::string_view last = "");
 
 }  // namespace clothfit

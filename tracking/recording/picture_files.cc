@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/input_file.h"
@@ -48,7 +47,7 @@ int FrameOfFile(const Recording& recording, const fs::path& file,
   if (!frame ||
       std::find(extensions.begin(), extensions.end(), file.extension()) == extensions.end()) {
     throw InputError(file.string(), "expected a name of six digits such as 000042" +
-                                        fmt::format("{}", fmt::join(extensions, " or 000042")));
+                                        JoinNames(extensions, " or 000042"));
   }
   if (*frame >= recording.frame_count) {
     throw InputError(file.string(),

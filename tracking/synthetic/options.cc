@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
@@ -21,7 +20,7 @@ namespace {
 
 std::string ValueOf(const SyntheticOptions& options, const std::string& name) {
   for (const SyntheticKey& key : SyntheticKeys()) {
-    if (key.name == name) return fmt::format("{}", fmt::join(key.words(options), " "));
+    if (key.name == name) return JoinNames(key.words(options), " ");
   }
   throw std::logic_error(name + ": no such key");
 }
