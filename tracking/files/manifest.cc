@@ -36,7 +36,8 @@ constexpr KindRow kKinds[] = {
     {FolderKind::kStudy, "study", "results of a study", ""},
     {FolderKind::kStudyTables, "study tables", "tables of a study", ""},
     {FolderKind::kStudyRecordings, "study recordings", "the recordings of studies", ""},
-    {FolderKind::kKeptFits, "kept fits", "the fits of a diagnosis", "[0-9a-f]{64}\\.cbor"},
+    {FolderKind::kKeptFits, "kept fits", "the fits of a diagnosis",
+     "(forecasts-([0-9]+-)?)?[0-9a-f]{64}\\.cbor"},
     {FolderKind::kSlurm, "slurm", "what Slurm was given and wrote",
      R"((stage-[0-9]+|gather)\.sh|submitted\.json|[0-9]+(_[0-9]+)?\.log)"}};
 
