@@ -72,8 +72,9 @@ OutputFolder::OutputFolder(fs::path folder, FolderKind kind, std::string command
   manifest_ = manifest.value_or(Manifest{kind_, {}});
   if (existing_ == Existing::kJoin) return;  // others may be writing
   std::set<std::string> unfinished = {kManifestFile};
-  if (existing_ == Existing::kResume) unfinished.merge(manifest_.All());
-  RemovePartFiles(path_, unfinished);
+  const bool goes_on = existing_ == Existing::kResume;
+  if (goes_on) unfinished.merge(manifest_.All());
+  RemovePartFiles(path_, unfinished, goes_on ? std::optional(kind_) : std::nullopt);
 }
 
 OutputFolder::~OutputFolder() {

@@ -63,7 +63,6 @@ DiagnosisFolder::DiagnosisFolder(const fs::path& folder, Existing existing) : pa
   files.insert(files.end(), {"log.txt", kFits});
   output_->Begin(files);
   OutputFolder(KeptFits(), FolderKind::kKeptFits, "diagnose", Existing::kResume).Begin({});
-  RemovePartsOfKeptFits(KeptFits());
   if (goes_on) {
     AppendLog(fmt::format("resumed with {} fits", NumKeptFits(KeptFits())));
   } else {
