@@ -7,6 +7,7 @@
 
 #include "clothfit/detail/boundary.h"
 #include "clothfit/detail/data.h"
+#include "tracking/camera/camera_file.h"
 #include "tracking/features/tracking_folder.h"
 #include "tracking/recording/summary.h"
 
@@ -135,9 +136,7 @@ std::vector<Handle> Recording::handles() const {
 }
 
 std::vector<std::string> Recording::camera_names() const {
-  std::vector<std::string> names;
-  for (const Camera& camera : data_->recording.cameras) names.push_back(camera.name);
-  return names;
+  return NamesOf(data_->recording.cameras);
 }
 
 std::string Recording::Describe() const {

@@ -42,17 +42,14 @@ void CheckName(const NamedVideo& video) {
 
 void CheckCamera(const NamedVideo& video, const VideoFacts& facts,
                  const std::vector<Camera>& cameras) {
-  std::vector<std::string> names;
   for (const Camera& camera : cameras) {
-    names.push_back(camera.name);
     if (camera.name != video.camera) continue;
     if (camera.width == facts.width && camera.height == facts.height) return;
     throw InputError(video.file.string(),
                      fmt::format("expected {} x {} px as in cameras.yaml, found {} x {}",
                                  camera.width, camera.height, facts.width, facts.height));
   }
-  throw InputError(video.file.string(), fmt::format("'{}' is no camera of cameras.yaml; {}",
-                                                    video.camera, Suggestion(video.camera, names)));
+  throw InputError(video.file.string(), IsNoCamera(video.camera, cameras));
 }
 
 // Sets a key that stands at the beginning of a line, and keeps all else as it is.
