@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "autodiff_sim/base/names.h"
 #include "clothfit/detail/boundary.h"
 #include "clothfit/detail/data.h"
-#include "tracking/camera/camera_file.h"
 #include "tracking/features/tracking_folder.h"
 #include "tracking/recording/summary.h"
 

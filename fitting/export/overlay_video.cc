@@ -7,7 +7,6 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/pictures/run_pictures.h"
-#include "tracking/camera/camera_file.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/recording/images.h"
 #include "tracking/silhouette/raster.h"

@@ -78,12 +78,6 @@ std::string CamerasAsYaml(const std::vector<Camera>& cameras) {
   return text;
 }
 
-std::vector<std::string> NamesOf(const std::vector<Camera>& cameras) {
-  std::vector<std::string> names;
-  for (const Camera& camera : cameras) names.push_back(camera.name);
-  return names;
-}
-
 std::string IsNoCamera(const std::string& name, const std::vector<Camera>& cameras) {
   return Quoted(name) + " is no camera of cameras.yaml; " + Suggestion(name, NamesOf(cameras));
 }

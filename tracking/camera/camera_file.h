@@ -19,7 +19,6 @@ std::vector<Camera> ReadCameras(const std::filesystem::path& file);
 // The text of such a file.
 std::string CamerasAsYaml(const std::vector<Camera>& cameras);
 
-std::vector<std::string> NamesOf(const std::vector<Camera>& cameras);
 // "'lefd' is no camera of cameras.yaml; did you mean 'left'?"
 std::string IsNoCamera(const std::string& name, const std::vector<Camera>& cameras);
 

@@ -13,7 +13,6 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/names.h"
-#include "tracking/camera/camera_file.h"
 #include "tracking/camera/triangulation.h"
 
 namespace clothfit {

@@ -36,11 +36,8 @@ void CheckParameters(const std::map<std::string, double>& parameters, const std:
 }
 
 void CheckHiddenHandles(const SyntheticOptions& options, const std::string& place) {
-  std::vector<std::string> names;
-  for (const SyntheticHandle& handle :
-       MakeSyntheticMotion(options.scenario, options.size, options.Duration()).handles) {
-    names.push_back(handle.name);
-  }
+  const std::vector<std::string> names =
+      NamesOf(MakeSyntheticMotion(options.scenario, options.size, options.Duration()).handles);
   for (const std::string& name : options.hidden_handles) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     throw InputError(place, "'" + name + "' is no handle; " + Suggestion(name, names));
