@@ -7,6 +7,7 @@
 #include "autodiff_sim/base/printable.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit/rugged_cost.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -56,7 +57,7 @@ std::string EstimateTable(const std::vector<ParameterEstimate>& estimates,
     if (!estimate.free) continue;
     if (FindParameter(table, estimate.name) >= 0) {
       rows += EstimateRow(estimate);
-      if (estimate.name.rfind("cloth.shrink", 0) == 0)
+      if (StartsWith(estimate.name, "cloth.shrink"))
         shrinkage =
             "  cloth.shrink_*: free, since the markers' places on the cloth are known to some "
             "millimetres only\n";

@@ -12,6 +12,7 @@
 #include "apps/progress_display.h"
 #include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/names.h"
 #include "fitting/report/joint_verdict.h"
 #include "fitting/report/run_record.h"
 #include "fitting/runs/fit_run.h"
@@ -122,9 +123,7 @@ FitResult FitAllWithDisplay(const std::vector<JointRecording>& recordings, const
 int ReportAll(const FitResult& result, const std::vector<JointRecording>& recordings,
               const RunFolder& run, bool quiet) {
   if (!quiet) {
-    std::vector<std::string> names;
-    for (const JointRecording& one : recordings) names.push_back(one.name);
-    Print("{}\n{}\nrun: {}\n", DescribeJointResult(result, names),
+    Print("{}\n{}\nrun: {}\n", DescribeJointResult(result, NamesOf(recordings)),
           DescribeVerdict(JudgeJointFit(ReadJointSummary(run.path()))), run.path().string());
   }
   return EndOfFit(result, run, quiet);

@@ -8,11 +8,31 @@
 #include "apps/next_step.h"
 #include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/shell.h"
 #include "tracking/import/corner_placement.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
+namespace {
+
+// Of NAME=U,V. Nobody knows its path.
+HandleDescription HandleOf(const std::string& text) {
+  const std::size_t equals = text.find('='), comma = text.rfind(',');
+  if (equals != std::string::npos && comma != std::string::npos && equals < comma) {
+    const std::optional<double> u = ParseNumber(text.substr(equals + 1, comma - equals - 1));
+    const std::optional<double> v = ParseNumber(text.substr(comma + 1));
+    HandleDescription handle;
+    handle.name = text.substr(0, equals);
+    if (u && v) {
+      handle.uv = {*u, *v};
+      return handle;
+    }
+  }
+  throw InputError("--handle", "expected NAME=U,V such as left=0,0, found " + Quoted(text));
+}
+
+}  // namespace
 
 SceneStart SceneOptions::Start(const std::vector<Camera>& cameras,
                                std::vector<std::string>* notes) const {
@@ -27,6 +47,9 @@ SceneStart SceneOptions::Start(const std::vector<Camera>& cameras,
   if (!origin.empty()) start.origin = vector(origin);
   if (!u_axis.empty()) start.u_axis = vector(u_axis);
   if (!v_axis.empty()) start.v_axis = vector(v_axis);
+  for (const std::string& text : handles) start.handles.push_back(HandleOf(text));
+  start.areal_density = areal_density;
+  start.held_out_share = held_out_share;
   if (corners.empty()) return start;
   if (!start.size) throw InputError("--corner", "expected --size too");
   std::vector<SeenCorner> seen;
@@ -41,7 +64,7 @@ SceneStart SceneOptions::Start(const std::vector<Camera>& cameras,
 
 bool SceneOptions::AnyGiven() const {
   return !size.empty() || !origin.empty() || !u_axis.empty() || !v_axis.empty() || ground || rate ||
-         frames || !corners.empty();
+         frames || !corners.empty() || !handles.empty() || areal_density || held_out_share != 0.0;
 }
 
 void AddSceneOptions(CLI::App* command, SceneOptions* options) {
@@ -63,8 +86,28 @@ void AddSceneOptions(CLI::App* command, SceneOptions* options) {
   add_vector("--origin", &options->origin, "where (0, 0) of the flat cloth is at first, m");
   add_vector("--u-axis", &options->u_axis, "direction of u at first; else x");
   add_vector("--v-axis", &options->v_axis, "direction of v at first; else y");
+  command
+      ->add_option(
+          "--handle", options->handles,
+          "point of the cloth (m) that something holds, on a path that a fit finds; may be "
+          "repeated")
+      ->type_name("NAME=U,V")
+      ->allow_extra_args(false);
+  AddDensityOption(command, &options->areal_density);
+  AddHeldOutOption(command, &options->held_out_share);
   command->add_option("--rate", options->rate, "frames a second; of videos else as they say")
       ->type_name("HZ");
+}
+
+void AddDensityOption(CLI::App* command, std::optional<double>* areal_density) {
+  command->add_option("--density", *areal_density, "of the cloth, kg/m^2; else a fit finds it")
+      ->type_name("KG/M2");
+}
+
+void AddHeldOutOption(CLI::App* command, double* share) {
+  command->add_option("--held-out", *share, "share of the frames, at the end")
+      ->type_name("SHARE")
+      ->capture_default_str();
 }
 
 void PrintWhatIsMissing(const std::filesystem::path& folder, const SceneStart& start) {

@@ -27,14 +27,22 @@ struct SceneOptions {
   std::optional<int> frames;
   // Of each: camera, u, v (m), x and y (px).
   std::vector<std::tuple<std::string, double, double, double, double>> corners;
+  std::vector<std::string> handles;  // NAME=U,V of each, m
+  std::optional<double> areal_density;
+  double held_out_share = 0.0;
 
   // With corners, the sheet is placed by these cameras, and `notes` gets how.
   SceneStart Start(const std::vector<Camera>& cameras, std::vector<std::string>* notes) const;
   bool AnyGiven() const;
 };
 
-// --size, --ground, --origin, --u-axis, --v-axis, --corner and --rate.
+// --size, --ground, --origin, --u-axis, --v-axis, --corner, --handle, --density, --rate and
+// --held-out.
 void AddSceneOptions(CLI::App* command, SceneOptions* options);
+
+// The same in all imports.
+void AddDensityOption(CLI::App* command, std::optional<double>* areal_density);
+void AddHeldOutOption(CLI::App* command, double* share);
 
 // Prints which options are still needed to make a recording, if the folder holds none.
 void PrintWhatIsMissing(const std::filesystem::path& folder, const SceneStart& start);

@@ -93,8 +93,7 @@ void AddClothOptions(CLI::App* command, MarkersOptions* options) {
           fmt::format("particles along u and v; else {} on the longer side", kTakeParticles))
       ->type_name("NU NV")
       ->expected(2);
-  command->add_option("--density", take.areal_density, "of the cloth, kg/m^2; else a fit finds it")
-      ->type_name("KG/M2");
+  AddDensityOption(command, &take.areal_density);
   command
       ->add_option("--obstacle", take.obstacles,
                    "what a rigid body stands for: none, capsule[:radius=M,length=M] or "
@@ -138,9 +137,7 @@ void AddMarkerOptions(CLI::App* command, MarkersOptions* options) {
   command->add_option("--every", take.every, "keep one frame of so many")
       ->type_name("N")
       ->capture_default_str();
-  command->add_option("--held-out", take.held_out_share, "share of the frames, at the end")
-      ->type_name("SHARE")
-      ->capture_default_str();
+  AddHeldOutOption(command, &take.held_out_share);
 }
 
 void AddFileOptions(CLI::App* command, MarkersOptions* options) {

@@ -16,34 +16,40 @@ namespace clothfit {
 namespace {
 
 struct VideoOptions {
-  std::vector<std::string> videos;
+  std::vector<std::string> videos, backgrounds;
   std::string output;
   bool force = false;
   SceneOptions scene;
 };
 
-int RunImportVideo(const VideoOptions& options) {
-  std::vector<NamedVideo> videos;
-  for (const std::string& text : options.videos) {
+std::vector<NamedVideo> Named(const std::vector<std::string>& texts, const char* expected) {
+  std::vector<NamedVideo> named;
+  for (const std::string& text : texts) {
     const size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw InputError(text, "expected CAMERA=FILE or CAMERA=FOLDER");
-    }
-    videos.push_back({text.substr(0, equals), text.substr(equals + 1)});
+    if (equals == std::string::npos || equals == 0) throw InputError(text, expected);
+    named.push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
+  return named;
+}
+
+int RunImportVideo(const VideoOptions& options) {
+  const std::vector<NamedVideo> videos =
+      Named(options.videos, "expected CAMERA=FILE or CAMERA=FOLDER");
+  const std::vector<NamedVideo> backgrounds = Named(options.backgrounds, "expected CAMERA=FILE");
   std::vector<std::string> notes;
   std::vector<Camera> cameras;  // are needed for corners alone
   const std::filesystem::path folder = options.output;
-  if (!options.scene.corners.empty()) {
-    if (IsThere(folder / "recording.yaml")) {
-      throw InputError((folder / "recording.yaml").string(),
-                       "exists already; expected no --corner");
-    }
-    cameras = ReadCameras(folder / "cameras.yaml");
+  const SceneOptions& scene = options.scene;
+  const bool is_for_new = !scene.corners.empty() || !scene.handles.empty() || scene.areal_density ||
+                          scene.held_out_share != 0.0;
+  if (is_for_new && IsThere(folder / "recording.yaml")) {
+    throw InputError((folder / "recording.yaml").string(),
+                     "exists already; expected no --corner, --handle, --density and --held-out");
   }
-  SceneStart start = options.scene.Start(cameras, &notes);
+  if (!scene.corners.empty()) cameras = ReadCameras(folder / "cameras.yaml");
+  SceneStart start = scene.Start(cameras, &notes);
   const ImportedVideos imported =
-      ImportVideos(videos, start, options.output, OverwriteIf(options.force));
+      ImportVideos(videos, start, options.output, OverwriteIf(options.force), backgrounds);
   Print("{}: {} cameras, {} frames at {:g} Hz\n", options.output, videos.size(),
         imported.frame_count, imported.frame_rate);
   notes.insert(notes.end(), imported.notes.begin(), imported.notes.end());
@@ -68,6 +74,11 @@ void AddImportVideo(CLI::App* import, Action* action) {
   command->add_option("-o,--output", options->output, "folder of the recording, old or new")
       ->type_name("RECORDING")
       ->required();
+  command
+      ->add_option("--background", options->backgrounds,
+                   "PNG of what CAMERA sees without the cloth, for silhouettes; may be repeated")
+      ->type_name("CAMERA=FILE")
+      ->allow_extra_args(false);
   command->add_flag(
       "--force", options->force,
       "replace imported videos, and set frame count and rate of recording.yaml, whoever wrote it");

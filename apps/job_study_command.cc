@@ -8,11 +8,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "apps/config_options.h"
 #include "apps/job_options.h"
+#include "autodiff_sim/base/names.h"
 #include "fitting/studies/study_plan.h"
 
 namespace clothfit {
@@ -67,7 +67,7 @@ std::string ValuesInWords(const nlohmann::json& value) {
   if (value.is_number()) return fmt::format("{:g}", value.get<double>());
   std::vector<std::string> words;
   for (const nlohmann::json& one : value) words.push_back(ValuesInWords(one));
-  return fmt::format("{}", fmt::join(words, ","));
+  return JoinNames(words, ",");
 }
 
 // "30, with --full 300" in the help: the value of either size.

@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "apps/help_text.h"
 #include "autodiff_sim/base/error.h"
@@ -99,7 +98,7 @@ Words Choices(const CLI::Option& option) {
 
 // "1; expected 2 values" where there are too few or too many.
 std::string DescribeNumber(const CLI::Option& option) {
-  const std::string found = fmt::format("{}", fmt::join(option.results(), " "));
+  const std::string found = JoinNames(option.results(), " ");
   const std::string what = AreWholeNumbers(option) ? "whole number" : "value";
   const int count = option.get_items_expected_min();
   const bool is_too_many = option.results().size() > 1 && count <= 1;
@@ -113,7 +112,7 @@ std::string DescribeKind(const CLI::Option& option) {
   if (values.empty()) return DescribeNumber(option);
   const Words choices = Choices(option);
   if (choices.size() > 1) return values.front() + "; " + Suggestion(values.front(), choices);
-  const std::string all = fmt::format("{}", fmt::join(values, " "));
+  const std::string all = JoinNames(values, " ");
   if (option.get_type_size_max() > 1)  // of several kinds
     return fmt::format("{}; expected {}", all, option.get_type_name());
   const auto is_no_number = [](const std::string& value) { return !ParseNumber(value); };
@@ -135,10 +134,6 @@ bool Is(const CLI::ParseError& error) {
 }
 
 }  // namespace
-
-bool StartsWith(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
-}
 
 std::string DescribeOptionError(const CLI::App& command, const CLI::ParseError& error,
                                 const Words& words) {

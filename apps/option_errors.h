@@ -23,6 +23,4 @@ void RefuseWhatIsNotFinite(CLI::App* app);
 // Throws InputError where a flag is given a value, as in --force=3, which CLI11 takes for anything.
 void RefuseValuesOfFlags(const CLI::App& command, const std::vector<std::string>& words);
 
-bool StartsWith(const std::string& text, const std::string& start);
-
 }  // namespace clothfit

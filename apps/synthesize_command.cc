@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "apps/commands.h"
 #include "apps/config_options.h"
@@ -94,7 +93,7 @@ std::string ValueOf(const SyntheticKey& key, const SyntheticOptions& options) {
   for (std::string& word : words) {
     if (const auto number = ParseNumber(word)) word = fmt::format("{:.4g}", *number);
   }
-  return fmt::format("{}", fmt::join(words, " "));
+  return JoinNames(words, " ");
 }
 
 // With the default, and that of images where it is another.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "autodiff_sim/base/names.h"
 #include "clothfit/detail/boundary.h"
 #include "clothfit/detail/data.h"
 #include "tracking/features/tracking_folder.h"
@@ -135,9 +136,7 @@ std::vector<Handle> Recording::handles() const {
 }
 
 std::vector<std::string> Recording::camera_names() const {
-  std::vector<std::string> names;
-  for (const Camera& camera : data_->recording.cameras) names.push_back(camera.name);
-  return names;
+  return NamesOf(data_->recording.cameras);
 }
 
 std::string Recording::Describe() const {

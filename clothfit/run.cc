@@ -209,8 +209,7 @@ void Run::Report(const std::string& file, Existing existing) const {
 
 void Run::Export(const std::string& format, const std::string& file, Existing existing) const {
   AtBoundary([&] {
-    std::vector<std::string> names;
-    for (const ExportFormat& one : ExportFormats()) names.push_back(one.name);
+    const std::vector<std::string> names = NamesOf(ExportFormats());
     if (std::find(names.begin(), names.end(), format) == names.end())
       throw InputError("format: '" + format + "': " + Suggestion(format, names));
     ExportRun(RunFolder::Open(data_->folder), format, {}, file, ToOverwrite(existing));

@@ -42,9 +42,13 @@ std::string Suggestion(std::string_view wrong, const std::vector<std::string>& r
   return "expected one of " + JoinNames(right_names);
 }
 
-std::string JoinNames(const std::vector<std::string>& names) {
+std::string JoinNames(const std::vector<std::string>& names, std::string_view between,
+                      std::string_view last) {
   std::string joined;
-  for (const std::string& name : names) joined += (joined.empty() ? "" : ", ") + name;
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) joined += i + 1 == names.size() && !last.empty() ? last : between;
+    joined += names[i];
+  }
   return joined;
 }
 

@@ -68,9 +68,7 @@ int RequireParameter(const std::vector<NamedParameter>& table, const std::string
                      const std::string& place) {
   const int index = FindParameter(table, name);
   if (index >= 0) return index;
-  std::vector<std::string> names;
-  for (const NamedParameter& named : table) names.push_back(named.name);
-  throw InputError(place, "'" + name + "' is no parameter; " + Suggestion(name, names));
+  throw InputError(place, "'" + name + "' is no parameter; " + Suggestion(name, NamesOf(table)));
 }
 
 Eigen::VectorXd InitialValues(const std::vector<NamedParameter>& table) {

@@ -17,12 +17,6 @@ namespace {
 constexpr double kDefaultAttraction =
     1.0;  // N/m, about the weight of a marker's cloth a centimetre
 
-std::vector<std::string> TermNames() {
-  std::vector<std::string> names;
-  for (const TermInfo& term : AllTerms()) names.push_back(term.name);
-  return names;
-}
-
 // The nearest right name; for a parameter without its term the one that ends so.
 [[noreturn]] void FailUnknown(const std::string& place, const std::string& name,
                               const std::vector<std::string>& right_names) {
@@ -33,12 +27,6 @@ std::vector<std::string> TermNames() {
     if (ends_so) throw InputError(place, fmt::format("'{}': did you mean '{}'?", name, right));
   }
   throw InputError(place, fmt::format("'{}': {}", name, Suggestion(name, right_names)));
-}
-
-std::vector<std::string> FullNames(const std::vector<NamedParameter>& table) {
-  std::vector<std::string> names;
-  for (const NamedParameter& named : table) names.push_back(named.name);
-  return names;
 }
 
 void CheckBounds(const std::string& place, const NamedParameter& named,
@@ -63,7 +51,7 @@ void SetParameter(const std::string& place, const std::string& assignment, FitCo
   const std::string name(TrimBlanks(assignment.substr(0, equals)));
   const std::vector<NamedParameter> table = MakeParameterTable();
   const int index = FindParameter(table, name);
-  if (index < 0) FailUnknown(place, name, FullNames(table));
+  if (index < 0) FailUnknown(place, name, NamesOf(table));
   const std::optional<double> value =
       equals == std::string::npos ? std::nullopt : ParseNumber(assignment.substr(equals + 1));
   if (!value) {
@@ -90,13 +78,13 @@ void SetFree(const std::string& place, const std::string& name, bool free, FitCo
                                         setting.lower, setting.upper));
   }
   if (is_known) return;
-  std::vector<std::string> names = FullNames(table);
-  for (const std::string& term : TermNames()) names.push_back(term);
+  std::vector<std::string> names = NamesOf(table);
+  for (const std::string& term : NamesOf(AllTerms())) names.push_back(term);
   FailUnknown(place, name, names);
 }
 
 void SwitchOff(const std::string& place, const std::string& term, FitConfig* config) {
-  const std::vector<std::string> terms = TermNames();
+  const std::vector<std::string> terms = NamesOf(AllTerms());
   if (std::find(terms.begin(), terms.end(), term) == terms.end()) FailUnknown(place, term, terms);
   for (const NamedParameter& named : MakeParameterTable()) {
     if (named.term != term) continue;

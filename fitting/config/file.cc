@@ -50,9 +50,7 @@ void ReadSetting(const YamlValue& value, ParameterSetting* setting) {
 }
 
 void ReadParameterSettings(const YamlValue& parameters, FitConfig* config) {
-  std::vector<std::string> names;
-  for (const NamedParameter& named : MakeParameterTable()) names.push_back(named.name);
-  parameters.AllowKeys(names);
+  parameters.AllowKeys(NamesOf(MakeParameterTable()));
   for (const auto& [name, value] : parameters.Entries()) {
     ReadSetting(value, &config->parameters[name]);
   }

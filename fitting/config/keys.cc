@@ -48,7 +48,7 @@ template <class Value>
 ConfigKey ChoiceKey(std::string section, std::string name, std::string doc,
                     Value FitConfig::*member, const Choices<Value>& choices) {
   ConfigKey key{std::move(section), std::move(name), std::move(doc), {}, {}, {}};
-  key.doc += "; " + fmt::format("{}", fmt::join(NamesOf(choices), ", "));
+  key.doc += "; " + JoinNames(NamesOf(choices));
   key.read = [member, choices](const YamlValue& yaml, FitConfig* config) {
     const std::string text = yaml.Text();
     for (const auto& [choice, value] : choices) {
@@ -120,7 +120,7 @@ ConfigKey ResolutionKey() {
 
 ConfigKey OptimiserKey() {
   ConfigKey key{"strategy", "optimiser", "", {}, {}, {}};
-  key.doc = fmt::format("what searches; {}", fmt::join(OptimiserNames(), ", "));
+  key.doc = "what searches; " + JoinNames(OptimiserNames());
   key.read = [](const YamlValue& yaml, FitConfig* config) { config->optimiser = yaml.Text(); };
   key.write = [](const FitConfig& config) { return config.optimiser; };
   key.problem = [](const FitConfig& config) {

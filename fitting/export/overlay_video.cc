@@ -23,9 +23,7 @@ int CameraIndex(const Recording& recording, const std::string& name) {
   if (recording.cameras.empty()) throw InputError(recording.path.string(), "has no camera");
   if (name.empty()) return 0;
   if (const std::optional<int> camera = FindCamera(recording, name)) return *camera;
-  std::vector<std::string> names;
-  for (const Camera& camera : recording.cameras) names.push_back(camera.name);
-  throw InputError("--camera", "'" + name + "': " + Suggestion(name, names));
+  throw InputError("--camera", "'" + name + "': " + Suggestion(name, NamesOf(recording.cameras)));
 }
 
 // The outline twice, bright on dark, so that it shows on any ground.

@@ -14,6 +14,7 @@
 #include "autodiff_sim/base/input_file.h"
 #include "fitting/files/version.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -58,7 +59,7 @@ EvaluationJournal::EvaluationJournal(fs::path file) : file_(std::move(file)) {
 void EvaluationJournal::Read() {
   const std::string bytes = ReadInputFile(file_);
   const std::string first = FirstLine();
-  if (bytes.compare(0, first.size(), first) != 0) return;
+  if (!StartsWith(bytes, first)) return;
   size_ = first.size();
   Head head;
   while (bytes.size() - size_ >= sizeof(head)) {

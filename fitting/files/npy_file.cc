@@ -24,7 +24,7 @@ std::vector<Eigen::VectorXd> ReadNpy(const std::filesystem::path& file, const st
   const auto byte = [&](size_t i) { return static_cast<unsigned char>(bytes[i]); };
   std::smatch match;
   size_t begin = 0, frames = 0, row = 0;
-  if (bytes.size() > kPreamble && bytes.compare(0, 7, "\x93NUMPY\x01") == 0) {
+  if (bytes.size() > kPreamble && StartsWith(bytes, "\x93NUMPY\x01")) {
     begin = kPreamble + byte(8) + 256u * byte(9);
     const std::string header = bytes.substr(kPreamble, begin - kPreamble);
     const bool is_plain = header.find("'<f8'") != std::string::npos &&

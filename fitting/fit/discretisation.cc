@@ -62,7 +62,7 @@ double Amplitude(const Misfit& misfit, double squares, double found) {
   return std::max(std::abs(found), std::sqrt(beyond_noise * misfit.observed / squares));
 }
 
-void AddDiscretisation(const PointRows& own, const PointRows& finer,
+void AddDiscretisation(const MeshRows& own, const MeshRows& finer,
                        const Eigen::MatrixXd& prior_jacobian, PointFit* fit) {
   constexpr double kOfDifference = 1.0 / (1.0 - 1.0 / (kFiner * kFiner));
   const Eigen::VectorXd error = kOfDifference * (own.residuals - finer.residuals);
@@ -85,7 +85,7 @@ void AddDiscretisation(const PointRows& own, const PointRows& finer,
 }
 
 PointFit PointFitOf(const std::vector<SeenResidual>& seen, const FreeVector& free,
-                    const PointRows& own, const std::optional<PointRows>& finer) {
+                    const MeshRows& own, const std::optional<MeshRows>& finer) {
   PointFit fit;
   fit.misfit = MeasureMisfit(seen, free.size());
   fit.errors.correlation = fit.misfit.correlation;
@@ -101,7 +101,7 @@ std::optional<Misfit> MisfitOfPoints(const Scene& scene, const FitConfig& config
   if (!HasPoints(scene)) return {};
   const Scene points = PointsOf(scene);
   const FitConfig of_points = ConfigOfPoints(config);
-  const std::optional<PointRows> rows = EvaluateRows(points, of_points, theta, false);
+  const std::optional<MeshRows> rows = EvaluateRows(points, of_points, theta, false);
   if (!rows) return {};
   const FreeParameters free(of_points, points, MakeParameterTable());
   return MeasureMisfit(SeenResiduals(points, rows->residuals), free.size());
@@ -109,7 +109,7 @@ std::optional<Misfit> MisfitOfPoints(const Scene& scene, const FitConfig& config
 
 std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes,
                                            const Eigen::VectorXd& theta) {
-  std::vector<PointScene> points;
+  std::vector<SceneOnMeshes> points;
   for (std::size_t i = 0; i < scenes.size(); ++i)
     points.push_back({PointsOf(scenes[i].scene), ConfigOfPoints(scenes[i].config), 1.0, {}, {}});
   std::vector<NamedScene> named;
@@ -118,13 +118,13 @@ std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes,
   const JointScenes of_points(std::move(named));
   if (of_points.NumResiduals() == 0) return {};
   EvaluateBoth(scenes.free(), theta, &points);
-  const auto own = Stack(scenes.free(), points, &PointScene::own);
+  const auto own = Stack(scenes.free(), points, &SceneOnMeshes::own);
   if (!own) return {};
   JointPointFit fit;
   fit.all = PointFitOf(SeenResiduals(of_points, own->residuals), scenes.free(), *own,
-                       Stack(scenes.free(), points, &PointScene::finer));
+                       Stack(scenes.free(), points, &SceneOnMeshes::finer));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const PointScene& one = points[i];
+    const SceneOnMeshes& one = points[i];
     fit.of_each.push_back(PointFitOf(SeenResiduals(one.scene, one.own->residuals), scenes[i].free,
                                      *one.own, one.finer));
   }
@@ -138,7 +138,7 @@ double OutlineCorrelation(const std::vector<std::vector<double>>& outlines, doub
 
 std::optional<ModelErrors> MeasureOutlines(const JointScenes& scenes,
                                            const Eigen::VectorXd& theta) {
-  std::vector<PointScene> outlines;
+  std::vector<SceneOnMeshes> outlines;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const auto& [scene, config, free, observations] = scenes[i];
     if (!SeesOutlinesAlone(scene)) return {};
@@ -146,13 +146,13 @@ std::optional<ModelErrors> MeasureOutlines(const JointScenes& scenes,
     outlines.push_back({EveryFitted(scene, every), config, static_cast<double>(every), {}, {}});
   }
   EvaluateBoth(scenes.free(), theta, &outlines);
-  const auto own = Stack(scenes.free(), outlines, &PointScene::own);
+  const auto own = Stack(scenes.free(), outlines, &SceneOnMeshes::own);
   if (!own) return {};
-  const std::optional<PointRows> finer = Stack(scenes.free(), outlines, &PointScene::finer);
+  const std::optional<MeshRows> finer = Stack(scenes.free(), outlines, &SceneOnMeshes::finer);
   std::vector<std::vector<double>> residuals;
   double frame_rate = 0.0, observed = 0.0;
   const double* next = own->residuals.data();
-  for (const PointScene& one : outlines) {
+  for (const SceneOnMeshes& one : outlines) {
     for (const auto& [first, count] : OutlineRows(one.scene)) {
       residuals.emplace_back(next, next + count);
       next += count;

@@ -14,7 +14,7 @@
 namespace clothfit {
 namespace {
 
-void KeepRows(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& kept, PointRows* rows) {
+void KeepRows(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& kept, MeshRows* rows) {
   Eigen::Index to = 0;
   for (const auto& [first, count] : kept) {
     rows->residuals.segment(to, count) = rows->residuals.segment(first, count).eval();
@@ -26,8 +26,8 @@ void KeepRows(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& kept, Po
   if (rows->jacobian.cols() > 0) rows->jacobian.conservativeResize(to, Eigen::NoChange);
 }
 
-std::optional<PointRows> EvaluateFiner(const Scene& scene, FitConfig config,
-                                       const Eigen::VectorXd& theta) {
+std::optional<MeshRows> EvaluateFiner(const Scene& scene, FitConfig config,
+                                      const Eigen::VectorXd& theta) {
   if (!scene.mesh.is_grid()) return std::nullopt;
   const std::array<int, 2> grid = scene.mesh.grid;
   config.resolution = GridWithSide(grid, FinerSide(std::max(grid[0], grid[1])));
@@ -57,12 +57,12 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> OutlineRows(const Scene& scen
   return rows;
 }
 
-std::optional<PointRows> EvaluateRows(const Scene& scene, const FitConfig& config,
-                                      const Eigen::VectorXd& theta, bool derivatives) {
+std::optional<MeshRows> EvaluateRows(const Scene& scene, const FitConfig& config,
+                                     const Eigen::VectorXd& theta, bool derivatives) {
   const FreeParameters free(config, scene, MakeParameterTable());
   WindowSimulator simulator(scene, config, free, false, nullptr);
   const ObservationResiduals observations(scene, config);
-  PointRows rows;
+  MeshRows rows;
   const auto outcome = EvaluateWindow(&simulator, observations, simulator.FirstStart(theta), theta,
                                       0, scene.last_fitted_frame, WindowRows::kAll, &rows.residuals,
                                       derivatives ? &rows.jacobian : nullptr);
@@ -72,30 +72,30 @@ std::optional<PointRows> EvaluateRows(const Scene& scene, const FitConfig& confi
 }
 
 void EvaluateBoth(const JointVector& free, const Eigen::VectorXd& theta,
-                  std::vector<PointScene>* scenes) {
+                  std::vector<SceneOnMeshes>* scenes) {
   ParallelFor(2 * static_cast<int>(scenes->size()), NumThreads(0), [&](int piece, int) {
     const auto i = static_cast<std::size_t>(piece / 2);
     const Eigen::VectorXd own = free.Of(i, theta);
-    PointScene& one = (*scenes)[i];
+    SceneOnMeshes& one = (*scenes)[i];
     if (piece % 2 == 0) one.finer = EvaluateFiner(one.scene, one.config, own);
     if (piece % 2 == 1) one.own = EvaluateRows(one.scene, one.config, own, true);
   });
 }
 
-std::optional<PointRows> Stack(const JointVector& free, const std::vector<PointScene>& points,
-                               std::optional<PointRows> PointScene::*rows) {
-  PointRows all;
+std::optional<MeshRows> Stack(const JointVector& free, const std::vector<SceneOnMeshes>& scenes,
+                              std::optional<MeshRows> SceneOnMeshes::*rows) {
+  MeshRows all;
   Eigen::Index count = 0;
-  for (const PointScene& one : points) {
+  for (const SceneOnMeshes& one : scenes) {
     if (!(one.*rows)) return std::nullopt;
     count += (one.*rows)->residuals.size();
   }
   all.residuals.resize(count);
-  all.jacobian.setZero((points.front().*rows)->jacobian.cols() > 0 ? count : 0, free.size());
+  all.jacobian.setZero((scenes.front().*rows)->jacobian.cols() > 0 ? count : 0, free.size());
   Eigen::Index row = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const PointRows& one = *(points[i].*rows);
-    const double root = std::sqrt(points[i].weight);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const MeshRows& one = *(scenes[i].*rows);
+    const double root = std::sqrt(scenes[i].weight);
     all.residuals.segment(row, one.residuals.size()) = root * one.residuals;
     if (one.jacobian.cols() > 0) free.PutColumns(i, root * one.jacobian, row, &all.jacobian);
     row += one.residuals.size();

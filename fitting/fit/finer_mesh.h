@@ -12,17 +12,18 @@
 
 namespace clothfit {
 
-struct PointRows {
+// Of what is observed in a recording, on one mesh.
+struct MeshRows {
   Eigen::VectorXd residuals;
   RowMajorMatrix jacobian;
 };
 
 // A recording's markers and tracks alone, or its outlines, as it is given and on the finer mesh.
-struct PointScene {
+struct SceneOnMeshes {
   Scene scene;
   FitConfig config;
   double weight = 1.0;  // of the squares of its rows
-  std::optional<PointRows> own, finer;
+  std::optional<MeshRows> own, finer;
 };
 
 // Outlines are all that is observed.
@@ -35,16 +36,16 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> OutlineRows(const Scene& scen
 
 // Of the fitted frames at theta; of outlines alone the rows of OutlineRows. Empty where they cannot
 // be simulated.
-std::optional<PointRows> EvaluateRows(const Scene& scene, const FitConfig& config,
-                                      const Eigen::VectorXd& theta, bool derivatives);
+std::optional<MeshRows> EvaluateRows(const Scene& scene, const FitConfig& config,
+                                     const Eigen::VectorXd& theta, bool derivatives);
 
 // The same on both meshes, side by side, the given one with derivatives.
 void EvaluateBoth(const JointVector& free, const Eigen::VectorXd& theta,
-                  std::vector<PointScene>* scenes);
+                  std::vector<SceneOnMeshes>* scenes);
 
 // The rows of all, one recording after the other, with the columns of all. Empty where one has
 // none.
-std::optional<PointRows> Stack(const JointVector& free, const std::vector<PointScene>& points,
-                               std::optional<PointRows> PointScene::*rows);
+std::optional<MeshRows> Stack(const JointVector& free, const std::vector<SceneOnMeshes>& scenes,
+                              std::optional<MeshRows> SceneOnMeshes::*rows);
 
 }  // namespace clothfit

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "fitting/config/config.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -23,7 +24,7 @@ std::string SayCostIsRugged(double promised, double window) {
 
 std::string RuggedCostAmong(const std::vector<std::string>& statements) {
   for (const std::string& statement : statements)
-    if (statement.rfind(kBegin, 0) == 0) return statement;
+    if (StartsWith(statement, kBegin)) return statement;
   return "";
 }
 

@@ -51,8 +51,7 @@ JobList ReadJobList(const fs::path& folder) {
                                           "; expected the folder of a study, trials or a batch");
   }
   JobList list;
-  try {
-    const nlohmann::json json = nlohmann::json::parse(ReadJsonText(file));
+  ReadJson(file, "is no list of jobs", [&](const nlohmann::json& json) {
     if (json.at("format") != kJobListFormat)
       throw InputError(file.string(), std::string("format: expected ") + kJobListFormat);
     const auto version = json.at("clothfit").get<std::string>();
@@ -67,9 +66,7 @@ JobList ReadJobList(const fs::path& folder) {
       list.jobs.push_back({job.at("name"), job.at("input"), job.at("stage")});
       CheckJobName(list.jobs.back().name, file);
     }
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(file.string(), std::string("is no list of jobs: ") + error.what());
-  }
+  });
   return list;
 }
 

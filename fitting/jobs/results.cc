@@ -35,13 +35,10 @@ std::set<std::string> NamesOfResults(const fs::path& folder) {
 std::optional<JobResult> ReadJobResult(const fs::path& folder, const std::string& name) {
   const fs::path file = ResultFile(folder, name);
   if (!fs::exists(file)) return std::nullopt;
-  try {
-    const nlohmann::json json = nlohmann::json::parse(ReadJsonText(file));
+  return ReadJson(file, "no result of a job", [&](const nlohmann::json& json) {
     return JobResult{name, json.at("output"), json.at("problem").get<std::string>(),
                      json.at("seconds").get<double>()};
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(file.string(), std::string("no result of a job: ") + error.what());
-  }
+  });
 }
 
 std::vector<JobResult> ReadJobResults(const fs::path& folder, const std::vector<Job>& jobs) {

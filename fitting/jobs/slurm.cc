@@ -49,8 +49,8 @@ bool IsPossible(const SlurmArray& array, const JobList& list) {
 std::vector<SlurmArray> ReadSubmitted(const fs::path& folder, const JobList& list) {
   const fs::path file = SubmittedFile(folder);
   if (!fs::exists(file)) return {};
-  try {
-    auto arrays = nlohmann::json::parse(ReadJsonText(file)).get<std::vector<SlurmArray>>();
+  return ReadJson(file, "does not say what was submitted", [&](const nlohmann::json& json) {
+    auto arrays = json.get<std::vector<SlurmArray>>();
     for (const SlurmArray& array : arrays) {
       if (IsPossible(array, list)) continue;
       throw InputError(file.string(), "array " + Quoted(array.id) +
@@ -58,10 +58,7 @@ std::vector<SlurmArray> ReadSubmitted(const fs::path& folder, const JobList& lis
                                           kJobListFile);
     }
     return arrays;
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(file.string(),
-                     std::string("does not say what was submitted: ") + error.what());
-  }
+  });
 }
 
 std::string OneLine(std::string text) {

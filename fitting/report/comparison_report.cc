@@ -13,6 +13,7 @@
 #include "fitting/report/record_file.h"
 #include "fitting/report/scene_page.h"
 #include "fitting/studies/comparison.h"
+#include "tracking/text/json_text.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -122,17 +123,13 @@ ReportJson Column(const std::string& title, const char* unit = "") {
   return {{"title", title}, {"unit", unit}, {"number", true}};
 }
 
-ReportJson FiniteOrNull(double value) {
-  return std::isfinite(value) ? ReportJson(value) : ReportJson();
-}
-
 ReportJson StandingTable(const Comparison& comparison,
                          const std::vector<ContenderStanding>& standings) {
   ReportJson rows = ReportJson::array();
   for (const ContenderStanding& s : standings) {
-    rows.push_back({s.name, FiniteOrNull(s.error), s.runs, s.reached,
-                    s.reached > 0 ? FiniteOrNull(s.simulations_lead) : ReportJson(),
-                    s.reached > 0 ? FiniteOrNull(s.seconds_lead) : ReportJson()});
+    rows.push_back({s.name, OrNull(s.error), s.runs, s.reached,
+                    s.reached > 0 ? OrNull(s.simulations_lead) : ReportJson(),
+                    s.reached > 0 ? OrNull(s.seconds_lead) : ReportJson()});
   }
   const std::string opponent = comparison.contenders.back();
   return {{"kind", "table"},
@@ -150,11 +147,10 @@ ReportJson StandingTable(const Comparison& comparison,
 ReportJson RunTable(const Comparison& comparison) {
   ReportJson rows = ReportJson::array();
   for (const ComparedRun& run : comparison.runs) {
-    rows.push_back({run.contender, run.start, FiniteOrNull(run.error),
-                    FiniteOrNull(run.open_loop_error),
+    rows.push_back({run.contender, run.start, OrNull(run.error), OrNull(run.open_loop_error),
                     run.truth_rms ? ReportJson(1e3 * *run.truth_rms) : ReportJson(),
-                    FiniteOrNull(run.simulations), FiniteOrNull(run.seconds),
-                    run.converged ? "yes" : "no", run.reason});
+                    OrNull(run.simulations), OrNull(run.seconds), run.converged ? "yes" : "no",
+                    run.reason});
   }
   return {{"kind", "table"},
           {"title", "Every run"},

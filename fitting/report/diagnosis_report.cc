@@ -22,6 +22,7 @@
 #include "fitting/report/scene_page.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/outliers/swapped_markers.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -62,7 +63,7 @@ Grade GradeOf(const DiagnosisRecord& record) {
 // What follows the headline, as its sentences.
 std::vector<std::string> Sentences(const DiagnosisRecord& record) {
   const std::string& words = record.words;
-  const bool has_headline = words.rfind(record.headline, 0) == 0;
+  const bool has_headline = StartsWith(words, record.headline);
   std::vector<std::string> sentences;
   const std::size_t begin = has_headline ? record.headline.size() + 1 : 0;
   for (std::string rest = words.substr(std::min(begin, words.size())); !rest.empty();) {

@@ -64,8 +64,7 @@ ObstacleSurface ReadObstacle(const fs::path& folder, const ReportJson& json) {
 }
 
 void ReadExtra(const fs::path& file, const ReportScene& report, ReportExtras* extras) {
-  try {
-    const ReportJson json = ReportJson::parse(ReadJsonText(file));
+  ReadJson<ReportJson>(file, "is no addition to a report", [&](const ReportJson& json) {
     for (const ReportJson& section : json.value("sections", ReportJson::array())) {
       for (const char* key : {"id", "title", "blocks"}) section.at(key);
       extras->sections.push_back(section);
@@ -76,9 +75,7 @@ void ReadExtra(const fs::path& file, const ReportScene& report, ReportExtras* ex
     for (const ReportJson& obstacle : json.value("obstacles", ReportJson::array())) {
       extras->obstacles.push_back(ReadObstacle(file.parent_path(), obstacle));
     }
-  } catch (const ReportJson::exception& error) {
-    throw InputError(file.string(), std::string("is no addition to a report: ") + error.what());
-  }
+  });
 }
 
 }  // namespace

@@ -14,15 +14,11 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-bool BeginsWith(const std::string& text, const std::string& begin) {
-  return text.rfind(begin, 0) == 0;
-}
-
 // Text without the marks of emphasis and code, and with links as their text.
 std::string Plain(const std::string& text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '`' || BeginsWith(text.substr(i, 2), "**")) {
+    if (text[i] == '`' || StartsWith(text.substr(i, 2), "**")) {
       i += text[i] == '`' ? 0 : 1;
       continue;
     }
@@ -97,7 +93,7 @@ class MarkdownReader {
         ++at_;
       } else if (line.front() == '#') {
         ReadHeading(line);
-      } else if (BeginsWith(line, "```")) {
+      } else if (StartsWith(line, "```")) {
         ReadCode();
       } else if (line.front() == '|' && at_ + 1 < lines_.size() && IsRule(lines_[at_ + 1])) {
         ReadTable();
@@ -122,7 +118,7 @@ class MarkdownReader {
 
   void ReadCode() {
     std::string text;
-    for (++at_; at_ < lines_.size() && !BeginsWith(lines_[at_], "```"); ++at_)
+    for (++at_; at_ < lines_.size() && !StartsWith(lines_[at_], "```"); ++at_)
       text += lines_[at_] + "\n";
     ++at_;
     page_.blocks.push_back({{"kind", "code"}, {"text", text}});
@@ -131,7 +127,7 @@ class MarkdownReader {
   void ReadTable() {
     const Cells header = SplitRow(lines_[at_]);
     std::vector<Cells> rows;
-    for (at_ += 2; at_ < lines_.size() && BeginsWith(lines_[at_], "|"); ++at_)
+    for (at_ += 2; at_ < lines_.size() && StartsWith(lines_[at_], "|"); ++at_)
       rows.push_back(SplitRow(lines_[at_]));
     if (!has_table_) page_.paragraphs_before_table = static_cast<int>(page_.paragraphs.size());
     has_table_ = true;
@@ -143,7 +139,7 @@ class MarkdownReader {
     std::string text;
     for (; at_ < lines_.size(); ++at_) {
       std::string line(TrimBlanks(lines_[at_]));
-      const bool is_item = BeginsWith(line, "- ") || BeginsWith(line, "* ");
+      const bool is_item = StartsWith(line, "- ") || StartsWith(line, "* ");
       if (line.empty() || line.front() == '#' || line.front() == '|') break;
       if (is_item && !text.empty()) break;
       if (is_item) line.erase(0, 2);

@@ -8,6 +8,7 @@
 #include "fitting/files/version.h"
 #include "fitting/report/html.h"
 #include "fitting/report/observations.h"
+#include "tracking/text/json_text.h"
 
 namespace clothfit {
 namespace {
@@ -125,8 +126,8 @@ Json ErrorsAsJson(const std::vector<ErrorChange>& changes) {
     errors.push_back({{"kind", error.kind},
                       {"held_out", error.held_out},
                       {"unit", error.unit},
-                      {"before", error.before ? Json(*error.before) : Json()},
-                      {"after", error.after ? Json(*error.after) : Json()}});
+                      {"before", OrNull(error.before)},
+                      {"after", OrNull(error.after)}});
   }
   return errors;
 }

@@ -111,7 +111,7 @@ void CheckContact(const Scene& scene, const FitConfig& config) {
     simulation.CheckStart(simulation.MakeState(x));
   } catch (const InputError& error) {
     const std::string text = error.what();
-    if (text.rfind("contact.", 0) == 0) throw;  // a parameter, not of the recording
+    if (StartsWith(text, "contact.")) throw;  // a parameter, not of the recording
     throw InputError((scene.recording.path / "recording.yaml").string(), text);
   }
 }

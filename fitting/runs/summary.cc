@@ -4,7 +4,6 @@
 #include "fitting/runs/summary.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fitting/files/version.h"
 #include "fitting/runs/fit_run.h"
@@ -13,15 +12,12 @@
 #include "tracking/outliers/outliers.h"
 #include "tracking/outliers/swapped_markers.h"
 #include "tracking/recording/support.h"
+#include "tracking/text/json_text.h"
 
 namespace clothfit {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json OrNull(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 Json FittedErrors(const Evaluation& evaluation) {
   return {{"marker_rms_m", OrNull(evaluation.marker_rms)},

@@ -16,6 +16,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/rollout/free_parameters.h"
 #include "fitting/rollout/shooting_windows.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -27,7 +28,7 @@ constexpr double kGigabyte = 1e9;
 double MemoryLine(const std::string& name) {
   std::ifstream file("/proc/meminfo");
   for (std::string line; std::getline(file, line);)
-    if (line.rfind(name + ":", 0) == 0) return std::stod(line.substr(name.size() + 1));
+    if (StartsWith(line, name + ":")) return std::stod(line.substr(name.size() + 1));
   return std::numeric_limits<double>::infinity();
 }
 

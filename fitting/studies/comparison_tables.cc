@@ -233,9 +233,9 @@ void WriteComparison(const std::filesystem::path& file, const Comparison& compar
 }
 
 Comparison ReadComparison(const std::filesystem::path& file) {
-  try {
-    const Json json = Json::parse(ReadJsonText(file));
-    if (json.at("format") != kFormat) throw std::invalid_argument("another format");
+  return ReadJson<Json>(file, "is no comparison", [&](const Json& json) {
+    if (json.at("format") != kFormat)
+      throw InputError(file.string(), std::string("has another format; expected ") + kFormat);
     Comparison comparison;
     comparison.recording = json.at("recording").get<std::string>();
     comparison.frames = json.at("frames").get<int>();
@@ -246,9 +246,7 @@ Comparison ReadComparison(const std::filesystem::path& file) {
     comparison.contenders = json.at("contenders").get<std::vector<std::string>>();
     for (const Json& run : json.at("runs")) comparison.runs.push_back(RunFrom(run));
     return comparison;
-  } catch (const std::exception& error) {
-    throw InputError(file.string(), fmt::format("expected {}, {}", kFormat, error.what()));
-  }
+  });
 }
 
 }  // namespace clothfit

@@ -195,7 +195,7 @@ std::string CurveRows(const std::vector<JobResult>& results) {
 Chart CurveChart(const std::vector<JobResult>& results, int column, const std::string& title) {
   Chart chart{title, "step of the differences", "error of the differences", true, true, {}};
   for (const JobResult& result : results) {
-    if (result.name.rfind("horizon", 0) != 0) continue;
+    if (!StartsWith(result.name, "horizon")) continue;
     ChartLine line{result.name + " frames", {}, false, true};
     for (const nlohmann::json& point : result.output.at("curve")) {
       if (!point[column].is_null())

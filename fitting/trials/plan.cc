@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/names.h"
 #include "autodiff_sim/base/normal_numbers.h"
 #include "fitting/trials/finite_elements/laws.h"
 #include "tracking/text/text.h"
@@ -320,8 +321,7 @@ void AddQuickTrials(Planner* planner) {
 }
 
 void CheckOnly(const std::vector<std::string>& only) {
-  std::vector<std::string> known;
-  for (const TermInfo& term : AbsentTerms()) known.push_back(term.name);
+  std::vector<std::string> known = NamesOf(AbsentTerms());
   for (const PlantableEffect& effect : UnlistedEffects()) {
     if (std::find(known.begin(), known.end(), effect.term) == known.end())
       known.push_back(effect.term);

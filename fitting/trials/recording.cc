@@ -133,12 +133,6 @@ SyntheticGenerator GeneratorOf(const Trial& trial, ActingForce* force) {
   return generator;
 }
 
-std::string JoinWith(const std::vector<std::string>& words, const char* between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
 }  // namespace
 
 TrialTruth PlantedTruth(const Trial& trial) {
@@ -154,7 +148,7 @@ TrialTruth PlantedTruth(const Trial& trial) {
 
 std::string TrialTruth::Label(const Trial& trial) const {
   std::string label = trial.name +
-                      "; effects: " + (effects.empty() ? "none" : JoinWith(effects, " + ")) +
+                      "; effects: " + (effects.empty() ? "none" : JoinNames(effects, " + ")) +
                       "; fault: " + (fault.empty() ? "none" : fault);
   for (const auto& [name, value] : parameters) label += "; " + name + " = " + FormatNumber(value);
   if (!trial.fault) return label;

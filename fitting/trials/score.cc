@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/base/names.h"
+
 namespace clothfit {
 namespace {
 
@@ -39,12 +41,6 @@ std::string VerdictWord(Verdict verdict) {
       break;
   }
   return "interrupted";
-}
-
-std::string Joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " + ") + word;
-  return text;
 }
 
 const Candidate* FindCandidate(const Diagnosis& diagnosis, const std::string& name) {
@@ -274,12 +270,12 @@ TrialScore ScoreDiagnosis(const Trial& trial, const TrialTruth& truth, const Dia
   score.motion = ToString(trial.recording.scenario);
   score.observation = ToString(trial.observation);
   score.size = trial.effects.empty() ? "" : ToString(trial.effects.front().size);
-  score.truth = !truth.effects.empty() ? Joined(truth.effects)
+  score.truth = !truth.effects.empty() ? JoinNames(truth.effects, " + ")
                 : truth.fault.empty()  ? "none"
                                        : truth.fault;
   score.status = TrialStatus::kDone;
   score.verdict = VerdictWord(diagnosis.verdict);
-  score.named = Joined(diagnosis.effects);
+  score.named = JoinNames(diagnosis.effects, " + ");
   score.num_named = static_cast<int>(diagnosis.effects.size());
   if (!diagnosis.ranking.empty()) score.top = diagnosis.ranking.front().name;
   switch (trial.kind) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/base/names.h"
 #include "fitting/diagnosis/answer/folder.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
 #include "fitting/files/sha256.h"
@@ -20,8 +21,6 @@ namespace fs = std::filesystem;
 
 // What decides the scores. The digest of the labels' digests binds to them before any is scored.
 std::string Conditions(const TrialSettings& settings, const std::string& commitments) {
-  std::string only;
-  for (const std::string& name : settings.size.only) only += (only.empty() ? "" : ", ") + name;
   const auto flag = [](bool value) { return value ? "true" : "false"; };
   return fmt::format(
       "clothfit: {}\nplan: {}\nmatch: '{}'\nsample: {}\nfirst_seed: {}\nseeds: {}\nonly: "
@@ -30,10 +29,11 @@ std::string Conditions(const TrialSettings& settings, const std::string& commitm
       "{}\nsimulate_null: {}\n"
       "guide: {}\ntrue_model: {}\ncommitments: {}\n",
       Version(), settings.plan, settings.size.match, settings.size.sample, settings.size.first_seed,
-      settings.size.num_seeds, only, settings.size.frame_count, settings.size.resolution,
-      settings.finest_side, flag(settings.size.same_generator), flag(settings.size.finite_elements),
-      flag(!settings.no_projection), flag(!settings.table_null), flag(!settings.no_guide),
-      flag(!settings.no_true_model), Sha256(commitments));
+      settings.size.num_seeds, JoinNames(settings.size.only), settings.size.frame_count,
+      settings.size.resolution, settings.finest_side, flag(settings.size.same_generator),
+      flag(settings.size.finite_elements), flag(!settings.no_projection),
+      flag(!settings.table_null), flag(!settings.no_guide), flag(!settings.no_true_model),
+      Sha256(commitments));
 }
 
 TrialRunOptions HowToRun(const TrialSettings& settings, const fs::path& folder) {

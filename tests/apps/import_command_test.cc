@@ -132,9 +132,12 @@ TEST_F(ImportCommand, PutsCamerasAndVideosTogether) {
               HasSubstr("it needs --size, --frames, --rate, --ground, --origin or --corner"));
   EXPECT_THAT(cameras.out,
               testing::EndsWith("\nnext: clothfit import video CAMERA=FILE ... -o rec\n"));
-  const CommandResult videos =
-      Import({"video", "left=a.avi", "right=b.avi", "-o", "rec", "--size", "0.4", "0.3", "--origin",
-              "-0.2", "-0.1", "1", "--v-axis", "0", "0", "-1"});
+  EXPECT_THAT(BadInputLine(Import({"video", "left=a.avi", "-o", "rec", "--handle", "hand=0"})),
+              HasSubstr("--handle: expected NAME=U,V such as left=0,0, found 'hand=0'"));
+  const CommandResult videos = Import(
+      {"video",    "left=a.avi",   "right=b.avi", "-o",  "rec",        "--size", "0.4", "0.3",
+       "--origin", "-0.2",         "-0.1",        "1",   "--v-axis",   "0",      "0",   "-1",
+       "--handle", "hand=0.4,0.3", "--density",   "0.2", "--held-out", "0.25"});
   ASSERT_EQ(videos.status, 0) << videos.err;
   EXPECT_THAT(videos.out, HasSubstr("2 cameras, 4 frames at 25 Hz"));
   EXPECT_THAT(videos.out, Not(HasSubstr("not written")));
@@ -143,6 +146,13 @@ TEST_F(ImportCommand, PutsCamerasAndVideosTogether) {
   EXPECT_EQ(recording.frame_count, 4);
   EXPECT_EQ(std::get<FlatPlacement>(recording.cloth.initial).origin,
             Eigen::Vector3d(-0.2, -0.1, 1.0));
+  ASSERT_EQ(recording.handles.size(), 1u);
+  EXPECT_EQ(recording.handles[0].uv, Eigen::Vector2d(0.4, 0.3));
+  EXPECT_EQ(recording.cloth.areal_density, 0.2);
+  ASSERT_TRUE(recording.splits.held_out_frames);
+  EXPECT_EQ(recording.splits.held_out_frames->first, 3);
+  EXPECT_THAT(BadInputLine(Import({"video", "left=a.avi", "-o", "rec", "--density", "1"})),
+              HasSubstr("recording.yaml: exists already; expected no --corner, --handle"));
   EXPECT_EQ(Import({"video", "left=a.avi", "-o", "rec"}).status, 0) << "the same again";
   EXPECT_THAT(BadInputLine(Import({"video", "left=b.avi", "-o", "rec"})),
               HasSubstr("left.avi: exists already; --force replaces it"));

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "autodiff_sim/base/names.h"
+#include "autodiff_sim/base/printable.h"
 #include "tracking/text/yaml_reader.h"
 
 namespace clothfit {
@@ -74,6 +76,10 @@ std::string CamerasAsYaml(const std::vector<Camera>& cameras) {
         fmt::format("    t: [{}]\n", fmt::join(translation.data(), translation.data() + 3, ", "));
   }
   return text;
+}
+
+std::string IsNoCamera(const std::string& name, const std::vector<Camera>& cameras) {
+  return Quoted(name) + " is no camera of cameras.yaml; " + Suggestion(name, NamesOf(cameras));
 }
 
 }  // namespace clothfit

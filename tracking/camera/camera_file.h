@@ -19,4 +19,7 @@ std::vector<Camera> ReadCameras(const std::filesystem::path& file);
 // The text of such a file.
 std::string CamerasAsYaml(const std::vector<Camera>& cameras);
 
+// "'lefd' is no camera of cameras.yaml; did you mean 'left'?"
+std::string IsNoCamera(const std::string& name, const std::vector<Camera>& cameras);
+
 }  // namespace clothfit

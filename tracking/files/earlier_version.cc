@@ -7,6 +7,8 @@
 #include <functional>
 #include <initializer_list>
 
+#include "tracking/text/text.h"
+
 namespace clothfit {
 namespace {
 
@@ -38,7 +40,7 @@ bool Reads(const fs::path& file, std::initializer_list<const char*> parts) {
   std::ifstream stream(file, std::ios::binary);
   stream.read(text.data(), kMost);
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.rfind(*parts.begin(), 0) != 0) return false;
+  if (!StartsWith(text, *parts.begin())) return false;
   std::size_t at = 0;
   for (const char* part : parts) {
     at = text.find(part, at);

@@ -36,7 +36,8 @@ constexpr KindRow kKinds[] = {
     {FolderKind::kStudy, "study", "results of a study", ""},
     {FolderKind::kStudyTables, "study tables", "tables of a study", ""},
     {FolderKind::kStudyRecordings, "study recordings", "the recordings of studies", ""},
-    {FolderKind::kKeptFits, "kept fits", "the fits of a diagnosis", "[0-9a-f]{64}\\.cbor"},
+    {FolderKind::kKeptFits, "kept fits", "the fits of a diagnosis",
+     "(forecasts-([0-9]+-)?)?[0-9a-f]{64}\\.cbor"},
     {FolderKind::kSlurm, "slurm", "what Slurm was given and wrote",
      R"((stage-[0-9]+|gather)\.sh|submitted\.json|[0-9]+(_[0-9]+)?\.log)"}};
 
@@ -157,7 +158,9 @@ std::set<std::string> FilesNamed(const fs::path& folder, const std::regex& names
   return found;
 }
 
-void RemovePartFiles(const fs::path& folder, const std::set<std::string>& files) {
+void RemovePartFiles(const fs::path& folder, const std::set<std::string>& files,
+                     std::optional<FolderKind> kind) {
+  const std::regex names(kind ? RowOf(*kind).names : "");
   std::set<std::string> folders;
   for (const std::string& file : files)
     if (IsReached(folder, file)) folders.insert(fs::path(file).parent_path().string());
@@ -166,8 +169,10 @@ void RemovePartFiles(const fs::path& folder, const std::set<std::string>& files)
     for (fs::directory_iterator entry(folder / one, error), end; !error && entry != end;
          entry.increment(error)) {
       const std::string place = PlaceOfPartFile(entry->path().filename().string());
+      if (place.empty()) continue;
+      const std::string file = (fs::path(one) / place).string();
       std::error_code ignored;
-      if (!place.empty() && files.count((fs::path(one) / place).string()) > 0 &&
+      if ((files.count(file) > 0 || std::regex_match(file, names)) &&
           fs::is_regular_file(entry->symlink_status(ignored)))
         fs::remove(entry->path(), ignored);
     }

@@ -60,8 +60,10 @@ bool IsInside(const std::string& file);
 // The regular files below a folder whose relative path matches. Links are not followed.
 std::set<std::string> FilesNamed(const std::filesystem::path& folder, const std::regex& names);
 
-// Removes what a killed writer left of these files, which were under way.
-void RemovePartFiles(const std::filesystem::path& folder, const std::set<std::string>& files);
+// Removes what a killed writer left of these files, which were under way, and, where `kind` is
+// said, of those beside them that a folder of that kind knows by their names.
+void RemovePartFiles(const std::filesystem::path& folder, const std::set<std::string>& files,
+                     std::optional<FolderKind> kind = {});
 
 // Removes what a folder's manifest lists, and the folder if nothing else is in it; otherwise it
 // keeps a manifest that lists nothing. What lies behind a link, or is no regular file any more, is

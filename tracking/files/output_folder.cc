@@ -6,6 +6,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "tracking/files/whole_file.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -71,8 +72,9 @@ OutputFolder::OutputFolder(fs::path folder, FolderKind kind, std::string command
   manifest_ = manifest.value_or(Manifest{kind_, {}});
   if (existing_ == Existing::kJoin) return;  // others may be writing
   std::set<std::string> unfinished = {kManifestFile};
-  if (existing_ == Existing::kResume) unfinished.merge(manifest_.All());
-  RemovePartFiles(path_, unfinished);
+  const bool goes_on = existing_ == Existing::kResume;
+  if (goes_on) unfinished.merge(manifest_.All());
+  RemovePartFiles(path_, unfinished, goes_on ? std::optional(kind_) : std::nullopt);
 }
 
 OutputFolder::~OutputFolder() {
@@ -106,7 +108,7 @@ bool OutputFolder::MayReplace(const std::string& file) const {
   if (existing_ == Existing::kRefuse || existing_ == Existing::kAdd) return false;
   if (existing_ != Existing::kAddAndReplace) return manifest_.Lists(file);
   return std::any_of(manifest_.files.begin(), manifest_.files.end(), [&](const auto& group) {
-    return group.first.rfind(kImports, 0) == 0 && group.second.count(file) > 0;
+    return StartsWith(group.first, kImports) && group.second.count(file) > 0;
   });
 }
 

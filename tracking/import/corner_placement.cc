@@ -35,12 +35,10 @@ std::string Described(const Eigen::Vector2d& uv) {
 }
 
 int CameraIndex(const std::string& name, const std::vector<Camera>& cameras) {
-  std::vector<std::string> names;
   for (size_t i = 0; i < cameras.size(); ++i) {
     if (cameras[i].name == name) return static_cast<int>(i);
-    names.push_back(cameras[i].name);
   }
-  throw InputError(kOption, "'" + name + "' is no camera; " + Suggestion(name, names));
+  throw InputError(kOption, "'" + name + "' is no camera; " + Suggestion(name, NamesOf(cameras)));
 }
 
 std::vector<Corner> ByPoint(const std::vector<SeenCorner>& seen, const std::vector<Camera>& cameras,

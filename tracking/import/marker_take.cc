@@ -40,12 +40,6 @@ void ChangePaths(MarkerTake* take, Change change) {
 
 }  // namespace
 
-std::vector<std::string> NamesOf(const MarkerTake& take) {
-  std::vector<std::string> names;
-  for (const MarkerPath& marker : take.markers) names.push_back(marker.name);
-  return names;
-}
-
 size_t MarkerNamed(const MarkerTake& take, const std::string& name, const std::string& option) {
   const std::vector<std::string> names = NamesOf(take);
   const auto found = std::find(names.begin(), names.end(), name);

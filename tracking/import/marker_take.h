@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "autodiff_sim/base/names.h"
 #include "tracking/recording/recording.h"
 
 namespace clothfit {
@@ -42,7 +43,7 @@ LayoutByName ReadLayout(const std::filesystem::path& file);
 std::string LayoutAsCsv(const std::vector<std::string>& names,
                         const std::vector<Eigen::Vector2d>& uv);
 
-std::vector<std::string> NamesOf(const MarkerTake& take);
+inline std::vector<std::string> NamesOf(const MarkerTake& take) { return NamesOf(take.markers); }
 
 // Index of the marker; throws InputError where there is none of that name. `option` named it.
 size_t MarkerNamed(const MarkerTake& take, const std::string& name, const std::string& option);

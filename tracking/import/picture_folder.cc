@@ -6,6 +6,7 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -38,6 +39,12 @@ int NumberOf(const fs::path& file) {
 
 }  // namespace
 
+std::array<int, 2> InspectPng(const fs::path& file) {
+  const std::optional<std::array<int, 2>> size = SizeOfPng(ReadInputFile(file));
+  if (size && IsPictureSize((*size)[0], (*size)[1])) return *size;
+  throw InputError(file.string(), "cannot be read as a PNG");
+}
+
 PictureFolder InspectPictures(const fs::path& path) {
   CheckInputFolder(path);
   PictureFolder folder;
@@ -47,15 +54,12 @@ PictureFolder InspectPictures(const fs::path& path) {
     if (!is_new) {
       throw InputError(file.string(), "has the number of " + other->second.filename().string());
     }
-    const auto size = SizeOfPng(ReadInputFile(file));
-    if (!size || !IsPictureSize((*size)[0], (*size)[1])) {
-      throw InputError(file.string(), "cannot be read as a PNG");
-    }
-    if (folder.width == 0) std::tie(folder.width, folder.height) = std::tie((*size)[0], (*size)[1]);
-    if ((*size)[0] == folder.width && (*size)[1] == folder.height) continue;
+    const auto [width, height] = InspectPng(file);
+    if (folder.width == 0) std::tie(folder.width, folder.height) = std::tie(width, height);
+    if (width == folder.width && height == folder.height) continue;
     throw InputError(file.string(),
                      fmt::format("expected {} x {} px as the first one, found {} x {}",
-                                 folder.width, folder.height, (*size)[0], (*size)[1]));
+                                 folder.width, folder.height, width, height));
   }
   if (folder.pictures.empty()) {
     throw InputError(path.string(), "expected pictures such as 000001.png, found none");
@@ -87,6 +91,25 @@ void CopyInto(const fs::path& file, const std::string& name, const OutputFolder&
   fs::copy_file(file, part.path(), fs::copy_options::overwrite_existing, error);
   if (error) throw InputError(copy.string(), "cannot be written: " + error.message());
   part.MoveToPlace();
+}
+
+void CopyPictures(const std::string& camera, const PictureFolder& folder, int first,
+                  OutputFolder* output) {
+  const std::map<std::string, fs::path> places = PlacesOfPictures(folder, camera, first);
+  const fs::path there = output->path() / "images" / camera;
+  std::vector<std::string> added, old;
+  for (const auto& [name, file] : places) {
+    if (!IsSameFile(output->path() / name, file)) added.push_back(name);
+  }
+  if (fs::is_directory(there)) {
+    for (const fs::path& file : ListInputFolder(there)) {
+      const std::string name = "images/" + camera + "/" + file.filename().string();
+      if (places.count(name) == 0 && output->Lists(name)) old.push_back(name);
+    }
+  }
+  output->Remove(old);
+  output->Add(added);
+  for (const std::string& name : added) CopyInto(places.at(name), name, *output);
 }
 
 }  // namespace clothfit

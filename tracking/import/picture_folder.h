@@ -4,6 +4,7 @@
 // Folders of numbered pictures, as programs write that take a video apart.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -21,6 +22,9 @@ struct PictureFolder {
   int last() const { return pictures.rbegin()->first; }
 };
 
+// Width and height (px) of a PNG. Throws InputError where the file is none, damaged or too large.
+std::array<int, 2> InspectPng(const std::filesystem::path& file);
+
 // Looks at every PNG in the folder, such as 000001.png or left_17.png, and passes over all else.
 // Throws InputError where there is none, one has no number or that of another, is damaged or of
 // another size.
@@ -36,5 +40,10 @@ bool IsSameFile(const std::filesystem::path& copy, const std::filesystem::path& 
 // Copies the file to this place in the recording, whole or not at all; `name` is listed already.
 void CopyInto(const std::filesystem::path& file, const std::string& name,
               const OutputFolder& recording);
+
+// Copies all to their places. Pictures of the camera that an earlier import wrote and this one does
+// not are removed.
+void CopyPictures(const std::string& camera, const PictureFolder& folder, int first,
+                  OutputFolder* output);
 
 }  // namespace clothfit

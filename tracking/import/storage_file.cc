@@ -132,7 +132,7 @@ std::vector<double> MatrixNumbers(const YAML::Node& node, const std::string& pla
   constexpr std::string_view kJsonMark = "$base64$";
   std::string text = data.IsScalar() ? data.Scalar() : "";
   text.erase(0, std::min(text.find_first_not_of(kSpace), text.size()));
-  if (text.rfind(kJsonMark, 0) == 0) text.erase(0, kJsonMark.size());
+  if (StartsWith(text, kJsonMark)) text.erase(0, kJsonMark.size());
   constexpr std::size_t kHeaderCharacters = 32;  // no number has as many
   if (text.find_first_of(kSpace) >= kHeaderCharacters && text.size() > kHeaderCharacters)
     return BinaryNumbers(text, count, type.back(), place);

@@ -34,7 +34,7 @@ std::vector<std::string> SplitLine(std::string_view line, char separator) {
 
 TableLines::TableLines(std::filesystem::path file, std::string text)
     : file_(std::move(file)), text_(std::move(text)), rest_(text_) {
-  if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);
+  if (StartsWith(rest_, "\xEF\xBB\xBF")) rest_.remove_prefix(3);
 }
 
 std::string_view TableLines::NextLine() const { return rest_.substr(0, rest_.find('\n')); }

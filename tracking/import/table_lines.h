@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tracking/text/text.h"
+
 namespace clothfit {
 
 // Reads a text file line by line. Fields may be quoted; blanks around them are left out.
@@ -32,7 +34,7 @@ class TableLines {
   // Whether an empty line, or the end, comes next.
   bool IsEmptyNext() const;
   // Whether the rest begins with this text.
-  bool BeginsWith(std::string_view start) const { return rest_.substr(0, start.size()) == start; }
+  bool BeginsWith(std::string_view start) const { return StartsWith(rest_, start); }
 
   const std::filesystem::path& file() const { return file_; }
   int number() const { return number_; }  // of the line last read, from 1

@@ -69,8 +69,7 @@ Choice ParseShape(const std::string& text, const std::string& choice) {
 
 std::map<std::string, Choice> ParseChoices(const MarkerTake& take,
                                            const std::vector<std::string>& choices) {
-  std::vector<std::string> bodies;
-  for (const RigidBody& body : take.bodies) bodies.push_back(body.name);
+  const std::vector<std::string> bodies = NamesOf(take.bodies);
   std::map<std::string, Choice> result;
   for (const std::string& choice : choices) {
     const size_t equals = choice.find('=');

@@ -14,6 +14,7 @@
 #include "tracking/import/marker_layout.h"
 #include "tracking/import/take_layout.h"
 #include "tracking/import/take_obstacles.h"
+#include "tracking/recording/start.h"
 
 namespace clothfit {
 namespace {
@@ -153,19 +154,10 @@ Eigen::Vector2i DefaultResolution(const Eigen::Vector2d& size) {
   return cells.cast<int>() + 1;
 }
 
-void HoldOut(double share, Recording* recording) {
-  if (share <= 0.0) return;
-  const int count = recording->frame_count;
-  const int held_out = std::clamp(static_cast<int>(std::lround(share * count)), 1, count - 1);
-  recording->splits.held_out_frames = Splits::FrameRange{count - held_out, count - 1};
-}
-
 void CheckOptions(const TakeOptions& options) {
   const auto check = [](bool is_right, const char* option, const char* expected, double found) {
     if (!is_right) throw InputError(option, fmt::format("expected {}, found {}", expected, found));
   };
-  check(options.held_out_share >= 0.0 && options.held_out_share < 1.0, "--held-out",
-        "0 to less than 1", options.held_out_share);
   check(options.least_seen >= 0.0 && options.least_seen <= 1.0, "--least-seen", "0 to 1",
         options.least_seen);
   check(options.every >= 1, "--every", "1 or more", options.every);

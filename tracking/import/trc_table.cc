@@ -33,7 +33,7 @@ MarkerTable ReadTrcHeader(TableLines* lines) {
   lines->set_separator('\t');
   ReadValues(lines, &header);
   lines->Require("the line 'Frame#, Time' with the markers' names", &fields);
-  if (fields.size() < 2 || fields[0].rfind("Frame", 0) != 0 || fields[1] != "Time") {
+  if (fields.size() < 2 || !StartsWith(fields[0], "Frame") || fields[1] != "Time") {
     lines->Fail("expected 'Frame#', 'Time' and the markers' names, between tabs, found '" +
                 fields[0] + "'");
   }

@@ -16,7 +16,7 @@ constexpr std::string_view kSection = "Trajectories";
 
 // Where the section's line begins, in a file in which others may come first.
 size_t FindSection(std::string_view text) {
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") return FindSection(text.substr(3));
+  if (StartsWith(text, "\xEF\xBB\xBF")) return FindSection(text.substr(3));
   for (size_t at = 0; at < text.size();) {
     const std::string_view line = text.substr(at, text.find('\n', at) - at);
     const bool is_it = line.substr(0, kSection.size()) == kSection &&

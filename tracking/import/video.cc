@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -15,6 +16,7 @@
 #include "tracking/camera/camera_file.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/import/picture_folder.h"
+#include "tracking/import/single_file.h"
 #include "tracking/recording/images.h"
 #include "tracking/recording/limits.h"
 #include "tracking/text/text.h"
@@ -38,36 +40,23 @@ void CheckName(const NamedVideo& video) {
   throw InputError(video.file.string(), fmt::format("'{}' cannot name a camera", name));
 }
 
-// Where a camera's video already is, by whatever extension.
-std::vector<fs::path> VideosThere(const fs::path& folder, const std::string& camera) {
-  std::vector<fs::path> there;
-  if (!fs::is_directory(folder / "videos")) return there;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "videos")) {
-    if (entry.path().stem() == camera) there.push_back(entry.path());
-  }
-  return there;
-}
-
 void CheckCamera(const NamedVideo& video, const VideoFacts& facts,
                  const std::vector<Camera>& cameras) {
-  std::vector<std::string> names;
   for (const Camera& camera : cameras) {
-    names.push_back(camera.name);
     if (camera.name != video.camera) continue;
     if (camera.width == facts.width && camera.height == facts.height) return;
     throw InputError(video.file.string(),
                      fmt::format("expected {} x {} px as in cameras.yaml, found {} x {}",
                                  camera.width, camera.height, facts.width, facts.height));
   }
-  throw InputError(video.file.string(), fmt::format("'{}' is no camera of cameras.yaml; {}",
-                                                    video.camera, Suggestion(video.camera, names)));
+  throw InputError(video.file.string(), IsNoCamera(video.camera, cameras));
 }
 
 // Sets a key that stands at the beginning of a line, and keeps all else as it is.
 void ReplaceValue(const fs::path& file, const std::string& key, const std::string& value,
                   std::string* text) {
   size_t at = text->rfind("\n" + key + ":");
-  at = text->rfind(key + ":", 0) == 0 ? 0 : at == std::string::npos ? at : at + 1;
+  at = StartsWith(*text, key + ":") ? 0 : at == std::string::npos ? at : at + 1;
   if (at == std::string::npos) {
     throw InputError(file.string(), fmt::format("expected a line '{}: {}'", key, value));
   }
@@ -98,18 +87,6 @@ std::string UpdatedScene(const fs::path& file, const ImportedVideos& found, Over
   return text;
 }
 
-std::string PlaceOf(const fs::path& file) { return "videos/" + file.filename().string(); }
-
-void CopyVideo(const NamedVideo& video, OutputFolder* folder) {
-  const std::string name = "videos/" + video.camera + video.file.extension().string();
-  if (IsSameFile(folder->path() / name, video.file)) return;
-  folder->Add({name});
-  CopyInto(video.file, name, *folder);
-  for (const fs::path& there : VideosThere(folder->path(), video.camera)) {
-    if (PlaceOf(there) != name) folder->Remove({PlaceOf(there)});
-  }
-}
-
 using FoldersByCamera = std::map<std::string, PictureFolder>;  // by camera
 
 // The number of frame 0 in all folders, since they are synchronous.
@@ -119,44 +96,22 @@ int FirstNumber(const FoldersByCamera& folders) {
   return first;
 }
 
-// Pictures of the camera that an earlier import wrote and this one does not are removed.
-void CopyPictures(const std::string& camera, const PictureFolder& folder, int first,
-                  OutputFolder* output) {
-  const std::map<std::string, fs::path> places = PlacesOfPictures(folder, camera, first);
-  const fs::path there = output->path() / "images" / camera;
-  std::vector<std::string> added, old;
-  for (const auto& [name, file] : places) {
-    if (!IsSameFile(output->path() / name, file)) added.push_back(name);
-  }
-  if (fs::is_directory(there)) {
-    for (const fs::path& file : ListInputFolder(there)) {
-      const std::string name = "images/" + camera + "/" + file.filename().string();
-      if (places.count(name) == 0 && output->Lists(name)) old.push_back(name);
-    }
-  }
-  output->Remove(old);
-  output->Add(added);
-  for (const std::string& name : added) CopyInto(places.at(name), name, *output);
-}
-
 VideoFacts FactsOf(const PictureFolder& folder, int first) {
   return {folder.width, folder.height, folder.last() - first + 1, 0.0};
 }
 
 // Where something of this camera's would have to be replaced, throws unless it may be.
-void CheckPlaces(const NamedVideo& video, const FoldersByCamera& folders, const fs::path& folder,
+void CheckPlaces(const NamedVideo& video, const FoldersByCamera& folders,
                  const OutputFolder& output) {
   const auto pictures = folders.find(video.camera);
   if (pictures != folders.end()) {
     for (const auto& [name, file] :
          PlacesOfPictures(pictures->second, video.camera, FirstNumber(folders))) {
-      if (!IsSameFile(folder / name, file)) output.CheckMayWrite(name);
+      if (!IsSameFile(output.path() / name, file)) output.CheckMayWrite(name);
     }
     return;
   }
-  for (const fs::path& there : VideosThere(folder, video.camera)) {
-    if (!IsSameFile(there, video.file)) output.CheckMayWrite(PlaceOf(there));
-  }
+  CheckMayCopySingle(video.file, "videos", video.camera, output);
 }
 
 std::string DescribeFacts(const std::string& camera, const VideoFacts& facts) {
@@ -175,24 +130,43 @@ FoldersByCamera InspectFolders(const std::vector<NamedVideo>& videos) {
   return folders;
 }
 
+using FactsByCamera = std::map<std::string, VideoFacts>;  // by camera
+
+// A PNG of a camera whose video is imported too, and as large.
+void CheckBackground(const NamedVideo& background, const FactsByCamera& videos,
+                     const OutputFolder& output) {
+  const auto video = videos.find(background.camera);
+  if (video == videos.end()) {
+    throw InputError("--background",
+                     fmt::format("'{}' is none of the cameras here; {}", background.camera,
+                                 Suggestion(background.camera, NamesOf(videos))));
+  }
+  const auto [width, height] = InspectPng(background.file);
+  if (width != video->second.width || height != video->second.height) {
+    throw InputError(background.file.string(),
+                     fmt::format("expected {} x {} px as its camera's video, found {} x {}",
+                                 video->second.width, video->second.height, width, height));
+  }
+  CheckMayCopySingle(background.file, "background", background.camera, output);
+}
+
 // What all videos have in common; each is checked against the cameras.
 ImportedVideos InspectAll(const std::vector<NamedVideo>& videos, const FoldersByCamera& folders,
-                          const OutputFolder& output) {
+                          const std::vector<NamedVideo>& backgrounds, const OutputFolder& output) {
   ImportedVideos result;
+  FactsByCamera all_facts;
   const fs::path& folder = output.path();
   const fs::path cameras_file = folder / "cameras.yaml";
   std::vector<Camera> cameras;
   if (IsThere(cameras_file)) cameras = ReadCameras(cameras_file);
-  for (size_t i = 0; i < videos.size(); ++i) {
-    const NamedVideo& video = videos[i];
+  for (const NamedVideo& video : videos) {
     const auto pictures = folders.find(video.camera);
     const VideoFacts facts = pictures == folders.end()
                                  ? InspectVideo(video.file)
                                  : FactsOf(pictures->second, FirstNumber(folders));
-    CheckPlaces(video, folders, folder, output);
+    CheckPlaces(video, folders, output);
     if (fs::exists(cameras_file)) CheckCamera(video, facts, cameras);
-    for (size_t j = 0; j < i; ++j) {
-      if (videos[j].camera != video.camera) continue;
+    if (!all_facts.emplace(video.camera, facts).second) {
       throw InputError(video.file.string(), "'" + video.camera + "' has two videos");
     }
     const bool has_rates = facts.frame_rate > 0.0 && result.frame_rate > 0.0;
@@ -211,6 +185,13 @@ ImportedVideos InspectAll(const std::vector<NamedVideo>& videos, const FoldersBy
       result.notes.push_back(
           fmt::format("{}: its video is not looked at as long as there is images/{}", video.camera,
                       video.camera));
+    }
+  }
+  std::set<std::string> seen;
+  for (const NamedVideo& background : backgrounds) {
+    CheckBackground(background, all_facts, output);
+    if (!seen.insert(background.camera).second) {
+      throw InputError(background.file.string(), "'" + background.camera + "' has two backgrounds");
     }
   }
   return result;
@@ -239,10 +220,11 @@ VideoFacts InspectVideo(const fs::path& file) {
 }
 
 ImportedVideos ImportVideos(const std::vector<NamedVideo>& videos, SceneStart start,
-                            const fs::path& folder, Overwrite overwrite) {
+                            const fs::path& folder, Overwrite overwrite,
+                            const std::vector<NamedVideo>& backgrounds) {
   OutputFolder output = OpenRecording(folder, "import video", overwrite);
   const FoldersByCamera folders = InspectFolders(videos);
-  ImportedVideos result = InspectAll(videos, folders, output);
+  ImportedVideos result = InspectAll(videos, folders, backgrounds, output);
   if (start.frame_rate) result.frame_rate = *start.frame_rate;
   const fs::path scene = folder / "recording.yaml";
   const bool has_scene = fs::exists(scene);
@@ -262,9 +244,12 @@ ImportedVideos ImportVideos(const std::vector<NamedVideo>& videos, SceneStart st
   for (const NamedVideo& video : videos) {
     const auto pictures = folders.find(video.camera);
     if (pictures == folders.end())
-      CopyVideo(video, &output);
+      CopySingle(video.file, "videos", video.camera, &output);
     else
       CopyPictures(video.camera, pictures->second, FirstNumber(folders), &output);
+  }
+  for (const NamedVideo& background : backgrounds) {
+    CopySingle(background.file, "background", background.camera, &output);
   }
   if (!updated.empty()) WriteWholeFile(scene, updated);
   return result;

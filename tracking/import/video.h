@@ -35,8 +35,8 @@ struct ImportedVideos {
 };
 
 // Copies the videos to FOLDER/videos/CAMERA.*, each with its own extension, and never moves one;
-// and pictures to FOLDER/images/CAMERA/. The smallest number of all folders is frame 0; they say no
-// rate.
+// pictures to FOLDER/images/CAMERA/ and backgrounds, PNGs of a video's size, to
+// FOLDER/background/CAMERA.*. The smallest number of all folders is frame 0; they say no rate.
 //
 // Where cameras.yaml is there, cameras and sizes have to agree with it. Where recording.yaml is
 // there, its frame rate has to be that of the videos and its frame count no less than theirs, or
@@ -44,6 +44,7 @@ struct ImportedVideos {
 // what videos do not know; a frame rate in `start` goes before that of the containers. Everything
 // is checked, and InputError thrown, before anything is written.
 ImportedVideos ImportVideos(const std::vector<NamedVideo>& videos, SceneStart start,
-                            const std::filesystem::path& folder, Overwrite overwrite);
+                            const std::filesystem::path& folder, Overwrite overwrite,
+                            const std::vector<NamedVideo>& backgrounds = {});
 
 }  // namespace clothfit

@@ -217,7 +217,7 @@ std::vector<Eigen::Vector3d> ReadCloudFile(const fs::path& file) {
   if (file.extension() == ".csv") return ReadCsvCloud(file);
   const std::string text = ReadInputFile(file);
   if (file.extension() == ".pcd") return ReadPcd(text, file);
-  if (text.rfind("ply", 0) != 0)
+  if (!StartsWith(text, "ply"))
     throw InputError(file.string(), "expected a PLY file, which begins with 'ply'");
   return ReadPly(text, file);
 }

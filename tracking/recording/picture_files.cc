@@ -5,11 +5,10 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/input_file.h"
-#include "autodiff_sim/base/printable.h"
+#include "tracking/camera/camera_file.h"
 #include "tracking/recording/cloud_file.h"
 #include "tracking/recording/inside.h"
 #include "tracking/text/text.h"
@@ -31,10 +30,7 @@ std::vector<fs::path> SortedEntries(const fs::path& recording_folder, const fs::
 size_t CameraNamed(const Recording& recording, const std::string& name, const fs::path& place) {
   const std::optional<int> camera = FindCamera(recording, name);
   if (camera) return static_cast<size_t>(*camera);
-  std::vector<std::string> names;
-  for (const Camera& known : recording.cameras) names.push_back(known.name);
-  throw InputError(place.string(),
-                   Quoted(name) + " is no camera of cameras.yaml; " + Suggestion(name, names));
+  throw InputError(place.string(), IsNoCamera(name, recording.cameras));
 }
 
 // The frame that a name such as 000042.png stands for.
@@ -48,7 +44,7 @@ int FrameOfFile(const Recording& recording, const fs::path& file,
   if (!frame ||
       std::find(extensions.begin(), extensions.end(), file.extension()) == extensions.end()) {
     throw InputError(file.string(), "expected a name of six digits such as 000042" +
-                                        fmt::format("{}", fmt::join(extensions, " or 000042")));
+                                        JoinNames(extensions, " or 000042"));
   }
   if (*frame >= recording.frame_count) {
     throw InputError(file.string(),

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/recording/start.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/input_file.h"
 #include "tracking/camera/camera_file.h"
 #include "tracking/recording/picture_files.h"
@@ -25,14 +30,28 @@ Recording RecordingOf(const SceneStart& start, const fs::path& folder) {
   recording.frame_rate = start.frame_rate.value_or(0.0);
   recording.ground_height = start.ground_height;
   recording.cloth.size = start.size.value_or(Eigen::Vector2d::Zero());
+  recording.cloth.areal_density = start.areal_density;
   FlatPlacement flat{
       {0.0, 0.0, start.ground_height.value_or(0.0) + kAboveGround}, start.u_axis, start.v_axis};
   if (start.origin) flat.origin = *start.origin;
   recording.cloth.initial = flat;
+  recording.handles = start.handles;
+  HoldOut(start.held_out_share, &recording);
   return recording;
 }
 
 }  // namespace
+
+void HoldOut(double share, Recording* recording) {
+  if (!(share >= 0.0 && share < 1.0)) {
+    throw InputError("--held-out", fmt::format("expected 0 to less than 1, found {}", share));
+  }
+  if (share == 0.0) return;
+  const int count = recording->frame_count;
+  const int held_out =
+      std::min(std::max(static_cast<int>(std::lround(share * count)), 1), count - 1);
+  recording->splits.held_out_frames = Splits::FrameRange{count - held_out, count - 1};
+}
 
 std::string NameOfFolder(const fs::path& folder) {
   const fs::path whole = fs::absolute(folder).lexically_normal();
@@ -55,10 +74,7 @@ OutputFolder OpenRecording(const fs::path& folder, const std::string& command,
 }
 
 void WriteStart(const SceneStart& start, OutputFolder* folder) {
-  const Recording recording = RecordingOf(start, folder->path());
-  CheckScene(recording);
-  CheckCloth(recording);
-  const std::map<std::string, std::string> files = FilesOf(recording);
+  const std::map<std::string, std::string> files = FilesOf(RecordingOf(start, folder->path()));
   folder->Add(NamesOf(files));
   folder->WriteAll(files);
 }

@@ -24,10 +24,17 @@ struct SceneStart {
   std::optional<Eigen::Vector3d> origin;  // m, world, of the flat cloth at frame 0
   Eigen::Vector3d u_axis = Eigen::Vector3d::UnitX();
   Eigen::Vector3d v_axis = Eigen::Vector3d::UnitY();
+  std::optional<double> areal_density;     // kg/m^2
+  std::vector<HandleDescription> handles;  // by default there are none
+  double held_out_share = 0.0;             // of the frames, at the end
 };
 
 // The options of the command that still have to be given: "--size", for example.
 std::vector<std::string> MissingOptions(const SceneStart& start);
+
+// Holds out this share of the frames, at the end; of zero none, else one at least. Throws
+// InputError, naming --held-out, where it is not 0 to less than 1.
+void HoldOut(double share, Recording* recording);
 
 // "take" for "runs/take" and "runs/take/".
 std::string NameOfFolder(const std::filesystem::path& folder);

@@ -5,18 +5,12 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
+#include "tracking/camera/camera_file.h"
 #include "tracking/recording/limits.h"
 #include "tracking/text/csv.h"
-#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
-
-std::vector<std::string> CameraNames(const Recording& recording) {
-  std::vector<std::string> names;
-  for (const Camera& camera : recording.cameras) names.push_back(camera.name);
-  return names;
-}
 
 // ",x,y" or ",x,y,z", to be put behind other fields.
 template <int kSize>
@@ -47,10 +41,7 @@ std::vector<Track> ReadTracks(const std::filesystem::path& file, const Recording
     const int frame = row.Integer(0);
     const std::string name = row.Text(1);
     const std::optional<int> camera = FindCamera(recording, name);
-    if (!camera) {
-      row.Fail(1, "'" + name + "' is no camera of cameras.yaml; " +
-                      Suggestion(name, CameraNames(recording)));
-    }
+    if (!camera) row.Fail(1, IsNoCamera(name, recording.cameras));
     const int id = row.Integer(2);
     if (row.IsMissing(5, 2)) return;
     tracks.push_back({frame, *camera, id, row.Vector2(3), row.Vector2(5)});

@@ -12,6 +12,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/input_file.h"
 #include "autodiff_sim/base/printable.h"
+#include "tracking/camera/camera_file.h"
 #include "tracking/recording/limits.h"
 #include "tracking/text/text.h"
 
@@ -288,12 +289,10 @@ void CheckNoiseAndSplits(const Recording& recording) {
           place, fmt::format("expected [first, last], found [{}, {}]", range->first, range->last));
     }
   }
-  std::vector<std::string> names;
-  for (const Camera& camera : recording.cameras) names.push_back(camera.name);
   for (const std::string& name : recording.splits.held_out_cameras) {
     if (FindCamera(recording, name)) continue;
     throw InputError(YamlPlace(recording, "splits.held_out_cameras"),
-                     Quoted(name) + " is no camera of cameras.yaml; " + Suggestion(name, names));
+                     IsNoCamera(name, recording.cameras));
   }
 }
 

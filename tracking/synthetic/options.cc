@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
@@ -21,7 +20,7 @@ namespace {
 
 std::string ValueOf(const SyntheticOptions& options, const std::string& name) {
   for (const SyntheticKey& key : SyntheticKeys()) {
-    if (key.name == name) return fmt::format("{}", fmt::join(key.words(options), " "));
+    if (key.name == name) return JoinNames(key.words(options), " ");
   }
   throw std::logic_error(name + ": no such key");
 }
@@ -37,11 +36,8 @@ void CheckParameters(const std::map<std::string, double>& parameters, const std:
 }
 
 void CheckHiddenHandles(const SyntheticOptions& options, const std::string& place) {
-  std::vector<std::string> names;
-  for (const SyntheticHandle& handle :
-       MakeSyntheticMotion(options.scenario, options.size, options.Duration()).handles) {
-    names.push_back(handle.name);
-  }
+  const std::vector<std::string> names =
+      NamesOf(MakeSyntheticMotion(options.scenario, options.size, options.Duration()).handles);
   for (const std::string& name : options.hidden_handles) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     throw InputError(place, "'" + name + "' is no handle; " + Suggestion(name, names));

@@ -110,7 +110,7 @@ void ReadCsv(const std::filesystem::path& file, const std::vector<std::string>& 
              const std::function<void(const CsvRow&)>& visit, size_t most_rows) {
   const std::string content = ReadTextFile(file);
   std::string_view text = content;
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+  if (StartsWith(text, "\xEF\xBB\xBF")) text.remove_prefix(3);
   std::vector<std::string_view> fields;
   // With one too many there is one that is not among them.
   const size_t most_fields = columns.size() + 1;

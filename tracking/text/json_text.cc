@@ -3,12 +3,10 @@
 #include "tracking/text/json_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
-#include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/input_file.h"
 
 namespace clothfit {
@@ -63,6 +61,10 @@ std::string ReadJsonText(const std::filesystem::path& file) {
   if (IsShallowJson(text)) return text;
   throw InputError(file.string(), "is nested too deep; expected at most " +
                                       std::to_string(kMostJsonLevels) + " levels");
+}
+
+nlohmann::ordered_json OrNull(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
 bool IsShallowCbor(std::string_view bytes) {

@@ -32,6 +32,10 @@ std::string AsSentence(std::string words);
 
 std::string_view TrimBlanks(std::string_view text);
 
+inline bool StartsWith(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+
 // As ReadInputFile.
 inline std::string ReadTextFile(const std::filesystem::path& file) { return ReadInputFile(file); }
 

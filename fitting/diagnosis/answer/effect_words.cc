@@ -39,7 +39,7 @@ OwnParameters OwnOf(const std::string& effect, const std::vector<EffectParameter
   const bool is_term = TermNamed(effect).has_value();
   OwnParameters own;
   for (const EffectParameter& p : parameters) {
-    const bool is_own = is_term ? TermOf(p.name) == effect : p.name.rfind(effect, 0) == 0;
+    const bool is_own = is_term ? TermOf(p.name) == effect : StartsWith(p.name, effect);
     if (is_own) (is_term && !IsAmount(p) ? own.shapes : own.amounts).push_back(p);
   }
   return own;

@@ -14,6 +14,7 @@
 #include "fitting/runs/fit_run.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/synthetic/picture_writer.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace fs = std::filesystem;
@@ -37,7 +38,7 @@ bool IsUnfinished(const fs::path& folder) {
   if (!manifest || manifest->kind != FolderKind::kDiagnosis) return false;
   const std::set<std::string> files = manifest->All();
   return std::any_of(files.begin(), files.end(),
-                     [](const std::string& file) { return file.rfind(kFits, 0) == 0; });
+                     [](const std::string& file) { return StartsWith(file, kFits); });
 }
 
 }  // namespace
@@ -62,7 +63,6 @@ DiagnosisFolder::DiagnosisFolder(const fs::path& folder, Existing existing) : pa
   files.insert(files.end(), {"log.txt", kFits});
   output_->Begin(files);
   OutputFolder(KeptFits(), FolderKind::kKeptFits, "diagnose", Existing::kResume).Begin({});
-  RemovePartsOfKeptFits(KeptFits());
   if (goes_on) {
     AppendLog(fmt::format("resumed with {} fits", NumKeptFits(KeptFits())));
   } else {

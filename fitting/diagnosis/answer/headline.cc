@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "fitting/diagnosis/answer/effect_words.h"
 #include "tracking/text/text.h"
 
@@ -13,13 +11,6 @@ namespace clothfit {
 namespace {
 
 using Names = std::vector<std::string>;
-
-// "a", "a and b", "a, b and c"; with another last word and a comma before it, "a, b, or c".
-std::string Joined(const Names& parts, const char* last) {
-  if (parts.size() < 2) return parts.empty() ? "" : parts.front();
-  const Names but_last(parts.begin(), parts.end() - 1);
-  return fmt::format("{}{}{}", fmt::join(but_last, ", "), last, parts.back());
-}
 
 Names AllInBrief(const Diagnosis& diagnosis, const Names& effects) {
   Names words;
@@ -30,14 +21,14 @@ Names AllInBrief(const Diagnosis& diagnosis, const Names& effects) {
 // What was found, beside what cannot be told from it; without a full stop.
 std::string Found(const Diagnosis& diagnosis) {
   const Names& set = diagnosis.confidence_set;
-  if (set.size() < 2) return Joined(AllInBrief(diagnosis, diagnosis.effects), " and ");
+  if (set.size() < 2) return JoinNames(AllInBrief(diagnosis, diagnosis.effects), ", ", " and ");
   Names besides;
   for (const std::string& effect : diagnosis.effects)
     if (effect != set.front()) besides.push_back(effect);
   const std::string words =
-      Joined(AllInBrief(diagnosis, set), ", or ") + ": this recording cannot tell";
+      JoinNames(AllInBrief(diagnosis, set), ", ", ", or ") + ": this recording cannot tell";
   if (besides.empty()) return words;
-  return words + "; besides, " + Joined(AllInBrief(diagnosis, besides), " and ");
+  return words + "; besides, " + JoinNames(AllInBrief(diagnosis, besides), ", ", " and ");
 }
 
 std::string OfNoneOfTheAbove(const Diagnosis& diagnosis) {

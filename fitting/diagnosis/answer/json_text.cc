@@ -2,22 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/answer/json_text.h"
 
-#include <cmath>
-
 #include <nlohmann/json.hpp>
 
 #include "fitting/diagnosis/answer/effect_words.h"
 #include "fitting/diagnosis/answer/headline.h"
 #include "fitting/files/version.h"
+#include "tracking/text/json_text.h"
 
 namespace clothfit {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
-
-OrderedJson OrNull(double value) {
-  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
-}
 
 OrderedJson AsJson(const EffectParameter& p) {
   return {{"name", p.name},

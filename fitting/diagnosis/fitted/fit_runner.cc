@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <exception>
 #include <optional>
-#include <regex>
 #include <string>
 
 #include <fmt/format.h>
@@ -15,7 +14,6 @@
 #include "fitting/diagnosis/fitted/kept_fit.h"
 #include "fitting/files/sha256.h"
 #include "fitting/fit/fit_inputs.h"
-#include "tracking/files/manifest.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/text/json_text.h"
 
@@ -85,13 +83,6 @@ FitResult FitRunner::UnderWay::Once(const std::string& key, const std::function<
   fits_.erase(key);
   lock.unlock();
   return fit.get();
-}
-
-void RemovePartsOfKeptFits(const fs::path& folder) {
-  for (const std::string& name : FilesNamed(folder, std::regex(R"(\..*\.part)"))) {
-    std::error_code ignored;
-    if (fs::path(PlaceOfPartFile(name)).extension() == kEnding) fs::remove(folder / name, ignored);
-  }
 }
 
 int NumKeptFits(const fs::path& folder) {

@@ -61,9 +61,6 @@ class FitRunner {
 // A digest of all that a fit depends on: see fitting/fit/fit_inputs.h.
 std::string FitKey(const Scene& scene, const FitConfig& config, const FitCheckpoint* from);
 
-// What a killed writer left of kept fits under way.
-void RemovePartsOfKeptFits(const std::filesystem::path& folder);
-
 // How many fits such a folder keeps; 0 where there is none.
 int NumKeptFits(const std::filesystem::path& folder);
 

@@ -13,6 +13,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/diagnosis/model/switch_on.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -89,12 +90,12 @@ std::string FeatureOf(const FitConfig& config, const std::string& term, const st
     return config.parameters.at(term + "." + axis).value;
   };
   if (name == "drag") return "(-v)";
-  if (name.rfind("g_", 0) == 0) {
+  if (StartsWith(name, "g_")) {
     const std::string axis(1, name[3]);
     return Offset(axis.c_str(), middle(axis.c_str()));
   }
-  if (name.rfind("k_", 0) == 0 || name.find("_k_") != std::string::npos) return "e";
-  if (name.rfind("m_", 0) == 0) return "de/dt";
+  if (StartsWith(name, "k_") || name.find("_k_") != std::string::npos) return "e";
+  if (StartsWith(name, "m_")) return "de/dt";
   return "";
 }
 
@@ -102,7 +103,7 @@ std::string FeatureOf(const FitConfig& config, const std::string& term, const st
 std::string LeftSide(const std::string& term, const std::string& name) {
   if (term == LawTension::kName) {
     const std::string angle = name.substr(name.rfind('_') + 1);
-    const bool is_band = name.rfind("band", 0) == 0;
+    const bool is_band = StartsWith(name, "band");
     return fmt::format("tension per width at {} degrees{}", angle,
                        is_band ? " within the band of the diagonal" : "");
   }

@@ -24,5 +24,14 @@ TEST(Suggestion, NamesTheNearestOrAll) {
   EXPECT_EQ(Suggestion("colour", names), "expected one of size, resolution, initial");
 }
 
+TEST(JoinNames, PutsWhatIsAskedForBetweenThem) {
+  const std::vector<std::string> names = {"a", "b", "c"};
+  EXPECT_EQ(JoinNames({}), "");
+  EXPECT_EQ(JoinNames(names), "a, b, c");
+  EXPECT_EQ(JoinNames(names, " + "), "a + b + c");
+  EXPECT_EQ(JoinNames(names, ", ", " and "), "a, b and c");
+  EXPECT_EQ(JoinNames({names[0]}, ", ", " and "), "a");
+}
+
 }  // namespace
 }  // namespace clothfit

@@ -170,12 +170,12 @@ TEST(Outlines, HaveIntervalsWithMeshAndCorrelation) {
   ASSERT_TRUE(errors);
   EXPECT_GT(errors->correlation, 2.0);
   EXPECT_GT(errors->amplitude, 0.0);
-  const PointScene one{known.scene, known.config, 1.0, {}, {}};
-  std::vector<PointScene> both = {one};
+  const SceneOnMeshes one{known.scene, known.config, 1.0, {}, {}};
+  std::vector<SceneOnMeshes> both = {one};
   EvaluateBoth(scenes.free(), at, &both);
   ASSERT_TRUE(both[0].own && both[0].finer);
   EXPECT_EQ(both[0].own->residuals.size(), both[0].finer->residuals.size());
-  const PointRows& own = *both[0].own;
+  const MeshRows& own = *both[0].own;
   const auto sigma = [&](const ModelErrors& with) {
     return QuantifyUncertainty(scenes.free(), static_cast<int>(own.residuals.size()), own.residuals,
                                own.jacobian, with)

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/base/names.h"
 #include "tests/support/test_folder.h"
 
 namespace clothfit {
@@ -12,20 +13,14 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<std::string> Names(const std::vector<ListedRecording>& listed) {
-  std::vector<std::string> names;
-  for (const ListedRecording& one : listed) names.push_back(one.name);
-  return names;
-}
-
 TEST(RecordingList, TellsFoldersOfOneNameApart) {
-  EXPECT_THAT(Names(ListRecordings({"a/silk", "b/silk", "c/silk-2", "d/silk/"}, {})),
+  EXPECT_THAT(NamesOf(ListRecordings({"a/silk", "b/silk", "c/silk-2", "d/silk/"}, {})),
               testing::ElementsAre("silk", "silk-2", "silk-2-2", "silk-3"));
 }
 
 TEST(RecordingList, HoldsOutThoseThatAreNamedOrOthers) {
   const auto listed = ListRecordings({"a", "b", "c"}, {"b", "d"});
-  EXPECT_THAT(Names(listed), testing::ElementsAre("a", "b", "c", "d"));
+  EXPECT_THAT(NamesOf(listed), testing::ElementsAre("a", "b", "c", "d"));
   std::vector<bool> held_out;
   for (const ListedRecording& one : listed) held_out.push_back(one.is_held_out);
   EXPECT_THAT(held_out, testing::ElementsAre(false, true, false, true));

@@ -11,6 +11,7 @@
 #include "tracking/import/rigid_body.h"
 #include "tracking/import/take_file.h"
 #include "tracking/import/take_recording.h"
+#include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
@@ -98,7 +99,7 @@ TEST_P(RealTakes, AreImportedWithoutAnOption) {
   if (!fs::exists(file)) GTEST_SKIP() << "there is no " << file;
   int count = 0;
   for (const auto& known : YAML::LoadFile(file.string())) {
-    if (known["take"].as<std::string>().rfind(GetParam(), 0) != 0) continue;
+    if (!StartsWith(known["take"].as<std::string>(), GetParam())) continue;
     CheckTake(known);
     ++count;
   }

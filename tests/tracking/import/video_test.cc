@@ -35,6 +35,13 @@ class VideoImport : public testing::Test {
     return file;
   }
 
+  fs::path WritePicture(const std::string& name, int grey, int width = 64) const {
+    fs::path file = folder_.path() / name;
+    fs::create_directories(file.parent_path());
+    cv::imwrite(file.string(), cv::Mat(48, width, CV_8UC3, cv::Scalar::all(grey)));
+    return file;
+  }
+
   fs::path recording() const { return folder_.path() / "rec"; }
 
   static Camera CameraOf(const std::string& name) {
@@ -87,16 +94,60 @@ TEST_F(VideoImport, BeginsARecording) {
   EXPECT_EQ(ReadTextFile(recording() / "videos" / "left.avi"), ReadTextFile(left));
 }
 
+TEST_F(VideoImport, WritesWhatNoVideoSays) {
+  const fs::path video = WriteVideo("a.avi", 5), empty = WritePicture("empty.png", 7);
+  WriteCamerasOf({"left"});
+  SceneStart start = LyingCloth();
+  start.areal_density = 0.18;
+  start.held_out_share = 0.4;
+  start.handles.resize(1);
+  start.handles[0].name = "hand";
+  start.handles[0].uv = {0.5, 0.0};
+  for (int i = 0; i < 2; ++i) {  // the second time the same again
+    ImportVideos({{"left", video}}, start, recording(), Overwrite::kRefuse, {{"left", empty}});
+  }
+  const Recording read = ReadRecording(recording());
+  EXPECT_EQ(read.cloth.areal_density, 0.18);
+  ASSERT_TRUE(read.splits.held_out_frames);
+  EXPECT_EQ(read.splits.held_out_frames->first, 3);
+  EXPECT_EQ(read.splits.held_out_frames->last, 4);
+  ASSERT_EQ(read.handles.size(), 1u);
+  EXPECT_EQ(read.handles[0].name, "hand");
+  EXPECT_EQ(read.handles[0].uv, Eigen::Vector2d(0.5, 0.0));
+  EXPECT_FALSE(read.handles[0].path);
+  EXPECT_EQ(LoadBackground(read, 0).at<cv::Vec3b>(5, 5)[0], 7);
+}
+
+TEST_F(VideoImport, RefusesWhatNoVideoSaysWhereItIsWrong) {
+  const fs::path video = WriteVideo("a.avi", 5), empty = WritePicture("empty.png", 7);
+  const auto error_of = [&](const SceneStart& start, const std::vector<NamedVideo>& backgrounds) {
+    return InputErrorOf([&] {
+      ImportVideos({{"left", video}}, start, recording(), Overwrite::kRefuse, backgrounds);
+    });
+  };
+  EXPECT_THAT(error_of({}, {{"lfet", empty}}),
+              HasSubstr("--background: 'lfet' is none of the cameras here; did you mean 'left'?"));
+  EXPECT_THAT(error_of({}, {{"left", WritePicture("wide.png", 7, 65)}}),
+              HasSubstr("wide.png: expected 64 x 48 px as its camera's video, found 65 x 48"));
+  EXPECT_THAT(error_of({}, {{"left", video}}), HasSubstr("a.avi: cannot be read as a PNG"));
+  EXPECT_THAT(error_of({}, {{"left", empty}, {"left", empty}}),
+              HasSubstr("'left' has two backgrounds"));
+  SceneStart start = LyingCloth();
+  start.held_out_share = 1.0;
+  EXPECT_THAT(error_of(start, {}), HasSubstr("--held-out: expected 0 to less than 1, found 1"));
+  start.held_out_share = 0.0;
+  start.handles.resize(1);
+  start.handles[0].name = "hand";
+  start.handles[0].uv = {0.6, 0.0};
+  EXPECT_THAT(error_of(start, {}),
+              HasSubstr("handles[0].uv: u = 0.6 is outside the cloth, 0..0.5"));
+  EXPECT_FALSE(fs::exists(recording()));
+}
+
 TEST_F(VideoImport, TakesFoldersOfPictures) {
   WriteCamerasOf({"left", "right"});
-  const auto write = [&](const std::string& name, int grey, int width = 64) {
-    const fs::path file = folder_.path() / name;
-    fs::create_directories(file.parent_path());
-    cv::imwrite(file.string(), cv::Mat(48, width, CV_8UC3, cv::Scalar::all(grey)));
-    return file;
-  };
-  for (int i = 1; i <= 4; ++i) write("l/" + std::to_string(i) + ".png", 10 * i);
-  for (const int i : {2, 3, 5}) write("r/shot_00" + std::to_string(i) + ".PNG", 20 * i);
+  for (int i = 1; i <= 4; ++i) WritePicture("l/" + std::to_string(i) + ".png", 10 * i);
+  for (const int i : {2, 3, 5}) WritePicture("r/shot_00" + std::to_string(i) + ".PNG", 20 * i);
   folder_.Write("l/notes.txt", "mine");
   const std::vector<NamedVideo> both = {{"left", folder_.path() / "l"},
                                         {"right", folder_.path() / "r"}};
@@ -113,7 +164,7 @@ TEST_F(VideoImport, TakesFoldersOfPictures) {
   EXPECT_TRUE(LoadImage(read, 1, 0).empty());
   ImportVideos(both, {}, recording(), Overwrite::kRefuse);  // the same again
 
-  write("l/2.png", 200);
+  WritePicture("l/2.png", 200);
   fs::remove(folder_.path() / "l" / "4.png");
   EXPECT_THAT(ErrorOf(both), HasSubstr("000001.png: exists already; --force replaces it"));
   ImportVideos(both, {}, recording(), Overwrite::kAllow);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracking/text/json_text.h"
 
+#include <cmath>
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -24,6 +27,25 @@ TEST(JsonText, IsRefusedWhereItIsNestedTooDeep) {
     EXPECT_THAT(InputErrorOf([&] { ReadJsonText(file); }),
                 testing::HasSubstr("deep.json: is nested too deep; expected at most 100 levels"));
   }
+}
+
+TEST(JsonText, IsReadAsWhatIsMadeOfIt) {
+  const TestFolder folder;
+  const auto size = [](const nlohmann::json& json) { return json.at("size").get<int>(); };
+  EXPECT_EQ(ReadJson(folder.Write("a.json", R"({"size": 3})"), "is no sheet", size), 3);
+  for (const char* wrong : {"{", "[]", "{}", R"({"size": "3"})"}) {
+    const auto file = folder.Write("wrong.json", wrong);
+    EXPECT_THAT(InputErrorOf([&] { ReadJson(file, "is no sheet", size); }),
+                testing::HasSubstr("wrong.json: is no sheet: [json.exception."))
+        << wrong;
+  }
+}
+
+TEST(JsonText, HasNullForWhatIsNoNumber) {
+  EXPECT_EQ(OrNull(0.5), 0.5);
+  EXPECT_TRUE(OrNull(std::nullopt).is_null());
+  EXPECT_TRUE(OrNull(std::numeric_limits<double>::infinity()).is_null());
+  EXPECT_TRUE(OrNull(std::nan("")).is_null());
 }
 
 TEST(JsonText, MayHaveManyListsAndBracketsInStrings) {

@@ -281,7 +281,8 @@ TEST(DiagnosisFolder, GoesOnWithWhatIsNotFinishedOnly) {
   diagnosis.verdict = Verdict::kInterrupted;
   {
     const DiagnosisFolder begun(place, Existing::kResume);
-    WriteWholeFile(begun.KeptFits() / (std::string(64, 'a') + ".cbor"), "kept");
+    for (const char* kind : {"", "forecasts-", "forecasts-1-"})
+      WriteWholeFile(begun.KeptFits() / (kind + std::string(64, 'a') + ".cbor"), "kept");
     begun.Write(diagnosis);
   }
   const auto error_of = [&](Existing existing) -> std::string {
@@ -297,7 +298,7 @@ TEST(DiagnosisFolder, GoesOnWithWhatIsNotFinishedOnly) {
   folder.Write(part, "half of a fit, whose writer was killed");
   folder.Write("run/fits/.mine.txt.a1b2c3.part", "mine");
   EXPECT_EQ(error_of(Existing::kResume), "");
-  EXPECT_EQ(NumKeptFits(fits), 1);
+  EXPECT_EQ(NumKeptFits(fits), 3);
   EXPECT_FALSE(fs::exists(folder.path() / part));
   EXPECT_TRUE(fs::remove(fits / ".mine.txt.a1b2c3.part"));
   folder.Write("run/fits/mine.txt", "mine");

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/base/names.h"
 #include "autodiff_sim/term/tilted_down.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/answer/json_text.h"
@@ -138,7 +139,7 @@ TEST(Diagnose, UsesNoFinerMeshThanItMay) {
   const Recording recording = MakeSyntheticRecording(Small()).recording;
   DiagnosisOptions options = Quick();
   options.finest_side = 4;
-  for (const TermInfo& term : AllTerms()) options.excluded.push_back(term.name);
+  options.excluded = NamesOf(AllTerms());
   const Diagnosis diagnosis = Diagnose(recording, Baseline(recording), options);
   ASSERT_GT(recording.cloth.resolution.x(), 4);
   EXPECT_EQ(diagnosis.motions.resolution, (std::array<int, 2>{4, 4}));

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "autodiff_sim/base/names.h"
 #include "fitting/diagnosis/answer/effect_words.h"
 #include "fitting/diagnosis/answer/json_text.h"
 #include "fitting/diagnosis/pipeline/diagnose.h"
@@ -27,12 +28,6 @@ using testing::UnorderedElementsAre;
 using Names = std::vector<std::string>;
 
 constexpr const char* kPose = "camera cam1: pose";
-
-Names ParametersOf(const Model& model) {
-  Names names;
-  for (const EffectParameter& p : model.parameters) names.push_back(p.name);
-  return names;
-}
 
 // What every answer has, whatever it is.
 void ExpectToldAlike(const Diagnosis& diagnosis) {
@@ -74,7 +69,7 @@ TEST(TwoEffects, AreNamedAndHeldAgainstALaw) {
 
   EXPECT_EQ(diagnosis.motions.resolution[0], 10);  // refined
   EXPECT_EQ(diagnosis.motions.answer.front().size(), diagnosis.motions.baseline.front().size());
-  const Names names = ParametersOf(*diagnosis.answer);
+  const Names names = NamesOf(diagnosis.answer->parameters);
   EXPECT_THAT(names, IsSupersetOf({"added_mass.normal", "wind.x"}));
 }
 
