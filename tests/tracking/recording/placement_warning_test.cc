@@ -13,13 +13,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double kWidth = 0.6, kHeight = 0.4;  // m
+constexpr double kSheetWidth = 0.6, kSheetHeight = 0.4;  // m
 const Eigen::Vector3d kOrigin(0.1, 0.2, 0.5);
 
 std::vector<Eigen::Vector2d> GridOfPoints() {
   std::vector<Eigen::Vector2d> points;
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 3; ++j) points.emplace_back(kWidth * i / 3, kHeight * j / 2);
+    for (int j = 0; j < 3; ++j) points.emplace_back(kSheetWidth * i / 3, kSheetHeight * j / 2);
   return points;
 }
 
@@ -28,7 +28,7 @@ Recording FlatRecording() {
   Recording recording;
   recording.frame_rate = 30.0;
   recording.frame_count = 20;
-  recording.cloth.size = {kWidth, kHeight};
+  recording.cloth.size = {kSheetWidth, kSheetHeight};
   recording.cloth.initial = FlatPlacement{kOrigin, {1, 0, 0}, {0, 1, 0}};
   return recording;
 }
@@ -80,20 +80,20 @@ TEST(PlacementWarning, NamesTheSymmetryThatFits) {
                 ElementsAre(HasSubstr(std::string("; the start would fit them ") + remedy + ":")));
     ++checked;
   };
-  expect("with u reversed", [](double u, double v) { return Point(kWidth - u, v, 0); });
-  expect("with v reversed", [](double u, double v) { return Point(u, kHeight - v, 0); });
+  expect("with u reversed", [](double u, double v) { return Point(kSheetWidth - u, v, 0); });
+  expect("with v reversed", [](double u, double v) { return Point(u, kSheetHeight - v, 0); });
   expect("with u and v reversed",
-         [](double u, double v) { return Point(kWidth - u, kHeight - v, 0); });
+         [](double u, double v) { return Point(kSheetWidth - u, kSheetHeight - v, 0); });
   expect("with u and v exchanged", [](double u, double v) { return Point(v, u, 0); });
   expect("with u and v exchanged, then u reversed",
-         [](double u, double v) { return Point(kHeight - v, u, 0); });
+         [](double u, double v) { return Point(kSheetHeight - v, u, 0); });
   expect("with u and v exchanged, then v reversed",
-         [](double u, double v) { return Point(v, kWidth - u, 0); });
+         [](double u, double v) { return Point(v, kSheetWidth - u, 0); });
   expect("with u and v exchanged, then both reversed",
-         [](double u, double v) { return Point(kHeight - v, kWidth - u, 0); });
+         [](double u, double v) { return Point(kSheetHeight - v, kSheetWidth - u, 0); });
   expect("moved by (0.3, 0, -0.1) m", [](double u, double v) { return Point(u + 0.3, v, -0.1); });
   expect("with u reversed, moved by (0, 0, 0.3) m",
-         [](double u, double v) { return Point(kWidth - u, v, 0.3); });
+         [](double u, double v) { return Point(kSheetWidth - u, v, 0.3); });
   EXPECT_EQ(checked, 9);
 }
 
@@ -128,7 +128,7 @@ TEST(PlacementWarning, SeesTracksInTheirCameras) {
   }
   EXPECT_THAT(WarningsOf(recording), ElementsAre());
   std::get<FlatPlacement>(recording.cloth.initial) = {
-      kOrigin + Point(0, kHeight, 0), {1, 0, 0}, {0, -1, 0}};
+      kOrigin + Point(0, kSheetHeight, 0), {1, 0, 0}, {0, -1, 0}};
   EXPECT_THAT(WarningsOf(recording), ElementsAre(HasSubstr("fit them with v reversed")));
   std::get<FlatPlacement>(recording.cloth.initial).origin.z() = 10.0;  // behind the camera
   EXPECT_THAT(WarningsOf(recording), ElementsAre(HasSubstr("12 of 12 tracks")));
@@ -153,7 +153,7 @@ TEST(PlacementWarning, NamesAHandleWhereTheClothIsRight) {
   handle.path = HandleDescription::Path(20, kOrigin);
   recording.handles = {handle};
   EXPECT_THAT(WarningsOf(recording), ElementsAre());
-  recording.handles[0].uv = {kWidth, 0.0};
+  recording.handles[0].uv = {kSheetWidth, 0.0};
   EXPECT_THAT(WarningsOf(recording),
               ElementsAre(HasSubstr("handle left: its path begins 0.600 m")));
   std::get<FlatPlacement>(recording.cloth.initial).origin.z() += 0.3;  // then the cloth is wrong
