@@ -55,7 +55,9 @@ double RootMeanSquare(const Eigen::VectorXd& values) {
 
 // How much of the error is there, 0 or more: the amount found of its visible part (`squares`: of
 // its rows), which no entry makes up for, or the amount of it that explains the residual beyond
-// noise, whichever is larger. Of the other part nothing is seen, so that it is taken to be as much.
+// noise, whichever is larger. Of the other part nothing is seen, so that it is taken to be as much;
+// where residuals are more than noise, something between none of it and all that Richardson's
+// estimate says: the visible part of a motion that is chaotic is out of step and seems less.
 double Amplitude(const Misfit& misfit, double squares, double found) {
   if (!(squares > 0.0)) return 1.0;
   const double beyond_noise = std::max(0.0, misfit.chi_square - misfit.limit);
@@ -72,16 +74,37 @@ void AddDiscretisation(const MeshRows& own, const MeshRows& finer,
       own.jacobian.transpose() * own.jacobian + prior_jacobian.transpose() * prior_jacobian;
   const auto factor = TrySemidefinite(information);
   if (!factor) return;
-  const Eigen::VectorXd made_up = own.jacobian * factor->solve(own.jacobian.transpose() * error);
-  const Eigen::VectorXd visible = error - made_up;
+  fit->errors.shift = factor->solve(own.jacobian.transpose() * error);
+  const Eigen::VectorXd visible = error - own.jacobian * fit->errors.shift;
   const double squares = visible.squaredNorm();
   const double found = squares > 0.0 ? visible.dot(own.residuals) / squares : 0.0;
   misfit.amplitude = fit->errors.amplitude = Amplitude(misfit, squares, found);
-  fit->errors.by_entries = own.jacobian.transpose() * made_up;
-  fit->errors.squares = made_up.squaredNorm();
+  if (!misfit.IsNoise()) {
+    fit->errors.mean = 0.5;
+    fit->errors.amplitude = std::max(0.5, fit->errors.amplitude);
+  }
   misfit.without_discretisation =
       (own.residuals - found * visible).squaredNorm() /
       std::max(1, misfit.observed - static_cast<int>(information.rows()));
+}
+
+// ModelErrors::lasting: with weights that fall to zero at an eighth of the frames (Bartlett's).
+Eigen::MatrixXd LastingGradients(const std::vector<SeenResidual>& seen, const MeshRows& rows) {
+  int frames = 0;
+  for (const SeenResidual& one : seen) frames = std::max(frames, one.frame + 1);
+  Eigen::MatrixXd gradients = Eigen::MatrixXd::Zero(rows.jacobian.cols(), frames);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    gradients.col(seen[i].frame) += rows.residuals[row] * rows.jacobian.row(row).transpose();
+  }
+  const int reach = std::max(1, frames / 8);
+  Eigen::MatrixXd lasting = gradients * gradients.transpose();
+  for (int lag = 1; lag < reach; ++lag) {
+    const Eigen::MatrixXd products =
+        gradients.leftCols(frames - lag) * gradients.rightCols(frames - lag).transpose();
+    lasting += (1.0 - static_cast<double>(lag) / reach) * (products + products.transpose());
+  }
+  return lasting;
 }
 
 PointFit PointFitOf(const std::vector<SeenResidual>& seen, const FreeVector& free,
@@ -89,6 +112,7 @@ PointFit PointFitOf(const std::vector<SeenResidual>& seen, const FreeVector& fre
   PointFit fit;
   fit.misfit = MeasureMisfit(seen, free.size());
   fit.errors.correlation = fit.misfit.correlation;
+  if (!fit.misfit.IsNoise()) fit.errors.lasting = LastingGradients(seen, own);
   if (finer && finer->residuals.size() == own.residuals.size())
     AddDiscretisation(own, *finer, free.prior_jacobian(), &fit);
   return fit;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <ceres/covariance.h>
 #include <ceres/problem.h>
 #include <fmt/format.h>
@@ -98,16 +99,28 @@ std::string Describe(const std::vector<FreeEntry>& entries, const Eigen::VectorX
 struct DataKnow {
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
+  Eigen::VectorXd pull;  // of the expected discretisation error, away from the solution
 };
 
+// Information about entries whose estimates have the sandwich covariance
+// I^-1 (variance I + lasting) I^-1, I = J'J (Newey and West 1987): I (variance I + lasting)^-1 I.
 DataKnow OfData(const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian, double variance,
                 const ModelErrors& errors) {
-  DataKnow data{jacobian.transpose() * jacobian / variance,
-                jacobian.transpose() * residuals / variance};
+  const Eigen::MatrixXd own = jacobian.transpose() * jacobian;
+  const Eigen::VectorXd gradient = jacobian.transpose() * residuals;
+  DataKnow data{own / variance, gradient / variance, Eigen::VectorXd::Zero(own.cols())};
+  if (errors.lasting.size() > 0) {
+    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> of_gradient(variance * own +
+                                                                              errors.lasting);
+    data.information = own * of_gradient.solve(own);
+    data.gradient = own * of_gradient.solve(gradient);
+  }
   if (!(errors.amplitude > 0.0)) return data;
-  const Eigen::VectorXd tie = errors.by_entries / variance;
-  const double own = errors.squares / variance + 1.0 / (errors.amplitude * errors.amplitude);
-  data.information -= tie * tie.transpose() / own;
+  const Eigen::VectorXd tie = data.information * errors.shift;
+  const double prior = 1.0 / (errors.amplitude * errors.amplitude);
+  const double known = errors.shift.dot(tie) + prior;
+  data.information -= tie * tie.transpose() / known;
+  data.pull = errors.mean * prior / known * tie;
   return data;
 }
 
@@ -136,6 +149,9 @@ void FillIntervals(const FreeVector& free, const DataKnow& data, const Eigen::Ma
     result->lower95[i] = interval.lower;
     result->upper95[i] = interval.upper;
   }
+  const Eigen::VectorXd expected = covariance * data.pull;
+  result->lower95 += expected;
+  result->upper95 += expected;
 }
 
 }  // namespace

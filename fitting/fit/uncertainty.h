@@ -15,17 +15,21 @@ namespace clothfit {
 // Errors beyond independent noise that the intervals have to hold.
 struct ModelErrors {
   double correlation = 1.0;  // residuals that say as much as one: variances grow by it
-  // The discretisation error e in sigmas, as far as the free entries make up for it. Its products
-  // with the Jacobian and with itself. It is one more unknown how many times it is there: 0, give
-  // or take `amplitude`. Empty where e is not known.
-  Eigen::VectorXd by_entries;
-  double squares = 0.0, amplitude = 0.0;
+  // Sum of the products of the frames' gradients J' r with those of frames before and after, less
+  // the farther apart they are: what the gradient may be by errors that last. Empty where residuals
+  // are noise.
+  Eigen::MatrixXd lasting;
+  // How far the discretisation error e moves the free entries. It is one more unknown how many
+  // times it is there: `mean`, give or take `amplitude`. Empty where e is not known.
+  Eigen::VectorXd shift;
+  double mean = 0.0, amplitude = 0.0;
 };
 
 struct Uncertainty {
   Eigen::VectorXd sigma;  // one a free entry, in the free vector's scale
   // Ends of the 95 % interval, as offsets from the solution in the free vector's scale: a physical
-  // parameter's are the profile's (fitting/fit/profile_interval.h), others 1.96 sigmas.
+  // parameter's are the profile's (fitting/fit/profile_interval.h), others 1.96 sigmas, around
+  // where the expected discretisation error puts the entry.
   Eigen::VectorXd lower95, upper95;
   std::vector<bool> determined;  // by the data: the posterior variance is below half of the prior's
   // Residuals over stated sigmas, at least 1; the intervals contain it, and their correlation.

@@ -128,7 +128,7 @@ TEST(Discretisation, IsNotKnownOfMeshesThatAreNoGrid) {
   const auto points = MeasureAtStart(scene, config);
   ASSERT_TRUE(points);
   EXPECT_FALSE(points->misfit.discretisation);
-  EXPECT_EQ(points->errors.by_entries.size(), 0);
+  EXPECT_EQ(points->errors.shift.size(), 0);
 }
 
 // Neighbours along an outline and the 0.2 s that hang together.
@@ -188,6 +188,38 @@ TEST(Outlines, HaveIntervalsWithMeshAndCorrelation) {
   EXPECT_GT((with_mesh - plain).maxCoeff(), 0.0);
   EXPECT_TRUE((with_both.array() >= with_mesh.array() * (1.0 - 1e-9)).all());
   EXPECT_GT((with_both - with_mesh).maxCoeff(), 0.0);
+}
+
+// Errors that last four times as long as one residual are four correlated ones.
+TEST(Uncertainty, HoldsErrorsThatLast) {
+  const Recording recording = FinelyMeshed();
+  const FitConfig config = ConfigOf(recording, 7);
+  const Scene scene = MakeScene(recording, config);
+  const JointScenes scenes({{"", &scene, &config}});
+  const std::optional<MeshRows> rows = EvaluateRows(scene, config, scenes.free().start(), true);
+  ASSERT_TRUE(rows);
+  const auto quantify = [&](const ModelErrors& with) {
+    return QuantifyUncertainty(scenes.free(), static_cast<int>(rows->residuals.size()),
+                               rows->residuals, rows->jacobian, with);
+  };
+  const Uncertainty plain = quantify({});
+  ModelErrors four, lasting, half;
+  four.correlation = 4.0;
+  lasting.lasting =
+      3.0 * plain.noise_factor * plain.noise_factor * rows->jacobian.transpose() * rows->jacobian;
+  const Eigen::VectorXd expected = quantify(four).sigma, found = quantify(lasting).sigma;
+  EXPECT_LT((found - expected).norm(), 1e-6 * expected.norm());
+  EXPECT_GT((expected - plain.sigma).maxCoeff(), 0.0);
+  // Half of an error that moves an entry by ten of its sigmas moves its interval by five of them,
+  // where the data say nothing of how much of it there is.
+  half.shift = Eigen::VectorXd::Zero(scenes.free().size());
+  half.shift[0] = 10.0 * plain.sigma[0];
+  half.mean = half.amplitude = 0.5;
+  const Uncertainty moved = quantify(half);
+  const double middle = 0.5 * (moved.lower95[0] + moved.upper95[0]);
+  EXPECT_NEAR(middle, 5.0 * plain.sigma[0], 1.5 * plain.sigma[0]);
+  EXPECT_LT(moved.lower95[0], 0.0);
+  EXPECT_GT(moved.upper95[0], 10.0 * plain.sigma[0]);
 }
 
 TEST(Outlines, AreMeasuredWhereNothingElseIsSeen) {
