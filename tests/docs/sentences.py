@@ -30,6 +30,7 @@ SOURCES = (
     ("fitting/diagnosis/locate/discrepancy_text.cc", None, None),
     ("tracking/recording/warnings.cc", None, None),
     ("tracking/recording/placement_warning.cc", None, None),
+    ("tracking/recording/silhouette_warning.cc", None, None),
     ("tracking/recording/point_warnings.cc", None, None),
     ("tracking/recording/support.cc", None, None),
     ("tracking/outliers/outliers.cc", None, None),
