@@ -13,6 +13,7 @@ import sys
 # File, and what its sentences begin and end with, where the rest is tables, keys and help of options.
 SOURCES = (
     ("fitting/report/page_verdict.cc", None, None),
+    ("fitting/report/verdict_sentences.cc", None, None),
     ("fitting/report/joint_verdict.cc", None, None),
     ("fitting/report/pair_verdict.cc", None, None),
     ("fitting/report/comparison_report.cc", "std::string Headline(", "int ContenderIndex("),
