@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,7 @@ using Grade = PageVerdict::Grade;
 struct JudgedRecording {
   std::string name;
   bool is_held_out = false, is_noise = false, is_better = true;
+  std::string lack_of_support;  // see DescribeLackOfSupport
 };
 
 JudgedRecording Judge(const Json& entry) {
@@ -29,6 +31,7 @@ JudgedRecording Judge(const Json& entry) {
   judged.is_held_out = entry.at("held_out_whole").get<bool>();
   const std::optional<Misfit> misfit = MisfitOf(entry);
   judged.is_noise = misfit && misfit->IsNoiseAndMesh();
+  judged.lack_of_support = entry.value("lack_of_support", "");
   for (const ErrorChange& error : ErrorsOf(entry)) {
     if (error.held_out == judged.is_held_out && error.before && error.after)
       judged.is_better = judged.is_better && *error.after < *error.before;
@@ -62,6 +65,17 @@ void AddFitted(const Json& recordings, std::vector<std::string>* sentences) {
                                      kind == std::string("silhouettes") ? "outlines" : kind, after,
                                      RangeOf(recordings, kind, true)));
   }
+}
+
+// Of the recordings that are not explained; those that lack the same in one sentence.
+void AddLackOfSupport(const std::vector<JudgedRecording>& judged,
+                      std::vector<std::string>* sentences) {
+  std::map<std::string, std::vector<std::string>> names;
+  for (const JudgedRecording& one : judged)
+    if (!one.lack_of_support.empty() && !one.is_noise)
+      names[one.lack_of_support].push_back(one.name);
+  for (const auto& [lack, recordings] : names)
+    sentences->push_back(fmt::format("In {} {}.", JoinNames(recordings), lack));
 }
 
 void AddHeldOut(const Json& recordings, std::vector<std::string>* sentences) {
@@ -131,6 +145,7 @@ PageVerdict JudgeJointFit(const Json& summary) {
         met == fitted ? fmt::format("all {}", fitted) : fmt::format("{} of {}", met, fitted));
   }
   AddFitted(recordings, &verdict.sentences);
+  AddLackOfSupport(judged, &verdict.sentences);
   AddHeldOut(recordings, &verdict.sentences);
   AddParameters(summary.at("parameters"), &verdict.sentences);
   const std::string rugged_cost =

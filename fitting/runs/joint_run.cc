@@ -46,7 +46,7 @@ Json EntryOf(const JointRecording& one, const FitResult& result) {
                 {"run", RunFolder::PlaceOf(one.name).string()},
                 {"held_out_whole", one.config.hold_out}};
   for (const char* key : {"cost", "fit", "held_out", "before", "frames", "noise_factor", "misfit",
-                          "unknown_in_held_out_frames"})
+                          "lack_of_support", "unknown_in_held_out_frames"})
     entry[key] = whole.at(key);
   entry["noise"] = {{"marker_m", one.scene.marker_sigma}, {"track_px", one.scene.track_sigma}};
   return entry;

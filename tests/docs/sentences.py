@@ -13,6 +13,7 @@ import sys
 # File, and what its sentences begin and end with, where the rest is tables, keys and help of options.
 SOURCES = (
     ("fitting/report/page_verdict.cc", None, None),
+    ("fitting/report/verdict_sentences.cc", None, None),
     ("fitting/report/joint_verdict.cc", None, None),
     ("fitting/report/pair_verdict.cc", None, None),
     ("fitting/report/comparison_report.cc", "std::string Headline(", "int ContenderIndex("),
@@ -30,6 +31,7 @@ SOURCES = (
     ("fitting/diagnosis/locate/discrepancy_text.cc", None, None),
     ("tracking/recording/warnings.cc", None, None),
     ("tracking/recording/placement_warning.cc", None, None),
+    ("tracking/recording/silhouette_warning.cc", None, None),
     ("tracking/recording/point_warnings.cc", None, None),
     ("tracking/recording/support.cc", None, None),
     ("tracking/outliers/outliers.cc", None, None),

@@ -13,13 +13,13 @@
 
 #include "autodiff_sim/mesh/surface_point.h"
 #include "tracking/recording/initial_placement.h"
+#include "tracking/recording/silhouette_warning.h"
 
 namespace clothfit {
 namespace {
 
 using Places = std::vector<Eigen::Vector3d>;
 
-constexpr double kSoon = 0.1;        // s; what is first seen later has moved
 constexpr size_t kLeastPoints = 4;   // fewer have no median to speak of, and fit any shift
 constexpr size_t kMostPoints = 400;  // of a kind; more tell nothing new
 constexpr double kFarBetter = 1.0 / 3.0;
@@ -44,7 +44,7 @@ template <class Sight>
 std::vector<Sight> FirstSights(const Recording& recording, const std::vector<Sight>& sights) {
   std::map<std::pair<int, int>, const Sight*> by_point;
   for (const Sight& sight : sights) {
-    if (sight.frame > kSoon * recording.frame_rate) continue;
+    if (sight.frame > kFirstSeenWithin * recording.frame_rate) continue;
     const Sight*& first = by_point[Identity(sight)];
     if (first == nullptr || sight.frame < first->frame) first = &sight;
   }
@@ -222,7 +222,9 @@ void WarnOfPaths(const Recording& recording, std::vector<std::string>* warnings)
 void WarnOfPlacement(const Recording& recording, std::vector<std::string>* warnings) {
   const bool markers = WarnOfKind(recording, recording.markers, "markers", warnings);
   const bool tracks = WarnOfKind(recording, recording.tracks, "tracks", warnings);
-  if (!markers && !tracks) WarnOfPaths(recording, warnings);
+  if (markers || tracks) return;
+  WarnOfSilhouettes(recording, warnings);
+  WarnOfPaths(recording, warnings);
 }
 
 }  // namespace clothfit

@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/runs/fit_run.h"
@@ -77,6 +78,20 @@ TEST_F(JointRun, IsAFolderOfRuns) {
   }
   EXPECT_THAT(InputErrorOf([&] { RunFolder::Open(run.path()); }),
               HasSubstr("expected the run of one"));
+}
+
+TEST_F(JointRun, TellsInWhichRecordingNothingHoldsTheCloth) {
+  Recording falling = recordings_[1].scene.recording;
+  falling.handles.clear();
+  recordings_[1].config = DefaultConfig(falling);
+  recordings_[1].scene.recording = falling;
+  HoldOutTheSecond();
+  recordings_[0].config.max_iterations = 1;
+  FitIntoJointRun(recordings_, Folder("run", Existing::kRefuse), {}, false);
+  const auto summary = nlohmann::json::parse(ReadTextFile(folder_.path() / "run/summary.json"));
+  EXPECT_EQ(summary.at("recordings").at(0).at("lack_of_support"), "");
+  EXPECT_THAT(summary.at("recordings").at(1).at("lack_of_support").get<std::string>(),
+              HasSubstr("it falls freely"));
 }
 
 TEST_F(JointRun, GoesOnToTheSameBits) {
