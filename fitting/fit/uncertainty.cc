@@ -95,11 +95,10 @@ std::string Describe(const std::vector<FreeEntry>& entries, const Eigen::VectorX
 }
 
 // The data's information on the free vector: matrix and gradient at the size that residuals really
-// have, with the amount of the discretisation error marginalised.
+// have.
 struct DataKnow {
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
-  Eigen::VectorXd pull;  // of the expected discretisation error, away from the solution
 };
 
 // Information about entries whose estimates have the sandwich covariance
@@ -108,19 +107,13 @@ DataKnow OfData(const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian
                 const ModelErrors& errors) {
   const Eigen::MatrixXd own = jacobian.transpose() * jacobian;
   const Eigen::VectorXd gradient = jacobian.transpose() * residuals;
-  DataKnow data{own / variance, gradient / variance, Eigen::VectorXd::Zero(own.cols())};
+  DataKnow data{own / variance, gradient / variance};
   if (errors.lasting.size() > 0) {
     const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> of_gradient(variance * own +
                                                                               errors.lasting);
     data.information = own * of_gradient.solve(own);
     data.gradient = own * of_gradient.solve(gradient);
   }
-  if (!(errors.amplitude > 0.0)) return data;
-  const Eigen::VectorXd tie = data.information * errors.shift;
-  const double prior = 1.0 / (errors.amplitude * errors.amplitude);
-  const double known = errors.shift.dot(tie) + prior;
-  data.information -= tie * tie.transpose() / known;
-  data.pull = errors.mean * prior / known * tie;
   return data;
 }
 
@@ -131,11 +124,17 @@ Eigen::MatrixXd RowsOf(const Eigen::MatrixXd& information) {
          eigen.eigenvectors().transpose();
 }
 
-// Fills in the ends of the 95 % intervals.
+// Fills in sigmas and the ends of the 95 % intervals. `covariance` and `data` know nothing of the
+// discretisation error, whose amount is independent of them; by `shift` all entries move together.
 void FillIntervals(const FreeVector& free, const DataKnow& data, const Eigen::MatrixXd& covariance,
-                   Uncertainty* result) {
+                   const ModelErrors& errors, Uncertainty* result) {
   constexpr double kTwoSided95 = 1.959964;
-  result->upper95 = kTwoSided95 * result->sigma;
+  const Eigen::VectorXd of_data = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  Eigen::VectorXd shift = Eigen::VectorXd::Zero(of_data.size());
+  if (errors.shift.size() > 0) shift = errors.shift;
+  const Eigen::VectorXd of_mesh = errors.amplitude * shift;
+  result->sigma = (of_data.array().square() + of_mesh.array().square()).sqrt();
+  result->upper95 = kTwoSided95 * of_data;
   result->lower95 = -result->upper95;
   if (!covariance.allFinite()) return;
   ResponseModel model;
@@ -149,9 +148,11 @@ void FillIntervals(const FreeVector& free, const DataKnow& data, const Eigen::Ma
     result->lower95[i] = interval.lower;
     result->upper95[i] = interval.upper;
   }
-  const Eigen::VectorXd expected = covariance * data.pull;
-  result->lower95 += expected;
-  result->upper95 += expected;
+  for (int i = 0; i < free.size(); ++i) {
+    const double expected = errors.mean * shift[i], half = kTwoSided95 * of_mesh[i];
+    result->lower95[i] = expected - std::hypot(result->lower95[i], half);
+    result->upper95[i] = expected + std::hypot(result->upper95[i], half);
+  }
 }
 
 }  // namespace
@@ -166,9 +167,10 @@ Uncertainty QuantifyUncertainty(const FreeVector& free, int num_observed,
   if (n == 0) return result;
   const double variance = result.noise_factor * result.noise_factor * errors.correlation;
   const DataKnow data = OfData(residuals, jacobian, variance, errors);
-  const Eigen::MatrixXd covariance = Covariance(RowsOf(data.information), free.prior_jacobian());
-  result.sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-  FillIntervals(free, data, covariance, &result);
+  Eigen::MatrixXd covariance = Covariance(RowsOf(data.information), free.prior_jacobian());
+  FillIntervals(free, data, covariance, errors, &result);
+  if (errors.shift.size() > 0)
+    covariance += errors.amplitude * errors.amplitude * errors.shift * errors.shift.transpose();
   std::vector<int> physical;
   for (int i = 0; i < n; ++i) {
     const FreeEntry& entry = free.entries()[i];

@@ -36,7 +36,7 @@ TEST(JointVerdict, TellsInWhichRecordingsNothingHoldsTheCloth) {
   EXPECT_THAT(SentencesOn({EntryOf("a", 9.0, ""), EntryOf("b", 9.0, lack)}),
               Contains("In b nothing holds it."));
   EXPECT_THAT(SentencesOn({EntryOf("a", 9.0, lack), EntryOf("b", 9.0, lack)}),
-              Contains("In a and b nothing holds it."));
+              Contains("In a, b nothing holds it."));
   EXPECT_THAT(SentencesOn({EntryOf("a", 9.0, lack), EntryOf("b", 9.0, "it lies")}),
               testing::IsSupersetOf({"In a nothing holds it.", "In b it lies."}));
 }

@@ -146,7 +146,7 @@ TEST(PutFaultFirst, TellsOfPhysicsWithoutTheFault) {
 
 // A hem stands for little of a wind; the camera that was put right stays so.
 TEST(TakeBack, OfPhysicsThatExplainsTooLittleLeavesTheFaults) {
-  DiagnoserPeer peer = Peer({{"wind.x", 0.5}});
+  DiagnoserPeer peer = Peer({{"wind.x", 0.3}});
   peer.KeepFault("camera cam1: pose");
   const double before = peer.now().fit.cost_after;
   peer.FitAndKeep("hem");
