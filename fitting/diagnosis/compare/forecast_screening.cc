@@ -31,8 +31,9 @@ constexpr int kScreeningIterations = 5, kIterations = 8;  // on the coarse mesh,
 constexpr int kFirstLengths = 1;        // of forecasts, by which most models are put aside
 constexpr std::size_t kMostStarts = 2;  // of a model
 // Candidates that are fitted whatever their share: a score is linear, and misses most of what an
-// effect does that changes the motion by much.
+// effect does that changes the motion by much. Nor does it tell those apart whose scores are alike.
 constexpr int kAlwaysFitted = 2;
+constexpr double kAlike = 0.5;  // of the largest share
 
 // The coarse mesh: forecasts are short, so that it is right about what is far behind.
 std::array<int, 2> ScreeningGrid(const ClothMesh& mesh) {
@@ -109,12 +110,14 @@ std::vector<RankedCandidate> ForecastScreening::CandidatesToFit(
     const std::vector<ContactShape>& contacts) const {
   std::vector<RankedCandidate> candidates, obstacles;
   int count = 0;
+  double least_share = options_.least_share;
   for (const RankedCandidate& candidate : ranking.candidates) {
     if (candidate.summary.kind != CandidateKind::kPhysics) continue;
+    if (count == 0) least_share = std::min(least_share, kAlike * candidate.summary.share);
     if (std::optional<RankedCandidate> obstacle = AtContacts(base, candidate, contacts)) {
       obstacles.push_back(*std::move(obstacle));
     } else if (count < options_.max_models &&
-               (candidate.summary.share >= options_.least_share || count < kAlwaysFitted)) {
+               (candidate.summary.share >= least_share || count < kAlwaysFitted)) {
       candidates.push_back(candidate);
       ++count;
     }
