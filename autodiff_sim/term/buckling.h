@@ -12,8 +12,8 @@
 // twice continuously differentiable. As h becomes small N grows as 1 / h^2, and the tension becomes
 // that of the material. Viscous tension is limited together with the elastic one. Wrinkles keep a
 // small share of the material's stiffness, so that the cloth's equations stay well posed. It is the
-// law of each spring, those along the bias among them
-// (docs/adr/0022-each-spring-buckles-by-itself.md).
+// law of each spring along the threads, and of the two of a cell along the bias together
+// (terms/shear.h).
 #pragma once
 
 #include <cmath>
