@@ -33,7 +33,7 @@ constexpr std::size_t kMostStarts = 2;  // of a model
 // Candidates that are fitted whatever their share: a score is linear, and misses most of what an
 // effect does that changes the motion by much. Nor does it tell those apart whose scores are alike.
 constexpr int kAlwaysFitted = 2;
-constexpr double kAlike = 0.5;  // of the largest share
+constexpr double kAlike = 0.5;  // of the share of the first, and of obstacles before it
 
 // The coarse mesh: forecasts are short, so that it is right about what is far behind.
 std::array<int, 2> ScreeningGrid(const ClothMesh& mesh) {
