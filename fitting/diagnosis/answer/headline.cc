@@ -3,8 +3,10 @@
 #include "fitting/diagnosis/answer/headline.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fitting/diagnosis/answer/effect_words.h"
+#include "fitting/diagnosis/answer/verdict.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -58,6 +60,11 @@ std::string InBrief(const Diagnosis& diagnosis, const std::string& effect) {
   return InBrief(effect, model == nullptr ? std::vector<EffectParameter>() : model->parameters);
 }
 
+bool MayBeMesh(const Diagnosis& diagnosis) {
+  const double rms = diagnosis.residual_rms;
+  return !IsOnItsWay(diagnosis, std::sqrt(std::max(0.0, rms * rms - 1.0)));
+}
+
 std::string HeadlineOf(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case Verdict::kNothingMissing:
@@ -72,7 +79,9 @@ std::string HeadlineOf(const Diagnosis& diagnosis) {
     case Verdict::kNoneOfTheAbove:
       return OfNoneOfTheAbove(diagnosis);
     case Verdict::kUndecided:
-      return "Undecided: the baseline's fit has come to no minimum.";
+      return MayBeMesh(diagnosis)
+                 ? "Undecided: another mesh and step might leave as much as the baseline does."
+                 : "Undecided: the baseline's fit has come to no minimum.";
     case Verdict::kInterrupted:
       break;
   }

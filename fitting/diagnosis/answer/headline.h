@@ -16,6 +16,10 @@ namespace clothfit {
 // along +y, or gravity tilt of 4 degrees: this recording cannot tell."
 std::string HeadlineOf(const Diagnosis& diagnosis);
 
+// Of an undecided diagnosis: whether mesh and step may leave what the baseline does; else its fit
+// has come to no minimum.
+bool MayBeMesh(const Diagnosis& diagnosis);
+
 // An effect of the answer or of its confidence set in a few words, by the model that has it.
 std::string InBrief(const Diagnosis& diagnosis, const std::string& effect);
 

@@ -96,9 +96,13 @@ std::vector<std::string> DetailsOf(const Diagnosis& diagnosis) {
   }
   if (diagnosis.verdict == Verdict::kUndecided) {
     sentences.push_back(
-        fmt::format("The baseline leaves {:.2g} sigmas, but a full step of its fit still promises "
-                    "{:.0f} % less.",
-                    diagnosis.residual_rms, 100.0 * diagnosis.promised));
+        MayBeMesh(diagnosis)
+            ? fmt::format("The baseline leaves {:.2g} sigmas, where noise, mesh and step leave at "
+                          "least as much with p = {:.2g}.",
+                          diagnosis.residual_rms, diagnosis.gate_p_value)
+            : fmt::format("The baseline leaves {:.2g} sigmas, but a full step of its fit still "
+                          "promises {:.0f} % less.",
+                          diagnosis.residual_rms, 100.0 * diagnosis.promised));
     sentences.emplace_back(
         "What it leaves is no evidence of missing physics, nor that nothing is missing. A shorter "
         "or gentler recording, or material parameters that are known, would help.");

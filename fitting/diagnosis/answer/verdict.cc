@@ -6,6 +6,7 @@
 
 #include "fitting/diagnosis/compare/two_meshes.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
+#include "fitting/diagnosis/gate/gate.h"
 #include "fitting/diagnosis/model/explained_share.h"
 
 namespace clothfit {
@@ -14,16 +15,11 @@ double MostOfIt(double unexplained, bool is_lost) {
   return is_lost || unexplained > kUnusableResidual ? kHalfOfIt : kMostOfIt;
 }
 
-namespace {
-
-// Would a full step of the fit explain half of its residual beyond noise?
-bool PromisesMost(double promised, double unexplained) {
+bool IsOnItsWay(const Diagnosis& diagnosis, double unexplained) {
   constexpr double kMost = 0.5;
   const double beyond = unexplained * unexplained;
-  return promised * (1.0 + beyond) >= kMost * beyond;
+  return diagnosis.promised * (1.0 + beyond) >= kMost * beyond;
 }
-
-}  // namespace
 
 Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome) {
   if (diagnosis.law) return Verdict::kNoneOfTheAbove;
@@ -35,8 +31,10 @@ Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome) {
   }
   if (!diagnosis.effects.empty()) return Verdict::kObservationFault;
   if (outcome.is_explained || outcome.unexplained < kTooLittle) return Verdict::kNothingMissing;
-  return PromisesMost(diagnosis.promised, outcome.unexplained) ? Verdict::kUndecided
-                                                               : Verdict::kNoneOfTheAbove;
+  // Mesh and step alone may leave as much.
+  const bool may_be_null = diagnosis.gate_p_value >= kGate;
+  return may_be_null || IsOnItsWay(diagnosis, outcome.unexplained) ? Verdict::kUndecided
+                                                                   : Verdict::kNoneOfTheAbove;
 }
 
 std::string ToString(Verdict verdict) {

@@ -22,6 +22,10 @@ struct Outcome {
 // kUnusableResidual sigmas beyond noise, or has lost the recorded motion, so that forecasts tell.
 double MostOfIt(double unexplained, bool is_lost = false);
 
+// Would a full step of the baseline's fit explain half of what it leaves beyond noise (sigmas)?
+// Where nothing was kept, that is no evidence of anything.
+bool IsOnItsWay(const Diagnosis& diagnosis, double unexplained);
+
 // Of a diagnosis that has run to its end.
 Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome);
 

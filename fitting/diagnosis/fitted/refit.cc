@@ -198,6 +198,17 @@ std::optional<FittedScene> FitBeyondForecasts(const FittedScene& forecasts, int 
   return MakeModel(forecasts.scene, forecasts.config, config, result);
 }
 
+std::optional<FittedScene> FitToAllFrames(const FitConfig& given, const FittedScene& forecasts,
+                                          int most_iterations, const FitRunner& runner) {
+  constexpr int kAfresh = 4;  // times as many iterations as from where forecasts have ended
+  std::optional<FittedScene> near = FitBeyondForecasts(forecasts, most_iterations, runner);
+  const bool follows = near && !HasLargeResidual(near->scene, near->config, near->fit);
+  if (follows || runner.IsStopped()) return near;
+  return Cheaper(std::move(near),
+                 FitAfresh(WithMaterialOf(given, GoOn(forecasts)), Start::kWindows,
+                           kAfresh * most_iterations, runner, EnoughToDecide(forecasts.scene)));
+}
+
 std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<FittedScene> b) {
   const bool is_second = b && (!a || b->fit.cost_after < a->fit.cost_after);
   return is_second ? std::move(b) : std::move(a);

@@ -80,8 +80,7 @@ class Diagnoser {
   bool AddByWholeFits(Ranking ranking, const std::vector<FittedModel>& models);
   std::vector<JudgedModel> FitWhole(const FittedScene& before,
                                     const std::vector<JudgedModel>& forecasts);
-  void OrderByAllFrames(const std::vector<JudgedModel>& whole,
-                        std::vector<JudgedModel>* forecasts) const;
+  void SettleContradiction(const JudgedModel& best_of_forecasts, std::vector<JudgedModel>* whole);
   bool IsBorneOut(const JudgedModel& best, const std::vector<JudgedModel>& whole) const;
   // The models that may be it, on the deciding mesh; what the recording speaks for most comes
   // first.
@@ -98,6 +97,7 @@ class Diagnoser {
   void PutFaultFirst();
   // What was kept by forecasts, fitted to all frames.
   void GoOnBeyondForecasts();
+  FittedScene FitToEnd(FittedScene fine, int at_least) const;
   // A model like another one, fitted as that is: to forecasts or to all frames.
   std::optional<FittedScene> FitLike(const FittedScene& other, const ModelStart& start,
                                      int most_iterations) const;

@@ -3,6 +3,7 @@
 //
 // Rounds by forecasts: how an effect is found and decided upon where there are points.
 #include <algorithm>
+#include <array>
 #include <future>
 #include <optional>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/compare/forecast_screening.h"
+#include "fitting/diagnosis/compare/order_by_all_frames.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/fitted/refit.h"
 #include "fitting/diagnosis/gate/baseline_fit.h"
@@ -31,13 +33,6 @@ constexpr int kWholeIterations = 6;
 
 bool Follows(const FittedScene& fitted) {
   return !HasLargeResidual(fitted.scene, fitted.config, fitted.fit);
-}
-
-const JudgedModel* Named(const JudgedModel& one, const std::vector<JudgedModel>& models) {
-  const auto same = std::find_if(models.begin(), models.end(), [&](const JudgedModel& other) {
-    return other.candidate.summary.name == one.candidate.summary.name;
-  });
-  return same == models.end() ? nullptr : &*same;
 }
 
 }  // namespace
@@ -62,7 +57,8 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
   if (may_explain) {
     whole = FitWhole(round->before, judged);
     if (whole.empty()) return false;
-    OrderByAllFrames(whole, &judged);
+    SettleContradiction(judged.front(), &whole);
+    OrderByAllFrames(whole, Follows(whole.front().model.fine), &judged);
   }
   DescribeAll(judged, round->before);
   if (!may_explain) {
@@ -99,7 +95,7 @@ std::vector<JudgedModel> Diagnoser::FitWhole(const FittedScene& before,
   std::vector<std::optional<FittedScene>> fits(forecasts.size());
   const auto fit = [&](std::size_t k) {
     if (!Stopped() && forecasts[k].model.Cost() <= doubtful)
-      fits[k] = FitBeyondForecasts(forecasts[k].model.fine, kWholeIterations, runner_);
+      fits[k] = FitToAllFrames(baseline_, forecasts[k].model.fine, kWholeIterations, runner_);
   };
   // One simulation does not fill two cores.
   const auto fit_some = [&](std::size_t first, std::size_t end) {
@@ -118,21 +114,22 @@ std::vector<JudgedModel> Diagnoser::FitWhole(const FittedScene& before,
   return whole;
 }
 
-// Forecasts find what is missing however chaotic a motion is, but the states that they begin with
-// are a little wrong: where the best follows the recording to its end, all frames order those that
-// were fitted to them. The others stay as far behind the best as they were.
-void Diagnoser::OrderByAllFrames(const std::vector<JudgedModel>& whole,
-                                 std::vector<JudgedModel>* forecasts) const {
-  const JudgedModel* const best = Named(forecasts->front(), whole);
-  if (best == nullptr || !Follows(best->model.fine)) return;
-  const double shift = best->log_evidence - forecasts->front().log_evidence;
-  for (JudgedModel& one : *forecasts) {
-    const JudgedModel* const same = Named(one, whole);
-    one.log_evidence = same != nullptr ? same->log_evidence : one.log_evidence + shift;
-  }
-  std::stable_sort(
-      forecasts->begin(), forecasts->end(),
-      [](const JudgedModel& a, const JudgedModel& b) { return a.log_evidence > b.log_evidence; });
+// Where all frames prefer another model than forecasts do, a few iterations do not tell which of
+// the two is nearer to its minimum: both are fitted to their end.
+void Diagnoser::SettleContradiction(const JudgedModel& best_of_forecasts,
+                                    std::vector<JudgedModel>* whole) {
+  if (IsSame(whole->front(), best_of_forecasts)) return;
+  const auto other = std::find_if(whole->begin(), whole->end(), [&](const JudgedModel& one) {
+    return IsSame(one, best_of_forecasts);
+  });
+  if (other == whole->end()) return;
+  const std::array<JudgedModel*, 2> both = {&whole->front(), &*other};
+  ParallelFor(2, NumThreads(0), [&](int i, int) {
+    FittedScene& fine = both[static_cast<std::size_t>(i)]->model.fine;
+    fine = FitToEnd(fine, 1);
+  });
+  Judge(now_.fine, whole);
+  Spend("fitting all frames");
 }
 
 // Both have to speak for it: forecasts begin where the recorded cloth is said to have been, which
@@ -143,20 +140,26 @@ bool Diagnoser::IsBorneOut(const JudgedModel& best, const std::vector<JudgedMode
          same->log_evidence >= kStrongEvidence;
 }
 
-// What has lost the recorded motion comes to no minimum, however far it is fitted.
-void Diagnoser::GoOnBeyondForecasts() {
-  Say("fitting all frames", 0.75);
+// Of all frames. What has lost the recorded motion comes to no minimum, however far it is fitted:
+// that is asked after `at_least` times.
+FittedScene Diagnoser::FitToEnd(FittedScene fine, int at_least) const {
   constexpr int kMostTimes = 3;
-  std::optional<FittedScene> fine = FitBeyondForecasts(now_.fine, kWholeIterations, runner_);
   for (int times = 0; times < kMostTimes; ++times) {
-    const bool may_gain =
-        fine && fine->fit.status != FitStatus::kConverged && !Stopped() && Follows(*fine);
+    const bool may_gain = fine.fit.status != FitStatus::kConverged && !Stopped() &&
+                          (times < at_least || Follows(fine));
     if (!may_gain) break;
     std::optional<FittedScene> next =
-        FitModel(*fine, GoOn(*fine), kModelIterations, runner_, EnoughToDecide(fine->scene));
-    if (!next || next->fit.cost_after >= fine->fit.cost_after) break;
-    fine = std::move(next);
+        FitModel(fine, GoOn(fine), kModelIterations, runner_, EnoughToDecide(fine.scene));
+    if (!next || next->fit.cost_after >= fine.fit.cost_after) break;
+    fine = *std::move(next);
   }
+  return fine;
+}
+
+void Diagnoser::GoOnBeyondForecasts() {
+  Say("fitting all frames", 0.75);
+  std::optional<FittedScene> fine = FitToAllFrames(baseline_, now_.fine, kWholeIterations, runner_);
+  if (fine) fine = FitToEnd(*std::move(fine), 0);
   if (fine && !Stopped()) {
     // One simulation does not fill two cores.
     std::future<FitQuality> appraising =

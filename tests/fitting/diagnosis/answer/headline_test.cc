@@ -95,7 +95,11 @@ TEST(Headline, OfNoNameSaysSo) {
   Diagnosis diagnosis;
   EXPECT_EQ(HeadlineOf(diagnosis), "Nothing is missing that this recording could show.");
   diagnosis.verdict = Verdict::kUndecided;
-  EXPECT_THAT(HeadlineOf(diagnosis), StartsWith("Undecided"));
+  diagnosis.residual_rms = 1.9;
+  EXPECT_EQ(HeadlineOf(diagnosis),
+            "Undecided: another mesh and step might leave as much as the baseline does.");
+  diagnosis.promised = 0.6;
+  EXPECT_EQ(HeadlineOf(diagnosis), "Undecided: the baseline's fit has come to no minimum.");
   diagnosis.verdict = Verdict::kInterrupted;
   EXPECT_EQ(HeadlineOf(diagnosis), "Interrupted before anything was found.");
   diagnosis.verdict = Verdict::kNoneOfTheAbove;

@@ -55,6 +55,16 @@ TEST(Verdict, OfNothingFoundDependsOnWhatIsLeft) {
   EXPECT_EQ(VerdictOf(diagnosis, {false, false, 0.0, 1.1}), Verdict::kUndecided);
 }
 
+// Twins of a finer mesh lack nothing.
+TEST(Verdict, IsOpenWhereMeshAndStepMayLeaveAsMuch) {
+  Diagnosis diagnosis;
+  diagnosis.gate_p_value = 0.4;
+  EXPECT_EQ(VerdictOf(diagnosis, {false, false, 0.0, 1.6}), Verdict::kUndecided);
+  EXPECT_EQ(VerdictOf(diagnosis, WithPhysics(0.95, 1.5)), Verdict::kNamed);
+  diagnosis.gate_p_value = 0.001;
+  EXPECT_EQ(VerdictOf(diagnosis, {false, false, 0.0, 1.6}), Verdict::kNoneOfTheAbove);
+}
+
 TEST(Verdict, OfALawIsNoneOfTheAbove) {
   Diagnosis diagnosis;
   diagnosis.effects = {"law_air"};

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/fitted/refit.h"
 #include "tests/support/small_recording.h"
 
@@ -87,6 +88,24 @@ TEST(ForecastScreening, IsGoneOnWith) {
   EXPECT_FALSE(whole->of_forecasts);
   EXPECT_LT(whole->fit.cost_after, 0.5 * baseline.fit.cost_after);
   EXPECT_NEAR(whole->values.parameters.at("wind.y").value, 0.8, 0.05);
+}
+
+// Where nothing is gone on with, windows from the config's own material find what forecasts' lost.
+TEST(ForecastScreening, IsFittedAfreshWhereItHasLostTheMotion) {
+  FittedScene lost = BaselineOf({});
+  const FitConfig given = lost.config;
+  FitConfig config = given;
+  config.parameters.at("stretch.stiffness").value = 4.0;
+  const FitRunner runner;
+  const std::optional<FittedScene> forecasts = FitToForecasts(
+      {lost.scene.recording, config}, lost.scene.mesh.grid, {0, kAllLengths, 0}, runner);
+  ASSERT_TRUE(forecasts);
+  const std::optional<FittedScene> near = FitBeyondForecasts(*forecasts, 1, runner);
+  ASSERT_TRUE(near && HasLargeResidual(near->scene, near->config, near->fit));
+  const std::optional<FittedScene> found = FitToAllFrames(given, *forecasts, 1, runner);
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(HasLargeResidual(found->scene, found->config, found->fit));
+  EXPECT_LT(found->fit.cost_after, near->fit.cost_after);
 }
 
 }  // namespace
