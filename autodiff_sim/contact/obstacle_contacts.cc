@@ -57,21 +57,29 @@ ObstacleContacts::ObstacleContacts(const ClothMesh& mesh,
     }
   }
   for (const std::shared_ptr<const Obstacle>& obstacle : obstacles) {
-    Body body{obstacle, std::nullopt, {}, {}, {}};
+    Body body{obstacle, std::nullopt, obstacle->radius, {}, {}, {}};
     if (obstacle->IsMesh()) body.surface.emplace(obstacle->features.triangles, obstacle->points);
     bodies_.push_back(std::move(body));
   }
   BeginStep(0.0, 0.0);
 }
 
-void ObstacleContacts::BeginStep(double start, double end) {
+void ObstacleContacts::BeginStep(double start, double end, const ObstacleChange& change) {
   bool has_moved = false;
   is_moving_ = false;
+  shift_ = change.shift;
   for (Body& body : bodies_) {
     const Obstacle& obstacle = *body.obstacle;
-    const Eigen::VectorXd arrived = PlaceInWorld(obstacle.PoseAt(end), obstacle.points);
-    body.start = PlaceInWorld(obstacle.PoseAt(start), obstacle.points);
-    has_moved = has_moved || body.end.size() == 0 || body.end != arrived;
+    const auto place = [&](double time) {
+      RigidPose pose = obstacle.PoseAt(time);
+      pose.origin_in_world += shift_;
+      return PlaceInWorld(pose, obstacle.points);
+    };
+    const Eigen::VectorXd arrived = place(end);
+    const double radius = GrownRadius(obstacle.radius, change.growth);
+    body.start = place(start);
+    has_moved = has_moved || body.end.size() == 0 || body.end != arrived || body.radius != radius;
+    body.radius = radius;
     is_moving_ = is_moving_ || body.start != arrived;
     body.end = arrived;
     body.velocity = (body.end - body.start) / (end > start ? end - start : 1.0);
@@ -100,7 +108,7 @@ double ObstacleContacts::Gap(const Body& body, const FeaturePair& pair,
                              const Eigen::VectorXd& x) const {
   FourPoints points = PairPoints(pair, PlacedMesh{surface_.features(), x},
                                  PlacedMesh{body.obstacle->features, body.end});
-  return MeasureContact(pair, points).distance - body.obstacle->radius;
+  return MeasureContact(pair, points).distance - body.radius;
 }
 
 void ObstacleContacts::List(const Eigen::VectorXd& x, double reach) {
@@ -183,7 +191,7 @@ ObstacleContact ObstacleContacts::MakeContact(const Body& body, const FeaturePai
     const bool of_cloth = i >= first && i < first + count;
     contact.points[i] = contact.velocities[i] = Eigen::Vector3d::Zero();
     if (of_cloth) continue;
-    contact.points[i] = body.end.segment<3>(3 * all[i]);
+    contact.points[i] = body.end.segment<3>(3 * all[i]) - shift_;
     contact.velocities[i] = body.velocity.segment<3>(3 * all[i]);
   }
   const bool is_mesh = body.obstacle->IsMesh(), is_bar = !is_mesh && !own.edges.empty();
@@ -204,7 +212,7 @@ double ObstacleContacts::FreeShareOf(Body* body, const Eigen::VectorXd& x0,
                                      const Eigen::VectorXd& x1, double thickness,
                                      Obstacles obstacles) {
   const Eigen::VectorXd& begin = obstacles == Obstacles::kMoving ? body->start : body->end;
-  const Approach approach = {body->obstacle->radius, kGapTolerance * thickness, kGapSlack};
+  const Approach approach = {body->radius, kGapTolerance * thickness, kGapSlack};
   if (body->surface) {
     return EarliestImpact({x0, x1}, {begin, body->end}, approach, &surface_, &*body->surface);
   }
@@ -226,7 +234,7 @@ double ObstacleContacts::FreeShareOfList(const Eigen::VectorXd& x0, const Eigen:
   double until = 1.0;
   for (const Listed& listed : list_) {
     const Body& body = bodies_[listed.body];
-    const Approach approach = {body.obstacle->radius, kGapTolerance * thickness, kGapSlack};
+    const Approach approach = {body.radius, kGapTolerance * thickness, kGapSlack};
     if (listed.gap - std::max(Moved(listed, x0), Moved(listed, x1)) > approach.tolerance) continue;
     const PlacedMesh there{body.obstacle->features, body.end};
     const std::optional<double> time =

@@ -25,9 +25,9 @@ class ObstacleContacts {
                    const std::vector<std::shared_ptr<const Obstacle>>& obstacles,
                    std::optional<double> ground);
 
-  // Lets the obstacles go from where they are at `start` (s) to where they are at `end`. What is
-  // asked below of one place of the cloth is asked of the step's end.
-  void BeginStep(double start, double end);
+  // Lets the obstacles, changed so, go from where they are at `start` (s) to where they are at
+  // `end`. What is asked below of one place of the cloth is asked of the step's end.
+  void BeginStep(double start, double end, const ObstacleChange& change = {});
   bool is_moving() const { return is_moving_; }
 
   // As in SelfContacts. ground_distance (m): below which the ground counts as in contact.
@@ -51,6 +51,7 @@ class ObstacleContacts {
   struct Body {
     std::shared_ptr<const Obstacle> obstacle;
     std::optional<CollisionSurface<>> surface;  // of a mesh
+    double radius;                              // m, 0 of a mesh
     Eigen::VectorXd start, end, velocity;       // of the points, m, m/s
   };
   struct Listed {
@@ -77,7 +78,8 @@ class ObstacleContacts {
   std::vector<Eigen::Vector2d> uv_;                              // m
   std::vector<double> vertex_area_, edge_area_, triangle_area_;  // m^2
   std::vector<Body> bodies_;
-  std::optional<double> ground_;  // m
+  std::optional<double> ground_;                     // m
+  Eigen::Vector3d shift_ = Eigen::Vector3d::Zero();  // m, of all bodies
   bool is_moving_ = false;
   std::vector<Listed> list_;
   Eigen::VectorXd list_x_;  // where the list was made; empty where there is none

@@ -95,7 +95,9 @@ class ClothModel {
   // m, the largest that the mesh is coarse enough for; infinite without self-contact.
   double LargestThickness() const;
   // Lets the obstacles go from where they are at `start` (s) to where they are at `end`.
-  void BeginContactStep(double start, double end);
+  void BeginContactStep(double start, double end, const Eigen::VectorXd& parameters);
+  // By how much the obstacles stand elsewhere than the world says; needs HasObstacles().
+  ObstacleChange ChangeOfObstacles(const Eigen::VectorXd& parameters) const;
   bool ObstaclesMove() const { return obstacles_ != nullptr && obstacles_->is_moving(); }
   // Makes ready for a motion of the cloth about from x0 to x1 (3N, m).
   void PrepareContacts(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1,

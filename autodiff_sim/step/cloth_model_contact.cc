@@ -64,8 +64,12 @@ double ClothModel::LargestThickness() const {
                               : std::numeric_limits<double>::infinity();
 }
 
-void ClothModel::BeginContactStep(double start, double end) {
-  if (obstacles_ != nullptr) obstacles_->BeginStep(start, end);
+ObstacleChange ClothModel::ChangeOfObstacles(const Eigen::VectorXd& parameters) const {
+  return ObstacleBarrier::Change(parameters, first_obstacle_parameter_);
+}
+
+void ClothModel::BeginContactStep(double start, double end, const Eigen::VectorXd& parameters) {
+  if (obstacles_ != nullptr) obstacles_->BeginStep(start, end, ChangeOfObstacles(parameters));
 }
 
 void ClothModel::PrepareContacts(const Eigen::VectorXd& x0, const Eigen::VectorXd& x1,
@@ -96,7 +100,7 @@ bool ClothModel::IsClear(const Eigen::VectorXd& x, double time, const Eigen::Vec
   if (!x.allFinite()) return false;
   if (HasSelfContact(parameters) && contacts_->CountIntersections(x) > 0) return false;
   if (!HasObstacles(parameters)) return true;
-  obstacles_->BeginStep(time, time);
+  BeginContactStep(time, time, parameters);
   return obstacles_->CountIntersections(x) == 0;
 }
 

@@ -83,6 +83,11 @@ State Simulation::MakeState(const Eigen::VectorXd& x) const {
   return state;
 }
 
+void Simulation::SetParameters(const Eigen::VectorXd& values) {
+  parameters_ = values;
+  solver_->clear_x.resize(0);  // obstacles may stand elsewhere now
+}
+
 int Simulation::CountIntersections(const Eigen::VectorXd& x) const {
   CollisionSurface<> surface(model_->mesh());
   return static_cast<int>(FindIntersections(x, &surface).size());
@@ -93,13 +98,15 @@ int Simulation::CountObstacleIntersections(const Eigen::VectorXd& x, double time
   const World& world = model_->world();
   ObstacleContacts obstacles(model_->mesh(), world.obstacles,
                              options_.self_contact ? world.ground_height : std::nullopt);
-  obstacles.BeginStep(time, time);
+  obstacles.BeginStep(time, time,
+                      model_->HasObstacles(parameters_) ? model_->ChangeOfObstacles(parameters_)
+                                                        : ObstacleChange());
   return obstacles.CountIntersections(x, names);
 }
 
 std::vector<NamedEnergy> Simulation::Energies(const State& state) {
   if (model_->HasContact(parameters_)) {
-    model_->BeginContactStep(state.time, state.time);
+    model_->BeginContactStep(state.time, state.time, parameters_);
     model_->FollowContacts(state.x, parameters_);
   }
   const Eigen::VectorXd no_acceleration = Eigen::VectorXd::Zero(state.x.size());

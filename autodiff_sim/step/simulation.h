@@ -107,7 +107,7 @@ class Simulation {
 
   // All parameters in the order of model().parameters().
   const Eigen::VectorXd& parameters() const { return parameters_; }
-  void SetParameters(const Eigen::VectorXd& values) { parameters_ = values; }
+  void SetParameters(const Eigen::VectorXd& values);
 
   // The cloth at rest at these positions (3N, m).
   State MakeState(const Eigen::VectorXd& x) const;

@@ -17,7 +17,7 @@ bool StepSolver::StartClear(const StepProblem& problem, Eigen::VectorXd* v, Step
   const double gamma = problem.formula.gamma;
   Eigen::VectorXd guess = problem.x_hat + gamma * *v;
   if (!guess.allFinite()) return false;
-  model_->BeginContactStep(problem.end_time - problem.step, problem.end_time);
+  model_->BeginContactStep(problem.end_time - problem.step, problem.end_time, parameters);
   model_->PrepareContacts(start, guess, parameters);
   double share = model_->FreeShare(start, guess, parameters, Obstacles::kMoving);
   if (share == 1.0) return true;

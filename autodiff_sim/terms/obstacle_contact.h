@@ -19,6 +19,11 @@
 
 namespace clothfit {
 
+// What places all obstacles a little elsewhere, as far as they were not measured better.
+constexpr Parameter OfPlacement(const char* name, Meaning meaning, const char* doc) {
+  return {name, "m", doc, 0.0, 0.0, -0.1, 0.1, Scale::kLinear, 0.01, meaning};
+}
+
 struct ObstacleBarrier : TermDefaults {
   static constexpr const char* kName = "obstacle";
   static constexpr const char* kDoc = "contact with the recording's obstacles, with friction";
@@ -30,18 +35,25 @@ struct ObstacleBarrier : TermDefaults {
   static constexpr int kNodes = 3;
   static constexpr bool kInternal = false;
   static constexpr bool kFollowsContacts = true;
-  static constexpr int kStiffness = 0, kThickness = 1, kFriction = 2, kSlipSpeed = 3;
+  static constexpr int kStiffness = 0, kThickness = 1, kFriction = 2, kSlipSpeed = 3, kShift = 4,
+                       kGrowth = 7;
   // Of the ground's distance, in which the barrier acts.
   static constexpr double kGroundShare = 0.25;
-  static constexpr std::array<Parameter, 4> kParameters = {{
+  static constexpr std::array<Parameter, 8> kParameters = {{
       {"stiffness", "Pa", "pressure of the barrier at obstacles", 200.0, 0.0, 1.0, 1e6, Scale::kLog,
        10.0},
       {"thickness", "m", "distance from an obstacle at which contact begins", 0.002, 0.002, 1e-4,
        0.02, Scale::kLog, 2.0},
-      {"friction", "1", "Coulomb's coefficient mu of cloth on obstacles", 0.3, 0.0, 0.0, 2.0,
-       Scale::kLinear, 0.3},
+      Free({"friction", "1", "Coulomb's coefficient mu of cloth on obstacles", 0.3, 0.0, 0.0, 2.0,
+            Scale::kLinear, 0.3}),
       {"slip_speed", "m/s", "speed below which friction sticks", 0.005, 0.005, 1e-5, 0.1,
        Scale::kLog, 3.0},
+      OfPlacement("shift_x", Meaning::kVectorX,
+                  "how far obstacles stand from where the recording says, along x"),
+      OfPlacement("shift_y", Meaning::kVectorY, "the same, along y"),
+      OfPlacement("shift_z", Meaning::kVectorZ, "the same, upwards"),
+      OfPlacement("growth", Meaning::kNumber,
+                  "by how much balls and bars are thicker than the recording says"),
   }};
   static constexpr std::array<const char*, 3> kReads = {"ground.distance", "ground.friction",
                                                         "ground.slip_speed"};
@@ -56,17 +68,21 @@ struct ObstacleBarrier : TermDefaults {
                        ElementOutput<ObstacleBarrier, T>* out) {
     if (element.is_ground) return AddGroundForce<T>(element, in, out);
     using std::sqrt;
-    const std::array<Vector3<T>, 4> x = Complete<T>(element, element.points, in.x);
-    const std::array<Vector3<T>, 4> v = Complete<T>(element, element.velocities, in.v);
+    const Vector3<T> shift(in.parameter[kShift], in.parameter[kShift + 1],
+                           in.parameter[kShift + 2]);
+    const Vector3<T> none(T(0.0), T(0.0), T(0.0));
+    const std::array<Vector3<T>, 4> x = Complete<T>(element, element.points, shift, in.x);
+    const std::array<Vector3<T>, 4> v = Complete<T>(element, element.velocities, none, in.v);
     FourPoints plain;
     for (int i = 0; i < 4; ++i) plain[i] = {Value(x[i].x()), Value(x[i].y()), Value(x[i].z())};
     const ClosestOffset<T> closest = FindClosestOffset<T>(element.kind, plain, x);
     const T distance = sqrt(closest.offset.dot(closest.offset));
-    const T s = (distance - element.radius) / in.parameter[kThickness];
+    const T radius = GrownRadius<T>(element.radius, in.parameter[kGrowth]);
+    const T s = (distance - radius) / in.parameter[kThickness];
     if (!(Value(s) < 1.0)) return;
     T push = in.parameter[kStiffness] * element.area;  // N, k A m
     std::array<Vector3<T>, 4> force;
-    force.fill(Vector3<T>(T(0.0), T(0.0), T(0.0)));
+    force.fill(none);
     if (element.kind == PairKind::kEdgeEdge) {
       if (!(element.parallel > 0.0 && HasCross(plain))) return;
       const T energy = push * in.parameter[kThickness] * Barrier<T>(s);
@@ -89,11 +105,13 @@ struct ObstacleBarrier : TermDefaults {
   static double Energy(const Element& element, const ElementInput<ObstacleBarrier, double>& in) {
     const double thickness =
         element.is_ground ? in.read[0] * kGroundShare : in.parameter[kThickness];
-    const FourPoints x = Complete<double>(element, element.points, in.x);
-    const double gap =
-        element.is_ground
-            ? in.x[0].z() - element.points[1].z()
-            : FindClosestOffset<double>(element.kind, x, x).offset.norm() - element.radius;
+    const Eigen::Vector3d shift(in.parameter[kShift], in.parameter[kShift + 1],
+                                in.parameter[kShift + 2]);
+    const FourPoints x = Complete<double>(element, element.points, shift, in.x);
+    const double gap = element.is_ground
+                           ? in.x[0].z() - element.points[1].z()
+                           : FindClosestOffset<double>(element.kind, x, x).offset.norm() -
+                                 GrownRadius(element.radius, in.parameter[kGrowth]);
     const double s = gap / thickness;
     if (!(s < 1.0)) return 0.0;
     const double energy = in.parameter[kStiffness] * element.area * thickness * Barrier<double>(s);
@@ -101,13 +119,20 @@ struct ObstacleBarrier : TermDefaults {
     return element.parallel > 0.0 ? energy * Fading(x, element.parallel) : 0.0;
   }
 
+  // Of the parameters of several terms, of which `first` is this one's first.
+  static ObstacleChange Change(const Eigen::VectorXd& parameters, Eigen::Index first) {
+    return {parameters.segment<3>(first + kShift), parameters[first + kGrowth]};
+  }
+
  private:
-  // The pair's four points, or their velocities: the obstacle's, with the cloth's in their places.
+  // The pair's four points, or their velocities: the obstacle's, shifted, with the cloth's in their
+  // places.
   template <class T>
   static std::array<Vector3<T>, 4> Complete(const Element& element, const FourPoints& obstacle,
+                                            const Vector3<T>& shift,
                                             const std::array<Vector3<T>, 3>& cloth) {
     std::array<Vector3<T>, 4> all;
-    for (int i = 0; i < 4; ++i) all[i] = Constant<T>(obstacle[i]);
+    for (int i = 0; i < 4; ++i) all[i] = Constant<T>(obstacle[i]) + shift;
     for (int i = 0; i < element.count; ++i) all[element.first + i] = cloth[i];
     return all;
   }

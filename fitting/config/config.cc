@@ -27,11 +27,31 @@ ParameterSetting DefaultSetting(const Parameter& parameter) {
   return setting;
 }
 
-void FixWhatNeedsGround(FitConfig* config) {
+// Contact with what the recording has not.
+void FixWhatIsNotThere(const Recording& recording, FitConfig* config) {
   for (const TermInfo& term : AllTerms()) {
-    if (term.needs != Needs::kGround) continue;
+    const bool lacks = (term.needs == Needs::kGround && !recording.ground_height) ||
+                       (term.needs == Needs::kObstacles && recording.obstacles.empty());
+    if (!lacks) continue;
     for (const Parameter& p : term.parameters)
       config->parameters.at(term.name + "." + p.name).free = false;
+  }
+}
+
+// Obstacles of which it is said how well they are placed.
+void FreePlaceOfObstacles(const Recording& recording, FitConfig* config) {
+  if (!recording.noise.obstacle || recording.obstacles.empty()) return;
+  std::vector<std::string> names = {"obstacle.shift_x", "obstacle.shift_y", "obstacle.shift_z"};
+  const auto is_round = [](const ObstacleDescription& obstacle) {
+    return std::holds_alternative<BallShape>(obstacle.shape) ||
+           std::holds_alternative<BarShape>(obstacle.shape);
+  };
+  if (std::any_of(recording.obstacles.begin(), recording.obstacles.end(), is_round))
+    names.emplace_back("obstacle.growth");
+  for (const std::string& name : names) {
+    ParameterSetting& setting = config->parameters.at(name);
+    setting.free = true;
+    setting.prior_sigma = *recording.noise.obstacle;
   }
 }
 
@@ -104,7 +124,7 @@ FitConfig DefaultConfig(const Recording& recording) {
   for (const NamedParameter& named : MakeParameterTable()) {
     config.parameters[named.name] = DefaultSetting(named.parameter);
   }
-  if (!recording.ground_height) FixWhatNeedsGround(&config);
+  FixWhatIsNotThere(recording, &config);
   if (const std::optional<double>& known = recording.cloth.areal_density) {
     ParameterSetting& density = config.parameters.at("cloth.areal_density");
     density.value = density.prior = *known;
@@ -123,6 +143,7 @@ FitConfig DefaultConfig(const Recording& recording) {
     shrinkage.free = is_measured;
     if (is_measured) shrinkage.value = shrinkage.prior = kTypicalShrinkage;
   }
+  FreePlaceOfObstacles(recording, &config);
   return config;
 }
 

@@ -114,8 +114,8 @@ class InputBytes {
     PutAll(name, shape, path);
   }
   void Put(const NoiseSigmas& noise) {
-    const auto& [marker, track, silhouette, cloud, cloud_spacing] = noise;
-    PutAll(marker, track, silhouette, cloud, cloud_spacing);
+    const auto& [marker, track, silhouette, cloud, cloud_spacing, obstacle] = noise;
+    PutAll(marker, track, silhouette, cloud, cloud_spacing, obstacle);
   }
   void Put(const Splits::FrameRange& range) {
     const auto& [first, last] = range;

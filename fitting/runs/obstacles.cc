@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/contact/obstacle_body.h"
+#include "autodiff_sim/terms/obstacle_contact.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/files/npy_file.h"
 #include "tracking/files/whole_file.h"
 
@@ -48,22 +50,29 @@ Surface RoundSurface(double radius, double low, double high) {
   return surface;
 }
 
-Surface SurfaceOf(const Obstacle& obstacle) {
+Surface SurfaceOf(const Obstacle& obstacle, double growth) {
   if (obstacle.IsMesh()) return {obstacle.points, obstacle.features.triangles};
-  return RoundSurface(obstacle.radius, obstacle.points[2],
+  return RoundSurface(GrownRadius(obstacle.radius, growth), obstacle.points[2],
                       obstacle.points[obstacle.points.size() - 1]);
 }
 
 }  // namespace
 
-std::vector<ObstacleSurface> ObstacleSurfaces(const Scene& scene) {
+std::vector<ObstacleSurface> ObstacleSurfaces(const Scene& scene, const Eigen::VectorXd& values) {
+  ObstacleChange change;
+  if (values.size() > 0) {
+    change = ObstacleBarrier::Change(
+        values, FindParameter(MakeParameterTable(), FullName<ObstacleBarrier>()));
+  }
   std::vector<ObstacleSurface> surfaces;
   for (const auto& obstacle : scene.world.obstacles) {
-    const Surface surface = SurfaceOf(*obstacle);
+    const Surface surface = SurfaceOf(*obstacle, change.growth);
     ObstacleSurface moving{obstacle->name, {}, {}};
-    for (int frame = 0; frame < scene.recording.frame_count; ++frame)
-      moving.positions.push_back(
-          PlaceInWorld(obstacle->PoseAt(scene.FrameTime(frame)), surface.points));
+    for (int frame = 0; frame < scene.recording.frame_count; ++frame) {
+      RigidPose pose = obstacle->PoseAt(scene.FrameTime(frame));
+      pose.origin_in_world += change.shift;
+      moving.positions.push_back(PlaceInWorld(pose, surface.points));
+    }
     for (const std::array<int, 3>& triangle : surface.triangles)
       moving.triangles.insert(moving.triangles.end(), triangle.begin(), triangle.end());
     surfaces.push_back(std::move(moving));
@@ -71,8 +80,8 @@ std::vector<ObstacleSurface> ObstacleSurfaces(const Scene& scene) {
   return surfaces;
 }
 
-void WriteObstacles(const Scene& scene, const RunFolder& run) {
-  const std::vector<ObstacleSurface> surfaces = ObstacleSurfaces(scene);
+void WriteObstacles(const Scene& scene, const Eigen::VectorXd& values, const RunFolder& run) {
+  const std::vector<ObstacleSurface> surfaces = ObstacleSurfaces(scene, values);
   if (surfaces.empty()) return;
   std::vector<std::string> files = {"report/obstacles.json"};
   for (std::size_t i = 0; i < surfaces.size(); ++i)

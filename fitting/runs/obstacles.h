@@ -19,11 +19,13 @@ struct ObstacleSurface {
   std::vector<std::int32_t> triangles;     // three vertices each
 };
 
-// Round ones with flat faces; positions in every frame of the recording.
-std::vector<ObstacleSurface> ObstacleSurfaces(const Scene& scene);
+// Round ones with flat faces; positions in every frame of the recording. Where `values`, those of
+// MakeParameterTable(), say that they stand, or where the recording says.
+std::vector<ObstacleSurface> ObstacleSurfaces(const Scene& scene,
+                                              const Eigen::VectorXd& values = {});
 
 // Writes report/obstacles.json and report/obstacle_N.npy (frames x vertices x 3, m) into the run;
 // nothing where the scene has no obstacles.
-void WriteObstacles(const Scene& scene, const RunFolder& run);
+void WriteObstacles(const Scene& scene, const Eigen::VectorXd& values, const RunFolder& run);
 
 }  // namespace clothfit

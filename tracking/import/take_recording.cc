@@ -19,6 +19,9 @@
 namespace clothfit {
 namespace {
 
+// m. Markers stand off their bodies and off the cloth by about their own size, which no file has.
+constexpr double kObstacleSigma = 0.01;
+
 // "left=Unlabeled 1022", or the marker's name alone.
 struct HandleChoice {
   std::string name;
@@ -197,6 +200,13 @@ ImportedTake MakeTakeRecording(MarkerTake take, const TakeOptions& options) {
   recording.cloth.areal_density = options.areal_density;
   recording.obstacles = MakeObstacles(take, options.obstacles, &result.notes);
   recording.noise.marker = sigma;
+  if (!recording.obstacles.empty()) {
+    recording.noise.obstacle = kObstacleSigma;
+    result.notes.push_back(fmt::format(
+        "noise.obstacle: {} m: markers stand off their bodies and off the cloth by about "
+        "as much; a fit finds where the obstacles are for the cloth",
+        kObstacleSigma));
+  }
   AddMarkersAndHandles(handles, take, result.uv, sigma, &recording);
   HoldOut(options.held_out_share, &recording);
   return result;

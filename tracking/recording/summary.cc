@@ -115,14 +115,18 @@ std::string Sigma(const std::optional<double>& given, double assumed, const char
   return fmt::format("{} {}{}", given.value_or(assumed), unit, given ? "" : " (assumed)");
 }
 
-std::string DescribeNoise(const NoiseSigmas& noise, bool has_clouds) {
+std::string DescribeNoise(const Recording& recording) {
+  const NoiseSigmas& noise = recording.noise;
   return fmt::format("marker {}, track {}, silhouette {}",
                      Sigma(noise.marker, kDefaultMarkerSigma, "m"),
                      Sigma(noise.track, kDefaultTrackSigma, "px"),
                      Sigma(noise.silhouette, kDefaultSilhouetteSigma, "px")) +
-         (has_clouds
+         (HasClouds(recording)
               ? fmt::format(", cloud {} every {}", Sigma(noise.cloud, kDefaultCloudSigma, "m"),
                             Sigma(noise.cloud_spacing, kDefaultCloudSpacing, "m"))
+              : std::string()) +
+         (noise.obstacle && !recording.obstacles.empty()
+              ? fmt::format(", obstacle {} m", *noise.obstacle)
               : std::string());
 }
 
@@ -171,7 +175,7 @@ std::string DescribeRecording(const Recording& recording) {
   for (size_t i = 0; i < recording.cameras.size(); ++i) {
     text += SummaryRow("camera", DescribeCamera(recording, i));
   }
-  text += SummaryRow("noise", DescribeNoise(recording.noise, HasClouds(recording)));
+  text += SummaryRow("noise", DescribeNoise(recording));
   text += SummaryRow("held out", DescribeSplits(recording.splits));
   return text;
 }

@@ -98,10 +98,11 @@ const std::vector<std::string> kOfTheTargets = {
 const std::vector<std::string> kOfTheContact = {"contact.stiffness", "contact.thickness",
                                                 "contact.friction", "contact.slip_speed"};
 
-// In obstacle_contact_test.cc and residual_force_term_test.cc.
-const std::vector<std::string> kOfObstaclesAndForces = {"obstacle.stiffness", "obstacle.thickness",
-                                                        "obstacle.friction", "obstacle.slip_speed",
-                                                        "residual_force.share"};
+// In obstacle_contact_test.cc, obstacle_change_test.cc and residual_force_term_test.cc.
+const std::vector<std::string> kOfObstaclesAndForces = {
+    "obstacle.stiffness",  "obstacle.thickness", "obstacle.friction",
+    "obstacle.slip_speed", "obstacle.shift_x",   "obstacle.shift_y",
+    "obstacle.shift_z",    "obstacle.growth",    "residual_force.share"};
 
 // Those of the terms that are off unless asked for stand in catalogue_rollout_test.cc.
 TEST(RolloutDerivative, OfEveryParameterThatActsByItself) {

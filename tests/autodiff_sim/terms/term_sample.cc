@@ -85,7 +85,7 @@ void AddObstacles(TermScene* scene) {
   obstacles.BeginStep(0.0, 0.01);
   for (const ObstacleContact& contact : obstacles.Find(scene->x, 0.012, 0.001)) {
     // The states of a simulation are outside.
-    if (Gap(contact, scene->x) > 1e-4) scene->obstacles.push_back(contact);
+    if (Gap(contact, scene->x) > 4e-4) scene->obstacles.push_back(contact);
   }
 }
 
@@ -225,6 +225,9 @@ double RandomParameter(const Parameter& parameter, const TermScene& scene, std::
     default:
       break;
   }
+  // Obstacles stay so near to where they are that those in contact are.
+  const bool moves_obstacles = std::string(parameter.unit) == "m" && parameter.lower == -0.1;
+  if (moves_obstacles) return between(-1e-4, 1e-4);
   const double share = between(0.05, 0.95);
   return is_log ? parameter.lower * std::pow(parameter.upper / parameter.lower, share)
                 : parameter.lower + share * (parameter.upper - parameter.lower);

@@ -79,6 +79,26 @@ TEST(DefaultConfig, CoversEveryParameterAndIsRight) {
   EXPECT_NO_THROW(config.Check("defaults"));
 }
 
+TEST(DefaultConfig, FreesThePlaceOfObstaclesThatWereMeasuredRoughly) {
+  Recording recording;
+  recording.obstacles = {{"table", BoxShape{{1.0, 1.0, 0.1}}, {{}}}};
+  EXPECT_FALSE(DefaultConfig(recording).parameters.at("obstacle.shift_z").free);
+  EXPECT_TRUE(DefaultConfig(recording).parameters.at("obstacle.friction").free);
+  recording.noise.obstacle = 0.02;
+  FitConfig config = DefaultConfig(recording);
+  EXPECT_TRUE(config.parameters.at("obstacle.shift_x").free);
+  EXPECT_TRUE(config.parameters.at("obstacle.shift_z").free);
+  EXPECT_EQ(config.parameters.at("obstacle.shift_z").prior_sigma, 0.02);
+  EXPECT_FALSE(config.parameters.at("obstacle.growth").free);  // there is nothing round
+  recording.obstacles.push_back({"bar", BarShape{0.02, 1.0}, {{}}});
+  config = DefaultConfig(recording);
+  EXPECT_TRUE(config.parameters.at("obstacle.growth").free);
+  EXPECT_NO_THROW(config.Check("config"));
+  recording.obstacles.clear();
+  EXPECT_FALSE(DefaultConfig(recording).parameters.at("obstacle.shift_z").free);
+  EXPECT_FALSE(DefaultConfig(recording).parameters.at("obstacle.friction").free);
+}
+
 TEST(DefaultConfig, FollowsTheRecording) {
   Recording recording;
   EXPECT_FALSE(DefaultConfig(recording).parameters.at("ground.friction").free);

@@ -90,6 +90,7 @@ void CheckTake(const YAML::Node& known) {
     ExpectTableBelow(BodyOf(known), obstacle);
   }
   EXPECT_LT(*take.recording.noise.marker, 0.004);  // m
+  EXPECT_EQ(take.recording.noise.obstacle, 0.01);  // m
 }
 
 class RealTakes : public testing::TestWithParam<const char*> {};

@@ -110,6 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "recording.yaml: noise.track: expected a number above 0, found -1"},
         BadInput{"ZeroSilhouetteNoise", kYaml, "silhouette: 1.5", "silhouette: 0",
                  "recording.yaml: noise.silhouette: expected a number above 0, found 0"},
+        BadInput{"ZeroObstacleNoise", kYaml, "silhouette: 1.5", "obstacle: 0",
+                 "recording.yaml: noise.obstacle: expected a number above 0, found 0"},
         BadInput{"HeldOutFramesOutside", kYaml, "[8, 9]", "[8, 10]",
                  "recording.yaml: splits.held_out_frames: frame 10 is outside 0..9"},
         BadInput{"HeldOutFramesReversed", kYaml, "[8, 9]", "[9, 8]",
