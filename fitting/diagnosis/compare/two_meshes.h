@@ -35,6 +35,8 @@ class Meshes {
   // coarse: a fit on the coarse mesh; deciding_side: particles along the longer side of the other.
   void Set(const FittedScene& coarse, int deciding_side);
 
+  const std::array<int, 2>& coarse() const { return coarse_; }  // particles along u and v
+
   // A fit of the coarse mesh gone on with on the deciding one; itself where that is no finer. Empty
   // where it fails.
   std::optional<BothMeshes> Refine(const FittedScene& coarse, int most_iterations) const;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/fit/forecast_fit.h"
 #include "fitting/rollout/shooting_windows.h"
@@ -199,14 +200,23 @@ std::optional<FittedScene> FitBeyondForecasts(const FittedScene& forecasts, int 
 }
 
 std::optional<FittedScene> FitToAllFrames(const FitConfig& given, const FittedScene& forecasts,
-                                          int most_iterations, const FitRunner& runner) {
+                                          const std::array<int, 2>& coarse, int most_iterations,
+                                          const FitRunner& runner) {
   constexpr int kAfresh = 4;  // times as many iterations as from where forecasts have ended
   std::optional<FittedScene> near = FitBeyondForecasts(forecasts, most_iterations, runner);
   const bool follows = near && !HasLargeResidual(near->scene, near->config, near->fit);
   if (follows || runner.IsStopped()) return near;
-  return Cheaper(std::move(near),
-                 FitAfresh(WithMaterialOf(given, GoOn(forecasts)), Start::kWindows,
-                           kAfresh * most_iterations, runner, EnoughToDecide(forecasts.scene)));
+  ModelStart start = WithMaterialOf(given, GoOn(forecasts));
+  start.config.resolution = coarse;
+  std::optional<FittedScene> afresh =
+      FitAfresh(start, Start::kWindows, kAfresh * most_iterations, runner);
+  const std::array<int, 2>& grid = forecasts.scene.mesh.grid;
+  if (afresh && grid != coarse) {
+    ModelStart finer = GoOn(*afresh);
+    finer.config.resolution = grid;
+    afresh = FitModel(*afresh, finer, most_iterations, runner, EnoughToDecide(forecasts.scene));
+  }
+  return Cheaper(std::move(near), std::move(afresh));
 }
 
 std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<FittedScene> b) {

@@ -85,11 +85,13 @@ std::optional<FittedScene> FitToForecasts(const ModelStart& start, const std::ar
 std::optional<FittedScene> FitBeyondForecasts(const FittedScene& forecasts, int most_iterations,
                                               const FitRunner& runner);
 
-// That, and, where it leaves more than kLargeResidual, a fit by windows that grow, from the
-// material of the config `given` and the other parameters of `forecasts`: theirs may lead to
-// another valley. The cheaper of the two; empty where both fail.
+// That, and, where it leaves more than kLargeResidual, a fit by windows that grow on the grid
+// `coarse`, from the material of the config `given` and the other parameters of `forecasts`, gone
+// on with on theirs: the material of forecasts may lead to another valley. The cheaper of the two;
+// empty where both fail.
 std::optional<FittedScene> FitToAllFrames(const FitConfig& given, const FittedScene& forecasts,
-                                          int most_iterations, const FitRunner& runner);
+                                          const std::array<int, 2>& coarse, int most_iterations,
+                                          const FitRunner& runner);
 
 // Of two fits of the same model the one that costs less; empty where both are.
 std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<FittedScene> b);

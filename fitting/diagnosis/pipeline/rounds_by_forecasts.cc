@@ -95,7 +95,8 @@ std::vector<JudgedModel> Diagnoser::FitWhole(const FittedScene& before,
   std::vector<std::optional<FittedScene>> fits(forecasts.size());
   const auto fit = [&](std::size_t k) {
     if (!Stopped() && forecasts[k].model.Cost() <= doubtful)
-      fits[k] = FitToAllFrames(baseline_, forecasts[k].model.fine, kWholeIterations, runner_);
+      fits[k] = FitToAllFrames(baseline_, forecasts[k].model.fine, meshes_.coarse(),
+                               kWholeIterations, runner_);
   };
   // One simulation does not fill two cores.
   const auto fit_some = [&](std::size_t first, std::size_t end) {
@@ -158,7 +159,8 @@ FittedScene Diagnoser::FitToEnd(FittedScene fine, int at_least) const {
 
 void Diagnoser::GoOnBeyondForecasts() {
   Say("fitting all frames", 0.75);
-  std::optional<FittedScene> fine = FitToAllFrames(baseline_, now_.fine, kWholeIterations, runner_);
+  std::optional<FittedScene> fine =
+      FitToAllFrames(baseline_, now_.fine, meshes_.coarse(), kWholeIterations, runner_);
   if (fine) fine = FitToEnd(*std::move(fine), 0);
   if (fine && !Stopped()) {
     // One simulation does not fill two cores.

@@ -102,7 +102,7 @@ TEST(ForecastScreening, IsFittedAfreshWhereItHasLostTheMotion) {
   ASSERT_TRUE(forecasts);
   const std::optional<FittedScene> near = FitBeyondForecasts(*forecasts, 1, runner);
   ASSERT_TRUE(near && HasLargeResidual(near->scene, near->config, near->fit));
-  const std::optional<FittedScene> found = FitToAllFrames(given, *forecasts, 1, runner);
+  const std::optional<FittedScene> found = FitToAllFrames(given, *forecasts, {5, 5}, 1, runner);
   ASSERT_TRUE(found);
   EXPECT_FALSE(HasLargeResidual(found->scene, found->config, found->fit));
   EXPECT_LT(found->fit.cost_after, near->fit.cost_after);
