@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/answer/verdict.h"
 
-#include <algorithm>
 
 #include "fitting/diagnosis/compare/two_meshes.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
@@ -25,7 +24,9 @@ Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome) {
   if (diagnosis.law) return Verdict::kNoneOfTheAbove;
   const bool is_most = outcome.explained >= outcome.most;
   if (outcome.has_physics) {
-    const bool may_be_mesh = outcome.unexplained < std::max(kTooLittle, outcome.mesh);
+    // Of what mesh and step may leave, physics has to have taken half.
+    const bool may_be_mesh = outcome.unexplained < kTooLittle ||
+                             (outcome.unexplained < outcome.mesh && outcome.explained >= kHalfOfIt);
     return outcome.is_explained || is_most || may_be_mesh ? Verdict::kNamed
                                                           : Verdict::kNoneOfTheAbove;
   }

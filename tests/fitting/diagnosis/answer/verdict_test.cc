@@ -24,6 +24,7 @@ TEST(Verdict, NamesPhysicsThatLeavesTooLittleToAskFor) {
   // The residual may be discretisation error.
   EXPECT_EQ(VerdictOf(diagnosis, {true, false, 0.85, 1.5, 2.0}), Verdict::kNamed);
   EXPECT_EQ(VerdictOf(diagnosis, {true, false, 0.85, 1.5, 1.2}), Verdict::kNoneOfTheAbove);
+  EXPECT_EQ(VerdictOf(diagnosis, {true, false, 0.4, 1.5, 2.0}), Verdict::kNoneOfTheAbove);
 }
 
 TEST(Verdict, NamesWhatExplainsHalfOfForecastsWhereTheMotionIsLost) {
