@@ -30,6 +30,9 @@ enum class Meaning {
   kAlongTilt,      // of a plane, m, along the direction that the term's tilts turn up to
 };
 
+// What of a recording a parameter moves, which the recording may have placed roughly.
+enum class Places { kNothing, kObstacles, kRoundObstacles };
+
 // Values to try for a parameter that has no meaning while its term is off: a term whose parameters
 // without probes are off adds nothing, whatever those with probes are. In the parameter's unit, but
 // shares of what was recorded for a place or a time: of the box that the cloth passes through
@@ -55,6 +58,7 @@ struct Parameter {
   Meaning meaning = Meaning::kNumber;
   Probes probes = {};    // none where the parameter means something at `off`
   bool is_free = false;  // in a fit, unless it is told otherwise
+  Places places = Places::kNothing;
 };
 
 // The parameter as one of which a recording tells in almost any case.

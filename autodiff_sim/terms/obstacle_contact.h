@@ -20,8 +20,9 @@
 namespace clothfit {
 
 // What places all obstacles a little elsewhere, as far as they were not measured better.
-constexpr Parameter OfPlacement(const char* name, Meaning meaning, const char* doc) {
-  return {name, "m", doc, 0.0, 0.0, -0.1, 0.1, Scale::kLinear, 0.01, meaning};
+constexpr Parameter OfPlacement(const char* name, Meaning meaning, const char* doc,
+                                Places places = Places::kObstacles) {
+  return {name, "m", doc, 0.0, 0.0, -0.1, 0.1, Scale::kLinear, 0.01, meaning, {}, false, places};
 }
 
 struct ObstacleBarrier : TermDefaults {
@@ -53,7 +54,8 @@ struct ObstacleBarrier : TermDefaults {
       OfPlacement("shift_y", Meaning::kVectorY, "the same, along y"),
       OfPlacement("shift_z", Meaning::kVectorZ, "the same, upwards"),
       OfPlacement("growth", Meaning::kNumber,
-                  "by how much balls and bars are thicker than the recording says"),
+                  "by how much balls and bars are thicker than the recording says",
+                  Places::kRoundObstacles),
   }};
   static constexpr std::array<const char*, 3> kReads = {"ground.distance", "ground.friction",
                                                         "ground.slip_speed"};

@@ -40,18 +40,18 @@ void FixWhatIsNotThere(const Recording& recording, FitConfig* config) {
 
 // Obstacles of which it is said how well they are placed.
 void FreePlaceOfObstacles(const Recording& recording, FitConfig* config) {
-  if (!recording.noise.obstacle || recording.obstacles.empty()) return;
-  std::vector<std::string> names = {"obstacle.shift_x", "obstacle.shift_y", "obstacle.shift_z"};
-  const auto is_round = [](const ObstacleDescription& obstacle) {
-    return std::holds_alternative<BallShape>(obstacle.shape) ||
-           std::holds_alternative<BarShape>(obstacle.shape);
-  };
-  if (std::any_of(recording.obstacles.begin(), recording.obstacles.end(), is_round))
-    names.emplace_back("obstacle.growth");
-  for (const std::string& name : names) {
-    ParameterSetting& setting = config->parameters.at(name);
+  if (!recording.noise.obstacles || recording.obstacles.empty()) return;
+  const bool has_round =
+      std::any_of(recording.obstacles.begin(), recording.obstacles.end(), [](const auto& obstacle) {
+        return std::holds_alternative<BallShape>(obstacle.shape) ||
+               std::holds_alternative<BarShape>(obstacle.shape);
+      });
+  for (const NamedParameter& named : MakeParameterTable()) {
+    const Places places = named.parameter.places;
+    if (places == Places::kNothing || (places == Places::kRoundObstacles && !has_round)) continue;
+    ParameterSetting& setting = config->parameters.at(named.name);
     setting.free = true;
-    setting.prior_sigma = *recording.noise.obstacle;
+    setting.prior_sigma = *recording.noise.obstacles;
   }
 }
 

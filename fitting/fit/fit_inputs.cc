@@ -114,8 +114,8 @@ class InputBytes {
     PutAll(name, shape, path);
   }
   void Put(const NoiseSigmas& noise) {
-    const auto& [marker, track, silhouette, cloud, cloud_spacing, obstacle] = noise;
-    PutAll(marker, track, silhouette, cloud, cloud_spacing, obstacle);
+    const auto& [marker, track, silhouette, cloud, cloud_spacing, obstacles] = noise;
+    PutAll(marker, track, silhouette, cloud, cloud_spacing, obstacles);
   }
   void Put(const Splits::FrameRange& range) {
     const auto& [first, last] = range;

@@ -157,6 +157,17 @@ Eigen::Vector2i DefaultResolution(const Eigen::Vector2d& size) {
   return cells.cast<int>() + 1;
 }
 
+void AddObstacles(const MarkerTake& take, const TakeOptions& options, ImportedTake* result) {
+  Recording& recording = result->recording;
+  recording.obstacles = MakeObstacles(take, options.obstacles, &result->notes);
+  if (recording.obstacles.empty()) return;
+  recording.noise.obstacles = kObstacleSigma;
+  result->notes.push_back(fmt::format(
+      "noise.obstacles: {} m: markers stand off their bodies and off the cloth by about "
+      "as much; a fit finds where the obstacles are for the cloth",
+      kObstacleSigma));
+}
+
 void CheckOptions(const TakeOptions& options) {
   const auto check = [](bool is_right, const char* option, const char* expected, double found) {
     if (!is_right) throw InputError(option, fmt::format("expected {}, found {}", expected, found));
@@ -198,15 +209,8 @@ ImportedTake MakeTakeRecording(MarkerTake take, const TakeOptions& options) {
   recording.cloth.size = layout.size;
   recording.cloth.resolution = options.resolution.value_or(DefaultResolution(recording.cloth.size));
   recording.cloth.areal_density = options.areal_density;
-  recording.obstacles = MakeObstacles(take, options.obstacles, &result.notes);
+  AddObstacles(take, options, &result);
   recording.noise.marker = sigma;
-  if (!recording.obstacles.empty()) {
-    recording.noise.obstacle = kObstacleSigma;
-    result.notes.push_back(fmt::format(
-        "noise.obstacle: {} m: markers stand off their bodies and off the cloth by about "
-        "as much; a fit finds where the obstacles are for the cloth",
-        kObstacleSigma));
-  }
   AddMarkersAndHandles(handles, take, result.uv, sigma, &recording);
   HoldOut(options.held_out_share, &recording);
   return result;

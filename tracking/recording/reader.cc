@@ -112,13 +112,13 @@ ObstacleDescription ReadObstacle(const YamlValue& value, const Recording& record
 }
 
 void ReadNoise(const YamlValue& value, NoiseSigmas* noise) {
-  value.AllowKeys({"marker", "track", "silhouette", "cloud", "cloud_spacing", "obstacle"});
+  value.AllowKeys({"marker", "track", "silhouette", "cloud", "cloud_spacing", "obstacles"});
   if (const auto marker = value.Find("marker")) noise->marker = marker->Number();
   if (const auto track = value.Find("track")) noise->track = track->Number();
   if (const auto silhouette = value.Find("silhouette")) noise->silhouette = silhouette->Number();
   if (const auto cloud = value.Find("cloud")) noise->cloud = cloud->Number();
   if (const auto spacing = value.Find("cloud_spacing")) noise->cloud_spacing = spacing->Number();
-  if (const auto obstacle = value.Find("obstacle")) noise->obstacle = obstacle->Number();
+  if (const auto all = value.Find("obstacles")) noise->obstacles = all->Number();
 }
 
 void ReadDepthScales(const YamlValue& list, CloudFiles* clouds) {

@@ -105,7 +105,7 @@ struct NoiseSigmas {
   std::optional<double> cloud;       // m, of a point's distance from the surface
   // m: points of a cloud that are nearer to each other share their errors, and say as much as one.
   std::optional<double> cloud_spacing;
-  std::optional<double> obstacle;  // m, of the obstacles' places and radii, all off alike
+  std::optional<double> obstacles;  // m, of the obstacles' places and radii, all off alike
 };
 
 // What a held-out evaluation must not fit.

@@ -125,8 +125,8 @@ std::string DescribeNoise(const Recording& recording) {
               ? fmt::format(", cloud {} every {}", Sigma(noise.cloud, kDefaultCloudSigma, "m"),
                             Sigma(noise.cloud_spacing, kDefaultCloudSpacing, "m"))
               : std::string()) +
-         (noise.obstacle && !recording.obstacles.empty()
-              ? fmt::format(", obstacle {} m", *noise.obstacle)
+         (noise.obstacles && !recording.obstacles.empty()
+              ? fmt::format(", obstacles {} m", *noise.obstacles)
               : std::string());
 }
 

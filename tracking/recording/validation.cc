@@ -278,7 +278,7 @@ void CheckNoiseAndSplits(const Recording& recording) {
   check_sigma(noise.track, "noise.track");
   check_sigma(noise.silhouette, "noise.silhouette");
   check_sigma(noise.cloud, "noise.cloud");
-  check_sigma(noise.obstacle, "noise.obstacle");
+  check_sigma(noise.obstacles, "noise.obstacles");
   if (noise.cloud_spacing)
     CheckWithin(*noise.cloud_spacing, kLength, YamlPlace(recording, "noise.cloud_spacing"));
   if (const std::optional<Splits::FrameRange>& range = recording.splits.held_out_frames) {

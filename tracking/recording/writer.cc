@@ -94,7 +94,7 @@ std::string NoiseAsYaml(const NoiseSigmas& noise) {
   if (noise.silhouette) text += fmt::format("  silhouette: {}\n", *noise.silhouette);
   if (noise.cloud) text += fmt::format("  cloud: {}\n", *noise.cloud);
   if (noise.cloud_spacing) text += fmt::format("  cloud_spacing: {}\n", *noise.cloud_spacing);
-  if (noise.obstacle) text += fmt::format("  obstacle: {}\n", *noise.obstacle);
+  if (noise.obstacles) text += fmt::format("  obstacles: {}\n", *noise.obstacles);
   return text.empty() ? "" : "noise:\n" + text;
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/answer/verdict.h"
 
-
 #include "fitting/diagnosis/compare/two_meshes.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/gate.h"

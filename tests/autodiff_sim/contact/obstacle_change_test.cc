@@ -16,7 +16,7 @@ namespace clothfit {
 namespace {
 
 const Eigen::Vector3d kMoved(0.004, -0.003, -0.004);  // m
-constexpr double kThicker = 0.003;                   // m
+constexpr double kThicker = 0.003;                    // m
 
 // The scene's only obstacle as the parameters would place it.
 TestScene WithObstacleElsewhere(TestScene scene) {

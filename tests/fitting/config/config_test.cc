@@ -84,7 +84,7 @@ TEST(DefaultConfig, FreesThePlaceOfObstaclesThatWereMeasuredRoughly) {
   recording.obstacles = {{"table", BoxShape{{1.0, 1.0, 0.1}}, {{}}}};
   EXPECT_FALSE(DefaultConfig(recording).parameters.at("obstacle.shift_z").free);
   EXPECT_TRUE(DefaultConfig(recording).parameters.at("obstacle.friction").free);
-  recording.noise.obstacle = 0.02;
+  recording.noise.obstacles = 0.02;
   FitConfig config = DefaultConfig(recording);
   EXPECT_TRUE(config.parameters.at("obstacle.shift_x").free);
   EXPECT_TRUE(config.parameters.at("obstacle.shift_z").free);

@@ -89,8 +89,8 @@ void CheckTake(const YAML::Node& known) {
   } else {
     ExpectTableBelow(BodyOf(known), obstacle);
   }
-  EXPECT_LT(*take.recording.noise.marker, 0.004);  // m
-  EXPECT_EQ(take.recording.noise.obstacle, 0.01);  // m
+  EXPECT_LT(*take.recording.noise.marker, 0.004);   // m
+  EXPECT_EQ(take.recording.noise.obstacles, 0.01);  // m
 }
 
 class RealTakes : public testing::TestWithParam<const char*> {};

@@ -52,7 +52,7 @@ void ExpectSameScene(const Recording& a, const Recording& b) {
   EXPECT_EQ(a.noise.marker, b.noise.marker);
   EXPECT_EQ(a.noise.track, b.noise.track);
   EXPECT_EQ(a.noise.silhouette, b.noise.silhouette);
-  EXPECT_EQ(a.noise.obstacle, b.noise.obstacle);
+  EXPECT_EQ(a.noise.obstacles, b.noise.obstacles);
   ASSERT_EQ(a.splits.held_out_frames.has_value(), b.splits.held_out_frames.has_value());
   if (a.splits.held_out_frames) {
     EXPECT_EQ(a.splits.held_out_frames->first, b.splits.held_out_frames->first);
@@ -127,12 +127,12 @@ TEST(WriteRecording, RoundTripsObstacles) {
     recording.obstacles[2].path.push_back({{frame / 3.0, 0, 1}, {0, frame / 7.0, 0}});
   const auto mesh = folder.Write("bust.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   recording.obstacles[3] = {"bust", MeshShape{mesh}, {{{0, 0, 0}, {0, 0, 0}}}};
-  recording.noise.obstacle = 1.0 / 70.0;
+  recording.noise.obstacles = 1.0 / 70.0;
   const TestFolder written;
   WriteRecording(recording, written.path());
   const Recording again = ReadRecording(written.path());
   ASSERT_EQ(again.obstacles.size(), 4u);
-  EXPECT_EQ(again.noise.obstacle, recording.noise.obstacle);
+  EXPECT_EQ(again.noise.obstacles, recording.noise.obstacles);
   for (size_t i = 0; i < 4; ++i) {
     const ObstacleDescription &a = recording.obstacles[i], &b = again.obstacles[i];
     EXPECT_EQ(a.name, b.name);
