@@ -43,7 +43,7 @@ enum class Verdict {
   kNamed,             // effects are kept
   kObservationFault,  // the only thing wrong is the observation
   kNoneOfTheAbove,    // something is missing, and no candidate explains most of it
-  kUndecided,         // the baseline's residuals tell nothing: see IsOnItsWay, or mesh and step
+  kUndecided,         // the baseline's fit came to no minimum, or mesh and step may leave as much
   kInterrupted,
 };
 std::string ToString(Verdict verdict);

@@ -3,10 +3,10 @@
 #include "fitting/diagnosis/answer/headline.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fitting/diagnosis/answer/effect_words.h"
 #include "fitting/diagnosis/answer/verdict.h"
+#include "fitting/diagnosis/compare/two_meshes.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
@@ -61,8 +61,7 @@ std::string InBrief(const Diagnosis& diagnosis, const std::string& effect) {
 }
 
 bool MayBeMesh(const Diagnosis& diagnosis) {
-  const double rms = diagnosis.residual_rms;
-  return !IsOnItsWay(diagnosis, std::sqrt(std::max(0.0, rms * rms - 1.0)));
+  return !IsOnItsWay(diagnosis, BeyondNoise(diagnosis.residual_rms * diagnosis.residual_rms));
 }
 
 std::string HeadlineOf(const Diagnosis& diagnosis) {

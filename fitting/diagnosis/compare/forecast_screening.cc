@@ -100,9 +100,7 @@ void JudgeModels(const FittedScene& before, std::vector<JudgedModel>* judged) {
     one.log_evidence = LogEvidence(before.fit.cost_after, one.model.Cost(),
                                    static_cast<double>(one.candidate.NumUnknowns()), scale);
   }
-  std::stable_sort(judged->begin(), judged->end(), [](const JudgedModel& a, const JudgedModel& b) {
-    return a.log_evidence > b.log_evidence;
-  });
+  SortByEvidence(judged);
 }
 
 std::vector<RankedCandidate> ForecastScreening::CandidatesToFit(

@@ -31,9 +31,7 @@ void OrderByAllFrames(const std::vector<JudgedModel>& whole, bool follows,
       one.log_evidence += best_of_forecasts->log_evidence - best;
     }
   }
-  std::stable_sort(
-      forecasts->begin(), forecasts->end(),
-      [](const JudgedModel& a, const JudgedModel& b) { return a.log_evidence > b.log_evidence; });
+  SortByEvidence(forecasts);
 }
 
 }  // namespace clothfit

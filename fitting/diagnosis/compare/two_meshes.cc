@@ -28,9 +28,7 @@ std::optional<FittedScene> FitOn(const std::array<int, 2>& grid, const FittedSce
         FitOn(GridWithSide(grid, side), fitted, most_iterations / 2, runner);
     if (between) return FitOn(grid, *between, most_iterations, runner);
   }
-  ModelStart start = GoOn(fitted);
-  start.config.resolution = grid;
-  return FitModel(fitted, start, most_iterations, runner, EnoughToDecide(fitted.scene));
+  return FitOnGrid(grid, fitted, most_iterations, runner);
 }
 
 // Rows of outlines that say as much as one.
@@ -65,6 +63,12 @@ void Meshes::Set(const FittedScene& coarse, int deciding_side) {
   if (!coarse.scene.mesh.is_grid()) return;
   coarse_ = coarse.scene.mesh.grid;
   fine_ = GridWithSide(coarse_, deciding_side);
+}
+
+void SortByEvidence(std::vector<JudgedModel>* models) {
+  std::stable_sort(models->begin(), models->end(), [](const JudgedModel& a, const JudgedModel& b) {
+    return a.log_evidence > b.log_evidence;
+  });
 }
 
 std::optional<BothMeshes> Meshes::Refine(const FittedScene& coarse, int most_iterations) const {

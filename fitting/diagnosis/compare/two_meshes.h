@@ -27,6 +27,9 @@ struct JudgedModel {
   double log_evidence = 0.0;  // for it, against the fit without it
 };
 
+// What the recording speaks for most comes first; else the order stays.
+void SortByEvidence(std::vector<JudgedModel>* models);
+
 // Takes fits from one of both meshes to the other. Where those are no grids there is but one.
 class Meshes {
  public:

@@ -165,6 +165,13 @@ std::optional<FittedScene> FitModel(const FittedScene& fitted, const ModelStart&
   return MakeModel(std::move(scene), start.config, config, result);
 }
 
+std::optional<FittedScene> FitOnGrid(const std::array<int, 2>& grid, const FittedScene& fitted,
+                                     int most_iterations, const FitRunner& runner) {
+  ModelStart start = GoOn(fitted);
+  start.config.resolution = grid;
+  return FitModel(fitted, start, most_iterations, runner, EnoughToDecide(fitted.scene));
+}
+
 std::optional<FittedScene> FitToForecasts(const ModelStart& start, const std::array<int, 2>& grid,
                                           const ForecastLengths& lengths, const FitRunner& runner,
                                           const FittedScene* after) {
@@ -211,11 +218,7 @@ std::optional<FittedScene> FitToAllFrames(const FitConfig& given, const FittedSc
   std::optional<FittedScene> afresh =
       FitAfresh(start, Start::kWindows, kAfresh * most_iterations, runner);
   const std::array<int, 2>& grid = forecasts.scene.mesh.grid;
-  if (afresh && grid != coarse) {
-    ModelStart finer = GoOn(*afresh);
-    finer.config.resolution = grid;
-    afresh = FitModel(*afresh, finer, most_iterations, runner, EnoughToDecide(forecasts.scene));
-  }
+  if (afresh && grid != coarse) afresh = FitOnGrid(grid, *afresh, most_iterations, runner);
   return Cheaper(std::move(near), std::move(afresh));
 }
 

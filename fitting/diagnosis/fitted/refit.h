@@ -75,6 +75,10 @@ struct ForecastLengths {
   int most_iterations = std::numeric_limits<int>::max();
 };
 
+// A fit gone on with on another grid. Empty where that fails.
+std::optional<FittedScene> FitOnGrid(const std::array<int, 2>& grid, const FittedScene& fitted,
+                                     int most_iterations, const FitRunner& runner);
+
 // Fits it to forecasts on a grid, from the handles' paths and initial state of `after`, where that
 // is given. Empty where the fit fails, or where there are no windows.
 std::optional<FittedScene> FitToForecasts(const ModelStart& start, const std::array<int, 2>& grid,

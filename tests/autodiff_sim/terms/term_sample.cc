@@ -226,8 +226,7 @@ double RandomParameter(const Parameter& parameter, const TermScene& scene, std::
       break;
   }
   // Obstacles stay so near to where they are that those in contact are.
-  const bool moves_obstacles = std::string(parameter.unit) == "m" && parameter.lower == -0.1;
-  if (moves_obstacles) return between(-1e-4, 1e-4);
+  if (parameter.places != Places::kNothing) return between(-1e-4, 1e-4);
   const double share = between(0.05, 0.95);
   return is_log ? parameter.lower * std::pow(parameter.upper / parameter.lower, share)
                 : parameter.lower + share * (parameter.upper - parameter.lower);
