@@ -40,10 +40,8 @@ int ImportCameras(std::vector<Camera> cameras, std::vector<std::string> notes,
                                  : ParseSimilarity("--transform", options.transform);
   for (Camera& camera : cameras) camera = InWorld(camera, change);
   const SceneStart start = options.scene.Start(cameras, &notes);
-  if (options.scene.AnyGiven() && fs::exists(folder / "recording.yaml")) {
-    throw InputError((folder / "recording.yaml").string(),
-                     "exists already; expected no options that describe the scene");
-  }
+  const SceneOptions& scene = options.scene;
+  if (scene.DescribesScene() || scene.rate || scene.frames) CheckIsNew(folder);
   OutputFolder output = OpenRecording(folder, "import cameras", OverwriteIf(options.force));
   WriteCameras(cameras, &output);
   if (MissingOptions(start).empty()) WriteStart(start, &output);

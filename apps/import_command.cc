@@ -8,6 +8,7 @@
 #include "apps/next_step.h"
 #include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/input_file.h"
 #include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/shell.h"
 #include "tracking/import/corner_placement.h"
@@ -62,9 +63,15 @@ SceneStart SceneOptions::Start(const std::vector<Camera>& cameras,
   return start;
 }
 
-bool SceneOptions::AnyGiven() const {
-  return !size.empty() || !origin.empty() || !u_axis.empty() || !v_axis.empty() || ground || rate ||
-         frames || !corners.empty() || !handles.empty() || areal_density || held_out_share != 0.0;
+bool SceneOptions::DescribesScene() const {
+  return !size.empty() || !origin.empty() || !u_axis.empty() || !v_axis.empty() || ground ||
+         !corners.empty() || !handles.empty() || areal_density || held_out_share != 0.0;
+}
+
+void CheckIsNew(const std::filesystem::path& folder) {
+  if (!IsThere(folder / "recording.yaml")) return;
+  throw InputError((folder / "recording.yaml").string(),
+                   "exists already; expected no options that describe the scene");
 }
 
 void AddSceneOptions(CLI::App* command, SceneOptions* options) {

@@ -33,8 +33,11 @@ struct SceneOptions {
 
   // With corners, the sheet is placed by these cameras, and `notes` gets how.
   SceneStart Start(const std::vector<Camera>& cameras, std::vector<std::string>* notes) const;
-  bool AnyGiven() const;
+  bool DescribesScene() const;  // beyond what videos say: the rate and the number of frames
 };
+
+// Throws InputError where the folder has a recording already, which the options would not change.
+void CheckIsNew(const std::filesystem::path& folder);
 
 // --size, --ground, --origin, --u-axis, --v-axis, --corner, --handle, --density, --rate and
 // --held-out.

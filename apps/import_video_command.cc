@@ -7,7 +7,6 @@
 #include "apps/import_commands.h"
 #include "apps/terminal.h"
 #include "autodiff_sim/base/error.h"
-#include "autodiff_sim/base/input_file.h"
 #include "autodiff_sim/base/printable.h"
 #include "tracking/camera/camera_file.h"
 #include "tracking/import/video.h"
@@ -40,12 +39,7 @@ int RunImportVideo(const VideoOptions& options) {
   std::vector<Camera> cameras;  // are needed for corners alone
   const std::filesystem::path folder = options.output;
   const SceneOptions& scene = options.scene;
-  const bool is_for_new = !scene.corners.empty() || !scene.handles.empty() || scene.areal_density ||
-                          scene.held_out_share != 0.0;
-  if (is_for_new && IsThere(folder / "recording.yaml")) {
-    throw InputError((folder / "recording.yaml").string(),
-                     "exists already; expected no --corner, --handle, --density and --held-out");
-  }
+  if (scene.DescribesScene()) CheckIsNew(folder);
   if (!scene.corners.empty()) cameras = ReadCameras(folder / "cameras.yaml");
   SceneStart start = scene.Start(cameras, &notes);
   const ImportedVideos imported =

@@ -151,8 +151,11 @@ TEST_F(ImportCommand, PutsCamerasAndVideosTogether) {
   EXPECT_EQ(recording.cloth.areal_density, 0.2);
   ASSERT_TRUE(recording.splits.held_out_frames);
   EXPECT_EQ(recording.splits.held_out_frames->first, 3);
-  EXPECT_THAT(BadInputLine(Import({"video", "left=a.avi", "-o", "rec", "--density", "1"})),
-              HasSubstr("recording.yaml: exists already; expected no --corner, --handle"));
+  EXPECT_THAT(
+      BadInputLine(Import({"video", "left=a.avi", "-o", "rec", "--density", "1"})),
+      HasSubstr("recording.yaml: exists already; expected no options that describe the scene"));
+  EXPECT_THAT(BadInputLine(Import({"video", "left=a.avi", "-o", "rec", "--size", "1", "1"})),
+              HasSubstr("expected no options that describe the scene"));
   EXPECT_EQ(Import({"video", "left=a.avi", "-o", "rec"}).status, 0) << "the same again";
   EXPECT_THAT(BadInputLine(Import({"video", "left=b.avi", "-o", "rec"})),
               HasSubstr("left.avi: exists already; --force replaces it"));
@@ -185,7 +188,8 @@ TEST_F(ImportCommand, PlacesAClothByItsCornersInPictures) {
   EXPECT_LT((flat.v_axis + Eigen::Vector3d::UnitZ()).norm(), 1e-6);
   EXPECT_NEAR(std::abs(flat.u_axis.x()), 1.0, 1e-6);
   words[1] = "right=a.avi";
-  EXPECT_THAT(BadInputLine(Import(words)), HasSubstr("exists already; expected no --corner"));
+  EXPECT_THAT(BadInputLine(Import(words)),
+              HasSubstr("exists already; expected no options that describe"));
 }
 
 TEST_F(ImportCommand, BeginsARecordingOfOpencvCameras) {
