@@ -96,7 +96,10 @@ struct Diagnosis {
   std::vector<std::string> effects;  // of the answer, and faults named
   std::vector<std::string>
       confidence_set;  // what cannot be told from the first effect, itself included
-  // Of those that were fitted: the motion that would tell them apart best.
+  // What cannot be told from a later effect, beside those before it: itself first. None of an
+  // effect that stands alone.
+  std::vector<std::vector<std::string>> sets_beside;
+  // Of those of the confidence set that were fitted: the motion that would tell them apart best.
   std::optional<SeparatingMotion> separating;
   std::vector<std::pair<std::string, double>> seconds;  // where the time went
   DiagnosisMotions motions;                             // for pages and pictures

@@ -14,23 +14,36 @@ namespace {
 
 using Names = std::vector<std::string>;
 
+bool IsAmong(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 Names AllInBrief(const Diagnosis& diagnosis, const Names& effects) {
   Names words;
   for (const std::string& effect : effects) words.push_back(InBrief(diagnosis, effect));
   return words;
 }
 
+std::string AnyOf(const Diagnosis& diagnosis, const Names& set) {
+  return JoinNames(AllInBrief(diagnosis, set), ", ", ", or ") + ": this recording cannot tell";
+}
+
 // What was found, beside what cannot be told from it; without a full stop.
 std::string Found(const Diagnosis& diagnosis) {
-  const Names& set = diagnosis.confidence_set;
-  if (set.size() < 2) return JoinNames(AllInBrief(diagnosis, diagnosis.effects), ", ", " and ");
-  Names besides;
-  for (const std::string& effect : diagnosis.effects)
-    if (effect != set.front()) besides.push_back(effect);
-  const std::string words =
-      JoinNames(AllInBrief(diagnosis, set), ", ", ", or ") + ": this recording cannot tell";
-  if (besides.empty()) return words;
-  return words + "; besides, " + JoinNames(AllInBrief(diagnosis, besides), ", ", " and ");
+  Names alone = diagnosis.effects;
+  std::vector<std::string> parts;
+  const auto take = [&](const Names& set) {
+    parts.push_back(AnyOf(diagnosis, set));
+    alone.erase(std::remove(alone.begin(), alone.end(), set.front()), alone.end());
+  };
+  const bool is_one_of_several = diagnosis.confidence_set.size() > 1;
+  if (is_one_of_several) take(diagnosis.confidence_set);
+  for (const Names& set : diagnosis.sets_beside) take(set);
+  if (!alone.empty()) {
+    parts.insert(is_one_of_several ? parts.end() : parts.begin(),
+                 JoinNames(AllInBrief(diagnosis, alone), ", ", " and "));
+  }
+  return JoinNames(parts, "; besides, ", "; besides, ");
 }
 
 std::string OfNoneOfTheAbove(const Diagnosis& diagnosis) {
@@ -46,15 +59,21 @@ std::string OfNoneOfTheAbove(const Diagnosis& diagnosis) {
 }  // namespace
 
 const Model* ModelWith(const Diagnosis& diagnosis, const std::string& effect) {
-  const auto model = std::find_if(
-      diagnosis.models.begin(), diagnosis.models.end(),
-      [&](const Model& one) { return !one.effects.empty() && one.effects.back() == effect; });
-  return model == diagnosis.models.end() ? nullptr : &*model;
+  const auto has_it = [&](const Model& one) {
+    return !one.effects.empty() && one.effects.back() == effect;
+  };
+  const std::vector<Model>& models = diagnosis.models;
+  const auto first = std::find_if(models.begin(), models.end(), has_it);
+  if (first == models.end()) return nullptr;
+  const std::vector<Names>& beside = diagnosis.sets_beside;
+  const bool is_beside =
+      !IsAmong(diagnosis.confidence_set, effect) &&
+      std::any_of(beside.begin(), beside.end(), [&](const Names& s) { return IsAmong(s, effect); });
+  return is_beside ? &*std::find_if(models.rbegin(), models.rend(), has_it) : &*first;
 }
 
 std::string InBrief(const Diagnosis& diagnosis, const std::string& effect) {
-  const Names& found = diagnosis.effects;
-  const bool is_of_answer = std::find(found.begin(), found.end(), effect) != found.end();
+  const bool is_of_answer = IsAmong(diagnosis.effects, effect);
   const Model* const model =
       is_of_answer && diagnosis.answer ? &*diagnosis.answer : ModelWith(diagnosis, effect);
   return InBrief(effect, model == nullptr ? std::vector<EffectParameter>() : model->parameters);

@@ -23,7 +23,8 @@ bool MayBeMesh(const Diagnosis& diagnosis);
 // An effect of the answer or of its confidence set in a few words, by the model that has it.
 std::string InBrief(const Diagnosis& diagnosis, const std::string& effect);
 
-// The first model that was fitted with this effect as its newest one; null where there is none.
+// The first model that was fitted with this effect as its newest one, the last of an effect that
+// stands for a later one alone; null where there is none.
 const Model* ModelWith(const Diagnosis& diagnosis, const std::string& effect);
 
 }  // namespace clothfit

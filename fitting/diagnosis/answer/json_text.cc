@@ -133,6 +133,7 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
   json["effects"] = diagnosis.effects;
   json["effects_in_words"] = PlainNames(diagnosis.effects);
   json["ambiguity"] = diagnosis.confidence_set;
+  json["ambiguity_beside"] = diagnosis.sets_beside;
   json["separating_motion"] = nullptr;
   if (diagnosis.separating) {
     json["separating_motion"] = {{"motion", diagnosis.separating->motion},

@@ -16,7 +16,7 @@ std::string WhatToDoNext(const Diagnosis& diagnosis) {
     case Verdict::kNothingMissing:
       return "Use the fit in `fit/`. A motion twice as fast would show more.";
     case Verdict::kNamed:
-      if (diagnosis.confidence_set.size() > 1) {
+      if (diagnosis.confidence_set.size() > 1 || !diagnosis.sets_beside.empty()) {
         return "Report all that the recording cannot tell apart, or record a motion that tells "
                "them apart and diagnose that.";
       }

@@ -70,11 +70,12 @@ std::string SayValidation(const Model& answer) {
   return words;
 }
 
-std::string SayOthers(const Diagnosis& diagnosis) {
-  if (diagnosis.confidence_set.size() < 2) return "";
-  const std::vector<std::string> others(diagnosis.confidence_set.begin() + 1,
-                                        diagnosis.confidence_set.end());
-  std::string words = "This recording cannot tell it from " + PlainNames(others) + ".";
+// set: of `it` and what cannot be told from it.
+std::string SayOthers(const Diagnosis& diagnosis, const std::vector<std::string>& set,
+                      const std::string& it) {
+  if (set.size() < 2) return "";
+  const std::vector<std::string> others(set.begin() + 1, set.end());
+  std::string words = fmt::format("This recording cannot tell {} from {}.", it, PlainNames(others));
   for (const std::string& other : others) {
     const Model* const model = ModelWith(diagnosis, other);
     const std::string amounts =
@@ -125,7 +126,9 @@ std::vector<std::string> DetailsOf(const Diagnosis& diagnosis) {
   } else if (diagnosis.answer) {
     sentences.push_back(NameEffects(diagnosis));
     if (diagnosis.acting_class) sentences.push_back(diagnosis.acting_class->words);
-    sentences.push_back(SayOthers(diagnosis));
+    sentences.push_back(SayOthers(diagnosis, diagnosis.confidence_set, "it"));
+    for (const std::vector<std::string>& set : diagnosis.sets_beside)
+      sentences.push_back(SayOthers(diagnosis, set, TitleOf(set.front())));
     sentences.push_back(SayValidation(*diagnosis.answer));
   } else if (!diagnosis.effects.empty()) {
     sentences.push_back("Put right in the observation: " + PlainNames(diagnosis.effects) + ".");

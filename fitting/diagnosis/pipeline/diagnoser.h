@@ -115,6 +115,8 @@ class Diagnoser {
                                const RankedCandidate& candidate, const Ranking& ranking) const;
   // What else it could be, and what to record to know.
   void TellApart(const std::vector<JudgedModel>& judged);
+  // What else the later effects could be.
+  void TellSetsBeside();
   // A law instead of names, where those explain too little and it explains more.
   void LearnInstead();
   bool HasPhysics() const;

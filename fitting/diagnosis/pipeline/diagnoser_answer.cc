@@ -73,6 +73,7 @@ void Diagnoser::ForgetPhysics() {
   const std::vector<std::string> left = EffectsSoFar();
   for (Model& model : diagnosis_.models) model.is_kept = model.is_kept && model.effects == left;
   diagnosis_.confidence_set.clear();
+  diagnosis_.sets_beside.clear();
   diagnosis_.separating.reset();
 }
 
@@ -186,6 +187,7 @@ void Diagnoser::Answer() {
   Spend("intervals");
   TakeBackWhatIsTooLittle();
   diagnosis_.effects = EffectsSoFar();
+  TellSetsBeside();
   if (!kept_.empty()) SetAnswer(kept_.back().before);
   if (missing_)
     diagnosis_.motions.missing_force = ForceOnParticles(now_.fine.scene.mesh, *missing_);

@@ -19,6 +19,17 @@
 #include "fitting/diagnosis/validate/model_validation.h"
 
 namespace clothfit {
+namespace {
+
+// Those that the recording does not strongly speak against, beside the best, which comes first.
+std::vector<const JudgedModel*> ConfidenceSetOf(const std::vector<JudgedModel>& judged) {
+  std::vector<const JudgedModel*> set;
+  for (const JudgedModel& one : judged)
+    if (one.log_evidence >= judged.front().log_evidence - kStrongEvidence) set.push_back(&one);
+  return set;
+}
+
+}  // namespace
 
 void Diagnoser::Judge(const FittedScene& before, std::vector<JudgedModel>* judged) const {
   JudgeModels(before, judged);
@@ -160,15 +171,26 @@ void Diagnoser::TellApart(const std::vector<JudgedModel>& judged) {
   diagnosis_.confidence_set.clear();
   diagnosis_.separating.reset();
   std::vector<const FittedScene*> fitted;
-  for (const JudgedModel& c : judged) {
-    if (c.log_evidence < judged.front().log_evidence - kStrongEvidence) continue;
-    diagnosis_.confidence_set.push_back(c.candidate.summary.name);
+  for (const JudgedModel* const one : ConfidenceSetOf(judged)) {
+    diagnosis_.confidence_set.push_back(one->candidate.summary.name);
     // What is put right in the observation moves no cloth.
-    if (c.candidate.faults.empty()) fitted.push_back(&c.model.fine);
+    if (one->candidate.faults.empty()) fitted.push_back(&one->model.fine);
   }
   if (fitted.size() < 2) return;
   diagnosis_.separating = FindSeparatingMotion(fitted);
   Spend("separating motion");
+}
+
+void Diagnoser::TellSetsBeside() {
+  diagnosis_.sets_beside.clear();
+  const auto first = FirstPhysics();
+  for (auto kept = first; kept != kept_.end(); ++kept) {
+    if (kept == first || !kept->IsPhysics()) continue;
+    std::vector<std::string> names;
+    for (const JudgedModel* const one : ConfidenceSetOf(kept->competitors))
+      names.push_back(one->candidate.summary.name);
+    if (names.size() > 1) diagnosis_.sets_beside.push_back(std::move(names));
+  }
 }
 
 // Beside what was kept.

@@ -77,6 +77,22 @@ TEST(Headline, NamesWhatWasFoundBesides) {
   EXPECT_EQ(HeadlineOf(diagnosis), std::string("W") + kWindInBrief + " and " + hem + ".");
 }
 
+TEST(Headline, NamesWhatALaterEffectCannotBeToldFrom) {
+  Diagnosis diagnosis = NamedAmong({WindModel()});
+  diagnosis.effects = diagnosis.answer->effects = {"wind", "hem"};
+  diagnosis.sets_beside = {{"hem", "gravity_tilt"}};
+  const Model tilt = TiltModel();
+  Model beside = tilt;
+  beside.effects = {"wind", "gravity_tilt"};
+  beside.parameters[0].value = 0.05;
+  diagnosis.models = {WindModel(), tilt, beside};
+  const std::string words = "hem, or gravity tilt of 2.86 degrees (3.44 to 4.58)";
+  EXPECT_EQ(HeadlineOf(diagnosis), std::string("W") + kWindInBrief + "; besides, " + words +
+                                       ": this recording cannot tell.");
+  EXPECT_THAT(DescribeDiagnosis(diagnosis),
+              HasSubstr("This recording cannot tell hem from gravity tilt"));
+}
+
 TEST(Headline, OfAFaultSaysWhatItIsOf) {
   const Model pose = ModelOf(kPoseFault, {{"camera cam1: pose shift x", "m", 0.03, 0.02, 0.04}});
   Diagnosis diagnosis = NamedAmong({pose});
