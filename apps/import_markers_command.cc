@@ -16,7 +16,7 @@
 #include "fitting/jobs/shell.h"
 #include "tracking/import/take_file.h"
 #include "tracking/import/take_recording.h"
-#include "tracking/recording/start.h"
+#include "tracking/recording/folder/start.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

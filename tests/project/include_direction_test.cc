@@ -37,6 +37,7 @@ const std::map<std::string, Floors> kRooms = {
       {"recording"},
       {"outliers"},
       {"features", "import", "synthetic"}}},
+    {"tracking/recording", {{""}, {"pictures", "surface"}, {"clouds"}, {"folder", "warnings"}}},
     {"fitting",
      {{"files"},
       {"optimise"},

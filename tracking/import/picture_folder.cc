@@ -14,7 +14,7 @@
 #include "autodiff_sim/base/input_file.h"
 #include "tracking/files/whole_file.h"
 #include "tracking/recording/limits.h"
-#include "tracking/recording/picture_bytes.h"
+#include "tracking/recording/pictures/bytes.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

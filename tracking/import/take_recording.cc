@@ -14,7 +14,7 @@
 #include "tracking/import/marker_layout.h"
 #include "tracking/import/take_layout.h"
 #include "tracking/import/take_obstacles.h"
-#include "tracking/recording/start.h"
+#include "tracking/recording/folder/start.h"
 
 namespace clothfit {
 namespace {

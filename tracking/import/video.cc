@@ -17,8 +17,8 @@
 #include "tracking/files/whole_file.h"
 #include "tracking/import/picture_folder.h"
 #include "tracking/import/single_file.h"
-#include "tracking/recording/images.h"
 #include "tracking/recording/limits.h"
+#include "tracking/recording/pictures/images.h"
 #include "tracking/text/text.h"
 #include "tracking/text/yaml_reader.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/recording/start.h"
+#include "tracking/recording/folder/start.h"
 
 namespace clothfit {
 

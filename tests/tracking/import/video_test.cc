@@ -10,7 +10,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "tests/support/test_folder.h"
-#include "tracking/recording/images.h"
+#include "tracking/recording/pictures/images.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
