@@ -13,8 +13,8 @@
 #include "fitting/runs/workload.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/outliers/swapped_markers.h"
-#include "tracking/recording/images.h"
-#include "tracking/recording/summary.h"
+#include "tracking/recording/pictures/images.h"
+#include "tracking/recording/warnings/summary.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

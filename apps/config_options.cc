@@ -13,7 +13,7 @@
 #include "fitting/config/keys.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/outliers/swapped_markers.h"
-#include "tracking/recording/summary.h"
+#include "tracking/recording/warnings/summary.h"
 
 namespace clothfit {
 namespace {

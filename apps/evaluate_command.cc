@@ -17,7 +17,7 @@
 #include "fitting/jobs/shell.h"
 #include "fitting/report/run_record.h"
 #include "fitting/runs/surface_evaluation.h"
-#include "tracking/recording/truth.h"
+#include "tracking/recording/surface/truth.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

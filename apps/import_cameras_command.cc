@@ -11,8 +11,8 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/printable.h"
 #include "tracking/camera/world_change.h"
-#include "tracking/import/colmap.h"
-#include "tracking/import/opencv.h"
+#include "tracking/import/cameras/colmap.h"
+#include "tracking/import/cameras/opencv.h"
 
 namespace clothfit {
 namespace {

@@ -11,7 +11,7 @@
 #include "autodiff_sim/base/input_file.h"
 #include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/shell.h"
-#include "tracking/import/corner_placement.h"
+#include "tracking/import/pictures/corner_placement.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

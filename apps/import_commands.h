@@ -11,7 +11,7 @@
 
 #include "apps/commands.h"
 #include "tracking/camera/camera.h"
-#include "tracking/recording/start.h"
+#include "tracking/recording/folder/start.h"
 
 namespace clothfit {
 

@@ -14,9 +14,9 @@
 #include "apps/value_checks.h"
 #include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/shell.h"
-#include "tracking/import/take_file.h"
-#include "tracking/import/take_recording.h"
-#include "tracking/recording/start.h"
+#include "tracking/import/take/file.h"
+#include "tracking/import/take/recording.h"
+#include "tracking/recording/folder/start.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -9,7 +9,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/printable.h"
 #include "tracking/camera/camera_file.h"
-#include "tracking/import/video.h"
+#include "tracking/import/pictures/video.h"
 
 namespace clothfit {
 namespace {

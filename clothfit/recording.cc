@@ -9,7 +9,7 @@
 #include "clothfit/detail/boundary.h"
 #include "clothfit/detail/data.h"
 #include "tracking/features/tracking_folder.h"
-#include "tracking/recording/summary.h"
+#include "tracking/recording/warnings/summary.h"
 
 namespace clothfit::v0 {
 namespace {

@@ -18,7 +18,7 @@
 #include "fitting/report/page_file.h"
 #include "fitting/runs/fit_run.h"
 #include "tracking/outliers/outliers.h"
-#include "tracking/recording/validation.h"
+#include "tracking/recording/folder/validation.h"
 
 namespace clothfit::v0 {
 namespace {

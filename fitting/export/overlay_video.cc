@@ -8,7 +8,7 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/pictures/run_pictures.h"
 #include "tracking/files/whole_file.h"
-#include "tracking/recording/images.h"
+#include "tracking/recording/pictures/images.h"
 #include "tracking/silhouette/raster.h"
 #include "tracking/text/text.h"
 

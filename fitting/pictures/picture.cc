@@ -18,7 +18,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/residuals/cloud_residuals.h"
 #include "tracking/files/output_file.h"
-#include "tracking/recording/validation.h"
+#include "tracking/recording/folder/validation.h"
 
 namespace clothfit {
 namespace {

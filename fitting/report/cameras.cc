@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "autodiff_sim/base/parallel.h"
-#include "tracking/recording/images.h"
+#include "tracking/recording/pictures/images.h"
 
 namespace clothfit {
 namespace {

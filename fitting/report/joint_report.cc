@@ -13,7 +13,7 @@
 #include "fitting/report/run_record.h"
 #include "fitting/report/scene_page.h"
 #include "fitting/runs/recording_list.h"
-#include "tracking/recording/truth.h"
+#include "tracking/recording/surface/truth.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "tracking/recording/truth.h"
+#include "tracking/recording/surface/truth.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/report/report_sections.h"
-#include "tracking/recording/truth.h"
+#include "tracking/recording/surface/truth.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

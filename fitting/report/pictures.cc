@@ -11,7 +11,7 @@
 
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/report/cameras.h"
-#include "tracking/recording/images.h"
+#include "tracking/recording/pictures/images.h"
 
 namespace clothfit {
 namespace {

@@ -11,8 +11,8 @@
 #include "fitting/report/scene_page.h"
 #include "fitting/runs/fit_run.h"
 #include "tracking/outliers/outliers.h"
-#include "tracking/recording/images.h"
-#include "tracking/recording/summary.h"
+#include "tracking/recording/pictures/images.h"
+#include "tracking/recording/warnings/summary.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {

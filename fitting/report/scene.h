@@ -14,7 +14,7 @@
 
 #include "fitting/report/run_record.h"
 #include "fitting/runs/prediction.h"
-#include "tracking/recording/truth.h"
+#include "tracking/recording/surface/truth.h"
 
 namespace clothfit {
 

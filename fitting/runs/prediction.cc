@@ -11,7 +11,7 @@
 #include "autodiff_sim/terms/parameter_table.h"
 #include "tracking/files/output_file.h"
 #include "tracking/outliers/outliers.h"
-#include "tracking/recording/validation.h"
+#include "tracking/recording/folder/validation.h"
 #include "tracking/text/csv.h"
 #include "tracking/text/text.h"
 

@@ -11,7 +11,7 @@
 #include "tracking/files/whole_file.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/outliers/swapped_markers.h"
-#include "tracking/recording/support.h"
+#include "tracking/recording/warnings/support.h"
 #include "tracking/text/json_text.h"
 
 namespace clothfit {

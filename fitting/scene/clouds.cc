@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
-#include "tracking/recording/clouds.h"
+#include "tracking/recording/clouds/clouds.h"
 
 namespace clothfit {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "tracking/recording/thin_plate_spline.h"
+#include "tracking/recording/surface/thin_plate_spline.h"
 
 namespace clothfit {
 namespace {

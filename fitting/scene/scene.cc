@@ -15,7 +15,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/contact/obstacle_body.h"
 #include "autodiff_sim/mesh/obj_file.h"
-#include "tracking/recording/initial_placement.h"
+#include "tracking/recording/surface/initial_placement.h"
 
 namespace clothfit {
 namespace {

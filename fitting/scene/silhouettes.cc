@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "autodiff_sim/base/parallel.h"
-#include "tracking/recording/images.h"
+#include "tracking/recording/pictures/images.h"
 
 namespace clothfit {
 

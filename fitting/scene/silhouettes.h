@@ -11,8 +11,8 @@
 
 #include <Eigen/Core>
 
+#include "tracking/recording/pictures/signed_distance.h"
 #include "tracking/recording/recording.h"
-#include "tracking/recording/signed_distance.h"
 #include "tracking/silhouette/bit_mask.h"
 
 namespace clothfit {

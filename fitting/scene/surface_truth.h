@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 
 #include "fitting/scene/scene.h"
-#include "tracking/recording/truth.h"
+#include "tracking/recording/surface/truth.h"
 
 namespace clothfit {
 

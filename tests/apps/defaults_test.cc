@@ -10,7 +10,7 @@
 #include "fitting/config/config.h"
 #include "fitting/studies/study_options.h"
 #include "tests/apps/command.h"
-#include "tracking/import/take_recording.h"
+#include "tracking/import/take/recording.h"
 
 namespace clothfit {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "tests/support/crumpled_cloth.h"
 #include "tests/support/flat_scene.h"
-#include "tracking/recording/cloth_surface.h"
+#include "tracking/recording/surface/cloth_surface.h"
 #include "tracking/silhouette/outline.h"
 #include "tracking/silhouette/raster.h"
 

@@ -27,14 +27,14 @@
 #include "fitting/runs/recording_list.h"
 #include "tracking/camera/camera_file.h"
 #include "tracking/files/manifest.h"
-#include "tracking/import/colmap.h"
-#include "tracking/import/opencv.h"
-#include "tracking/import/take_file.h"
-#include "tracking/recording/cloud_file.h"
-#include "tracking/recording/images.h"
+#include "tracking/import/cameras/colmap.h"
+#include "tracking/import/cameras/opencv.h"
+#include "tracking/import/take/file.h"
+#include "tracking/recording/clouds/file.h"
+#include "tracking/recording/folder/tables.h"
+#include "tracking/recording/pictures/images.h"
 #include "tracking/recording/recording.h"
-#include "tracking/recording/summary.h"
-#include "tracking/recording/tables.h"
+#include "tracking/recording/warnings/summary.h"
 
 namespace clothfit {
 namespace {

@@ -37,6 +37,8 @@ const std::map<std::string, Floors> kRooms = {
       {"recording"},
       {"outliers"},
       {"features", "import", "synthetic"}}},
+    {"tracking/recording", {{""}, {"pictures", "surface"}, {"clouds"}, {"folder", "warnings"}}},
+    {"tracking/import", {{"cameras", "markers", "pictures"}, {"c3d", "tables"}, {"take"}}},
     {"fitting",
      {{"files"},
       {"optimise"},
@@ -174,20 +176,20 @@ TEST(IncludeDirection, ReportsEveryWrongInclude) {
   const SourceFile file{"tracking/features/rays.cc",
                         {"#include \"fitting/fit/fit.h\"", "#include \"autodiff_sim/mesh/mesh.h\"",
                          "  #  include <apps/command.h>", "#include \"../fitting/fit.h\"",
-                         "#include \"rays.h\"", "#include \"tracking/import/colmap.h\""}};
-  EXPECT_THAT(
-      WrongIncludes(file),
-      testing::ElementsAre("tracking/features/rays.cc:1: #include \"fitting/fit/fit.h\"",
-                           "tracking/features/rays.cc:3:   #  include <apps/command.h>",
-                           "tracking/features/rays.cc:4: #include \"../fitting/fit.h\"",
-                           "tracking/features/rays.cc:5: #include \"rays.h\"",
-                           "tracking/features/rays.cc:6: #include \"tracking/import/colmap.h\""));
+                         "#include \"rays.h\"", "#include \"tracking/import/cameras/colmap.h\""}};
+  EXPECT_THAT(WrongIncludes(file),
+              testing::ElementsAre(
+                  "tracking/features/rays.cc:1: #include \"fitting/fit/fit.h\"",
+                  "tracking/features/rays.cc:3:   #  include <apps/command.h>",
+                  "tracking/features/rays.cc:4: #include \"../fitting/fit.h\"",
+                  "tracking/features/rays.cc:5: #include \"rays.h\"",
+                  "tracking/features/rays.cc:6: #include \"tracking/import/cameras/colmap.h\""));
 }
 
 // The words of a page in the first columns of its picture, and the folders that it quotes.
 std::set<std::string> RoomsNamedIn(const std::vector<std::string>& page) {
   constexpr std::size_t kRoomColumns = 46;  // descriptions begin there
-  static const std::regex kWord("[a-z_]+"), kQuoted("`([a-z_]+/)*([a-z_]+)/`");
+  static const std::regex kWord("[a-z_0-9]+"), kQuoted("`([a-z_]+/)*([a-z_0-9]+)/`");
   const std::sregex_iterator end;
   std::set<std::string> rooms;
   for (const std::string& line : page) {

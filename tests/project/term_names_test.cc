@@ -30,7 +30,8 @@ const std::map<std::string, int> kMost = {{"autodiff_sim/contact", 1},
                                           {"fitting/trials/finite_elements", 59},
                                           {"fitting/trials/terms", 2},
                                           {"python", 1},
-                                          {"tracking/recording", 10},
+                                          {"tracking/recording/folder", 7},
+                                          {"tracking/recording/warnings", 3},
                                           {"tracking/synthetic", 9}};
 
 TEST(TermNames, StandInFewOtherSources) {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "tracking/import/c3d_bytes.h"
-#include "tracking/import/marker_take.h"
+#include "tracking/import/c3d/bytes.h"
+#include "tracking/import/markers/marker_take.h"
 
 namespace clothfit {
 

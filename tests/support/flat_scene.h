@@ -11,8 +11,8 @@
 #include <opencv2/core/mat.hpp>
 
 #include "tracking/camera/camera.h"
-#include "tracking/recording/initial_placement.h"
 #include "tracking/recording/recording.h"
+#include "tracking/recording/surface/initial_placement.h"
 
 namespace clothfit {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/import/marker_take.h"
+#include "tracking/import/markers/marker_take.h"
 #include "tracking/recording/recording.h"
 
 namespace clothfit {

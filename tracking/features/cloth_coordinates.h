@@ -10,7 +10,7 @@
 
 #include "tracking/camera/camera.h"
 #include "tracking/camera/surface_rays.h"
-#include "tracking/recording/initial_placement.h"
+#include "tracking/recording/surface/initial_placement.h"
 
 namespace clothfit {
 

@@ -12,7 +12,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
-#include "tracking/recording/images.h"
+#include "tracking/recording/pictures/images.h"
 
 namespace clothfit {
 namespace {

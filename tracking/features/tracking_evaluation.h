@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tracking/features/track_recording.h"
-#include "tracking/recording/truth_surface.h"
+#include "tracking/recording/surface/truth_surface.h"
 
 namespace clothfit {
 

@@ -11,7 +11,7 @@
 
 #include "tracking/outliers/swapped_markers.h"
 #include "tracking/outliers/unexplained.h"
-#include "tracking/recording/point_warnings.h"
+#include "tracking/recording/warnings/points.h"
 
 namespace clothfit {
 namespace {

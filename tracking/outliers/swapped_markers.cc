@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "tracking/recording/point_warnings.h"
+#include "tracking/recording/warnings/points.h"
 
 namespace clothfit {
 namespace {

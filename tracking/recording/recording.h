@@ -5,7 +5,7 @@
 //
 // Units are metres, seconds, kilograms and pixels. (u, v) are cloth coordinates in metres, pixels
 // are OpenCV's. Frames are numbered from 0. What is not known is an empty optional. Truth that may
-// lie beside a recording is no part of it: see tracking/recording/truth.h.
+// lie beside a recording is no part of it: see tracking/recording/surface/truth.h.
 #pragma once
 
 #include <filesystem>
@@ -145,8 +145,8 @@ struct MaskFaults {
   }
 };
 
-// Where the pictures of one camera are. Nothing is opened before tracking/recording/images.h is
-// asked.
+// Where the pictures of one camera are. Nothing is opened before
+// tracking/recording/pictures/images.h is asked.
 struct CameraFiles {
   std::map<int, std::filesystem::path> images;  // by frame; a frame may lack
   std::map<int, std::filesystem::path> masks;   // by frame; 0 = background, 255 = cloth
@@ -157,7 +157,7 @@ struct CameraFiles {
 };
 
 // Where there are points of the surface of which nobody knows where on the cloth they are. Nothing
-// is opened before tracking/recording/clouds.h is asked.
+// is opened before tracking/recording/clouds/clouds.h is asked.
 struct CloudFiles {
   std::map<int, std::filesystem::path> files;  // by frame; points in m, world
   std::string camera;  // that saw them, by its name; empty: they show the whole cloth

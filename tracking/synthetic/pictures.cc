@@ -11,7 +11,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/parallel.h"
-#include "tracking/recording/cloth_surface.h"
+#include "tracking/recording/surface/cloth_surface.h"
 #include "tracking/synthetic/picture_writer.h"
 #include "tracking/synthetic/renderer.h"
 #include "tracking/text/text.h"

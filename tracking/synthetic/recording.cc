@@ -14,7 +14,7 @@
 #include "autodiff_sim/scenes/cloth_scene.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "tracking/files/output_folder.h"
-#include "tracking/recording/cloud_file.h"
+#include "tracking/recording/clouds/file.h"
 #include "tracking/synthetic/keys.h"
 #include "tracking/synthetic/observations.h"
 

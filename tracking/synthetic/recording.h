@@ -15,7 +15,7 @@
 
 #include "autodiff_sim/step/simulation.h"
 #include "tracking/recording/recording.h"
-#include "tracking/recording/truth.h"
+#include "tracking/recording/surface/truth.h"
 #include "tracking/synthetic/motion.h"
 #include "tracking/synthetic/pictures.h"
 

@@ -12,7 +12,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "tracking/camera/camera.h"
-#include "tracking/recording/cloth_surface.h"
+#include "tracking/recording/surface/cloth_surface.h"
 #include "tracking/synthetic/procedural_texture.h"
 #include "tracking/synthetic/room.h"
 

@@ -10,7 +10,7 @@
 
 #include "tests/support/crumpled_cloth.h"
 #include "tests/support/flat_scene.h"
-#include "tracking/recording/cloth_surface.h"
+#include "tracking/recording/surface/cloth_surface.h"
 
 namespace clothfit {
 namespace {

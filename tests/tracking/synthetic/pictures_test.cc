@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tests/support/test_folder.h"
-#include "tracking/recording/images.h"
-#include "tracking/recording/truth_surface.h"
+#include "tracking/recording/pictures/images.h"
+#include "tracking/recording/surface/truth_surface.h"
 #include "tracking/synthetic/recording.h"
 #include "tracking/text/text.h"
 
