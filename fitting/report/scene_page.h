@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/report/extras.h"
 #include "fitting/report/report.h"
+#include "fitting/report/sections/extras.h"
 
 namespace clothfit {
 

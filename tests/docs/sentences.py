@@ -12,13 +12,13 @@ import sys
 
 # File, and what its sentences begin and end with, where the rest is tables, keys and help of options.
 SOURCES = (
-    ("fitting/report/page_verdict.cc", None, None),
-    ("fitting/report/verdict_sentences.cc", None, None),
-    ("fitting/report/joint_verdict.cc", None, None),
-    ("fitting/report/pair_verdict.cc", None, None),
+    ("fitting/report/verdict/page_verdict.cc", None, None),
+    ("fitting/report/verdict/sentences.cc", None, None),
+    ("fitting/report/verdict/joint_verdict.cc", None, None),
+    ("fitting/report/pair/verdict.cc", None, None),
     ("fitting/report/comparison_report.cc", "std::string Headline(", "int ContenderIndex("),
     ("fitting/report/recording_report.cc", "PageVerdict VerdictOf(", "ReportJson ContentSection("),
-    ("fitting/report/scene.cc", None, None),
+    ("fitting/report/scene/scene.cc", None, None),
     ("fitting/fit/fitter_result.cc", None, None),
     ("fitting/fit/rugged_cost.cc", None, None),
     ("fitting/fit/uncertainty.cc", None, None),

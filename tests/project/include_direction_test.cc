@@ -71,6 +71,15 @@ const std::map<std::string, Floors> kRooms = {
       {"law"},
       {"answer"},
       {"pipeline"}}},
+    {"fitting/report",
+     {{"records"},
+      {"verdict"},
+      {"page"},
+      {"scene"},
+      {"fields"},
+      {"sections"},
+      {"diagnosis", "pair"},
+      {""}}},
     {"fitting/trials", {{"terms", "finite_elements"}, {""}}},
 };
 const Floors& kLayers = kRooms.at("");

@@ -18,7 +18,8 @@
 #include "autodiff_sim/base/error.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/optimise/optimiser.h"
-#include "fitting/report/run_record.h"
+#include "fitting/report/records/run_record.h"
+#include "fitting/report/verdict/facts.h"
 #include "fitting/runs/fit_run.h"
 #include "tracking/text/text.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fitting/fit/fit.h"
-#include "fitting/report/page_verdict.h"
+#include "fitting/report/verdict/page_verdict.h"
 
 namespace clothfit {
 

@@ -15,7 +15,7 @@
 #include "apps/terminal/next_step.h"
 #include "apps/terminal/terminal.h"
 #include "fitting/jobs/shell.h"
-#include "fitting/report/run_record.h"
+#include "fitting/report/records/run_record.h"
 #include "fitting/runs/surface_evaluation.h"
 #include "tracking/recording/truth.h"
 #include "tracking/text/text.h"

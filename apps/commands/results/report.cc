@@ -3,6 +3,8 @@
 //
 // clothfit report: a recording, a run, two runs, a diagnosis, a comparison or a study as one page
 // to open in a browser.
+#include "fitting/report/report.h"
+
 #include <filesystem>
 #include <memory>
 
@@ -13,7 +15,7 @@
 #include "apps/terminal/terminal.h"
 #include "autodiff_sim/base/printable.h"
 #include "fitting/jobs/shell.h"
-#include "fitting/report/page_file.h"
+#include "fitting/report/page/file.h"
 #include "fitting/runs/recording_list.h"
 #include "tracking/files/manifest.h"
 
