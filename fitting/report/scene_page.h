@@ -30,7 +30,7 @@ ReportPage MakeScenePage(const ScenePage& content, const ReportAssets& assets,
 // As the table beside the verdict shows them.
 ReportJson ErrorsAsJson(const std::vector<ErrorChange>& changes);
 
-// A page of any data. `json`: title, sections and what else docs/report.md lists.
+// A page of any data. `json`: title, sections and what else docs/report-internals.md lists.
 ReportPage AsReportPage(ReportJson json, const PageVerdict& verdict, const ReportBlobs& blobs,
                         const ReportAssets& assets);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The large arrays of a report. Its JSON names them by blocks: {"blob": 3, "type": "u16", "shape":
-// [50, 441, 3], "lower": [...], "upper": [...]}. docs/report.md has the schema.
+// [50, 441, 3], "lower": [...], "upper": [...]}. docs/report-internals.md has the schema.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The blocks of a report's sections, as data: docs/report.md has the schema of each kind.
+// The blocks of a report's sections, as data: docs/report-internals.md has the schema of each kind.
 #pragma once
 
 #include <filesystem>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sections of a report below its first screen, as data: docs/report.md has the schema of each
-// kind of block. A new section needs a function here, or a JSON file in the run's folder report/,
-// and nothing in the page.
+// The sections of a report below its first screen, as data: docs/report-internals.md has the schema
+// of each kind of block. A new section needs a function here, or a JSON file in the run's folder
+// report/, and nothing in the page.
 #pragma once
 
 #include <map>
