@@ -14,15 +14,15 @@
 #include <opencv2/core/utility.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
-#include "apps/command_line.h"
-#include "apps/commands.h"
-#include "apps/help_text.h"
-#include "apps/manual_pages_command.h"
-#include "apps/memory_limit.h"
-#include "apps/option_errors.h"
-#include "apps/signals.h"
-#include "apps/terminal.h"
-#include "apps/version_text.h"
+#include "apps/command_line/command_line.h"
+#include "apps/command_line/help_text.h"
+#include "apps/command_line/option_errors.h"
+#include "apps/command_line/version_text.h"
+#include "apps/commands/commands.h"
+#include "apps/commands/reference/manual_pages.h"
+#include "apps/process/memory_limit.h"
+#include "apps/process/signals.h"
+#include "apps/terminal/terminal.h"
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/base/printable.h"
 

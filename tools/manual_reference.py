@@ -24,7 +24,7 @@ def listed(help_text):
     for title, rows in re.findall(r"^(\S.*):\n((?:  .*\n)+)", help_text, re.M):
         if title in ("Options", "Arguments", "Examples", "Example"):
             continue
-        joined = re.sub(r"\n {14}", " ", rows)  # kCommandColumn of apps/help_text.cc
+        joined = re.sub(r"\n {14}", " ", rows)  # kCommandColumn of apps/command_line/help_text.cc
         found = re.findall(r"^  (\S+) +(.*)$", joined, re.M)
         assert len(found) == len(joined.splitlines()), f"{title}: a line is of no command:\n{rows}"
         groups.append((title, found))

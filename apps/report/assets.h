@@ -4,7 +4,7 @@
 // The parts of the report's page that `make report-assets` made, inside the command.
 #pragma once
 
-#include "fitting/report/report.h"
+#include "fitting/report/page/html.h"
 
 namespace clothfit {
 

@@ -9,7 +9,8 @@
 
 #include "clothfit/run.h"
 #include "fitting/config/config.h"
-#include "fitting/report/run_record.h"
+#include "fitting/report/records/run_record.h"
+#include "fitting/report/verdict/page_verdict.h"
 #include "fitting/runs/prediction.h"
 #include "tracking/files/output_folder.h"
 #include "tracking/recording/recording.h"

@@ -10,7 +10,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/report/kinds.h"
-#include "fitting/report/record_file.h"
+#include "fitting/report/records/record_file.h"
 #include "fitting/report/scene_page.h"
 #include "fitting/studies/comparison.h"
 #include "tracking/text/json_text.h"

@@ -7,11 +7,12 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
-#include "fitting/report/joint_verdict.h"
 #include "fitting/report/kinds.h"
-#include "fitting/report/report_sections.h"
-#include "fitting/report/run_record.h"
+#include "fitting/report/records/run_record.h"
 #include "fitting/report/scene_page.h"
+#include "fitting/report/sections/sections.h"
+#include "fitting/report/verdict/facts.h"
+#include "fitting/report/verdict/joint_verdict.h"
 #include "fitting/runs/recording_list.h"
 #include "tracking/recording/surface/truth.h"
 #include "tracking/text/text.h"

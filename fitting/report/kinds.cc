@@ -6,7 +6,7 @@
 #include <string>
 
 #include "autodiff_sim/base/error.h"
-#include "fitting/report/blobs.h"
+#include "fitting/report/page/blobs.h"
 #include "tracking/files/manifest.h"
 
 namespace clothfit {

@@ -10,7 +10,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/report/kinds.h"
-#include "fitting/report/pair_sections.h"
+#include "fitting/report/pair/sections.h"
 #include "fitting/report/scene_page.h"
 #include "fitting/runs/obstacles.h"
 

@@ -7,9 +7,10 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
-#include "fitting/report/cameras.h"
+#include "fitting/report/page/html.h"
+#include "fitting/report/scene/cameras.h"
+#include "fitting/report/verdict/page_verdict.h"
 #include "fitting/runs/run_folder.h"
 
 namespace clothfit {
@@ -20,11 +21,6 @@ struct ReportOptions {
   double max_megabytes = 24.0;     // of the whole page
   // Where the page will stand: of a fit of several recordings it leads to theirs.
   std::filesystem::path page;
-};
-
-// The page's own parts, made by `make report-assets`.
-struct ReportAssets {
-  std::string_view script, style;
 };
 
 struct ReportPage {

@@ -4,6 +4,7 @@
 // The page of a fit.
 #include "fitting/report/kinds.h"
 #include "fitting/report/scene_page.h"
+#include "fitting/report/verdict/facts.h"
 
 namespace clothfit {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "fitting/files/version.h"
-#include "fitting/report/html.h"
-#include "fitting/report/observations.h"
+#include "fitting/report/page/html.h"
+#include "fitting/report/scene/observations.h"
 #include "tracking/text/json_text.h"
 
 namespace clothfit {

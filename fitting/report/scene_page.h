@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/report/extras.h"
 #include "fitting/report/report.h"
+#include "fitting/report/sections/extras.h"
 
 namespace clothfit {
 
@@ -30,7 +30,7 @@ ReportPage MakeScenePage(const ScenePage& content, const ReportAssets& assets,
 // As the table beside the verdict shows them.
 ReportJson ErrorsAsJson(const std::vector<ErrorChange>& changes);
 
-// A page of any data. `json`: title, sections and what else docs/report.md lists.
+// A page of any data. `json`: title, sections and what else docs/report-internals.md lists.
 ReportPage AsReportPage(ReportJson json, const PageVerdict& verdict, const ReportBlobs& blobs,
                         const ReportAssets& assets);
 

@@ -9,7 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "fitting/report/kinds.h"
-#include "fitting/report/markdown_blocks.h"
+#include "fitting/report/page/markdown_blocks.h"
 #include "fitting/report/scene_page.h"
 #include "tracking/text/text.h"
 

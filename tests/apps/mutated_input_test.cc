@@ -255,7 +255,7 @@ std::string Fault(const CommandResult& result, bool ended_in_time) {
     const std::string line(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (!IsClothfitsOwn(line)) {
-      // Under a sanitizer libraries write there as they like (apps/terminal.cc).
+      // Under a sanitizer libraries write there as they like (apps/terminal/terminal.cc).
       if (!kIsSanitized) return "LINE of another: " + Printable(line, 200);
       continue;
     }

@@ -12,13 +12,13 @@ import sys
 
 # File, and what its sentences begin and end with, where the rest is tables, keys and help of options.
 SOURCES = (
-    ("fitting/report/page_verdict.cc", None, None),
-    ("fitting/report/verdict_sentences.cc", None, None),
-    ("fitting/report/joint_verdict.cc", None, None),
-    ("fitting/report/pair_verdict.cc", None, None),
+    ("fitting/report/verdict/page_verdict.cc", None, None),
+    ("fitting/report/verdict/sentences.cc", None, None),
+    ("fitting/report/verdict/joint_verdict.cc", None, None),
+    ("fitting/report/pair/verdict.cc", None, None),
     ("fitting/report/comparison_report.cc", "std::string Headline(", "int ContenderIndex("),
     ("fitting/report/recording_report.cc", "PageVerdict VerdictOf(", "ReportJson ContentSection("),
-    ("fitting/report/scene.cc", None, None),
+    ("fitting/report/scene/scene.cc", None, None),
     ("fitting/fit/fitter_result.cc", None, None),
     ("fitting/fit/rugged_cost.cc", None, None),
     ("fitting/fit/uncertainty.cc", None, None),
@@ -47,15 +47,15 @@ SOURCES = (
     ("tracking/import/take/obstacles.cc", None, None),
     ("tracking/import/take/recording.cc", None, "void CheckOptions("),
     ("tracking/import/pictures/video.cc", None, None),
-    ("apps/check_command.cc", None, "void AddCheckCommand("),
-    ("apps/config_options.cc", "void PrintOutliers(", None),
-    ("apps/diagnose_command.cc", None, "void AddLookOptions("),
-    ("apps/fit_options.cc", None, None),
-    ("apps/fit_result_text.cc", "std::string EstimateRow(", None),
-    ("apps/import_cameras_command.cc", None, "void AddCamerasOptions("),
-    ("apps/import_command.cc", "void PrintWhatIsMissing(", "void AddImportCommand("),
-    ("apps/simulate_command.cc", None, "void AddSimulateCommand("),
-    ("apps/track_command.cc", "return kExitSuccess;", "void AddTrackCommand("),
+    ("apps/commands/recordings/check.cc", None, "void AddCheckCommand("),
+    ("apps/options/config.cc", "void PrintOutliers(", None),
+    ("apps/commands/fits/diagnose.cc", None, "void AddLookOptions("),
+    ("apps/commands/fits/fit_options.cc", None, None),
+    ("apps/commands/fits/fit_result_text.cc", "std::string EstimateRow(", None),
+    ("apps/commands/recordings/import_cameras.cc", None, "void AddCamerasOptions("),
+    ("apps/commands/recordings/import.cc", "void PrintWhatIsMissing(", "void AddImportCommand("),
+    ("apps/commands/fits/simulate.cc", None, "void AddSimulateCommand("),
+    ("apps/commands/recordings/track.cc", "return kExitSuccess;", "void AddTrackCommand("),
 )
 # Input that is refused, which says itself what was expected, and the command to type next.
 NO_SENTENCES = re.compile(r"throw InputError\(.*?\);|\b(?:Fail|FailAt|PrintNext)\(.*?\);", re.S)

@@ -23,7 +23,7 @@
 #include "fitting/files/npy_file.h"
 #include "fitting/files/version.h"
 #include "fitting/jobs/list.h"
-#include "fitting/report/diagnosis_record.h"
+#include "fitting/report/diagnosis/record.h"
 #include "fitting/runs/recording_list.h"
 #include "tracking/camera/camera_file.h"
 #include "tracking/files/manifest.h"

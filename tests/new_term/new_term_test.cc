@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/commands.h"
+#include "apps/commands/commands.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "autodiff_sim/terms/terms.h"
 #include "fitting/diagnosis/model/switch_on.h"

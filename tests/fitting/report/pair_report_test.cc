@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "fitting/files/npy_file.h"
+#include "fitting/report/pair/run_pair.h"
 #include "fitting/report/report.h"
-#include "fitting/report/run_pair.h"
 #include "fitting/runs/fit_run.h"
 #include "tests/fitting/report/test_assets.h"
 #include "tests/support/report_blocks.h"

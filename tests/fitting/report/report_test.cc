@@ -7,8 +7,9 @@
 #include <cmath>
 
 #include "fitting/files/npy_file.h"
-#include "fitting/report/html.h"
-#include "fitting/report/run_record.h"
+#include "fitting/report/page/html.h"
+#include "fitting/report/records/run_record.h"
+#include "fitting/report/verdict/facts.h"
 #include "tests/fitting/report/test_assets.h"
 #include "tests/support/report_blocks.h"
 #include "tests/support/small_run.h"

@@ -3,7 +3,7 @@
 //
 // Comparisons and studies become pages, and what is neither is told so.
 #include "fitting/report/kinds.h"
-#include "fitting/report/markdown_blocks.h"
+#include "fitting/report/page/markdown_blocks.h"
 #include "fitting/studies/comparison.h"
 #include "tests/fitting/report/test_assets.h"
 #include "tests/support/report_blocks.h"

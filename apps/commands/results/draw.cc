@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// clothfit draw: a picture of a fitted cloth beside what was measured.
+#include <filesystem>
+#include <memory>
+
+#include "apps/commands/commands.h"
+#include "apps/terminal/next_step.h"
+#include "apps/terminal/terminal.h"
+#include "fitting/jobs/shell.h"
+#include "fitting/pictures/picture.h"
+
+namespace clothfit {
+namespace {
+
+struct DrawOptions {
+  std::string run, output;
+  PictureOptions picture;
+  double azimuth = 35.0, elevation = 15.0;  // degrees
+  bool force = false;
+};
+
+int RunDrawCommand(DrawOptions options) {
+  CheckMayWrite(options.output, OverwriteIf(options.force));
+  constexpr double kDegree = M_PI / 180.0;
+  options.picture.azimuth = options.azimuth * kDegree;
+  options.picture.elevation = options.elevation * kDegree;
+  const RunFolder run = RunFolder::Open(options.run);
+  DrawRun(ReadFittedRun(run), run, options.picture, options.output, OverwriteIf(options.force));
+  Print("picture: {}\n", options.output);
+  PrintNext("clothfit report " + ShellWord(options.run));
+  return kExitSuccess;
+}
+
+}  // namespace
+
+void AddDrawCommand(CLI::App* app, Action* action) {
+  CLI::App* const command =
+      app->add_subcommand("draw", "a picture of a fitted cloth, before and after the fit");
+  const auto options = std::make_shared<DrawOptions>();
+  command->add_option("RUN", options->run, "folder of the run")->required();
+  command->add_option("-o,--output", options->output, "picture to write, .png or .jpg")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--frames", options->picture.frames, "frames to draw; four if left out")
+      ->type_name("N ...");
+  command
+      ->add_option("--azimuth", options->azimuth, "degrees about the vertical, from -y towards x")
+      ->type_name("DEGREES")
+      ->capture_default_str();
+  command->add_option("--elevation", options->elevation, "degrees above the horizon")
+      ->type_name("DEGREES")
+      ->capture_default_str();
+  command->add_flag("--force", options->force, "replace FILE");
+  command->footer(
+      "The upper row is the fit's start, the lower its result; black dots are the measured "
+      "markers,\n"
+      "red lines lead to where the simulation has them.\n\n"
+      "Example:\n"
+      "  clothfit draw runs/demo -o demo.png --frames 20 80");
+  command->callback(
+      [options, action] { *action = [options] { return RunDrawCommand(*options); }; });
+}
+
+}  // namespace clothfit
