@@ -56,7 +56,9 @@ std::string TitleOfErrors(const DiagnosisRecord& record) {
 Grade GradeOf(const DiagnosisRecord& record) {
   if (record.verdict == "nothing is missing") return Grade::kGood;
   if (record.verdict == "named")
-    return AreOfOneClass(record.confidence_set) ? Grade::kGood : Grade::kPartial;
+    return std::all_of(record.confidence_sets.begin(), record.confidence_sets.end(), AreOfOneClass)
+               ? Grade::kGood
+               : Grade::kPartial;
   return record.verdict == "observation fault" ? Grade::kPartial : Grade::kPoor;
 }
 

@@ -47,7 +47,11 @@ DiagnosisRecord ReadDiagnosisRecord(const fs::path& folder) {
     // Diagnoses of 0.1.0 have none.
     record.headline = Typeset(record.json.value("headline", FirstSentence(record.words).first));
     record.effects = record.json.at("effects").get<std::vector<std::string>>();
-    record.confidence_set = record.json.at("ambiguity").get<std::vector<std::string>>();
+    record.confidence_sets.push_back(record.json.at("ambiguity").get<std::vector<std::string>>());
+    // Diagnoses of 0.1.0 have none.
+    const std::vector<std::vector<std::string>> none;
+    for (const auto& set : record.json.value("ambiguity_beside", none))
+      record.confidence_sets.push_back(set);
     CheckFiles(record);
     record.resolution = record.json.at("resolution").get<std::array<int, 2>>();
     const auto& held_out = record.json.at("held_out_frames");

@@ -22,7 +22,9 @@ struct DiagnosisRecord {
   nlohmann::ordered_json json;           // diagnosis.json
   std::string verdict, headline, words;  // words begin with the headline
   std::vector<std::string> effects;      // that were found, faults of the observation among them
-  std::vector<std::string> confidence_set;
+  // What cannot be told from an effect, itself first: of the first effect, and of each later one
+  // that does not stand alone.
+  std::vector<std::vector<std::string>> confidence_sets;
   std::array<int, 2> resolution = {0, 0};  // particles of the motions; 0 where there is no grid
   std::optional<Splits::FrameRange> held_out;
   std::string config, log;             // the files' text

@@ -29,8 +29,8 @@ bool IsAmong(const std::vector<std::string>& names, const std::string& name) {
 std::string Standing(const DiagnosisRecord& record, const ReportJson& candidate) {
   const std::string name = candidate.at("name");
   if (IsAmong(record.effects, name)) return "named";
-  if (IsAmong(record.confidence_set, name))
-    return "cannot be told from " + TitleOf(record.confidence_set.front());
+  for (const std::vector<std::string>& set : record.confidence_sets)
+    if (IsAmong(set, name)) return "cannot be told from " + TitleOf(set.front());
   if (candidate.at("short_listed") == true) return "short-listed";
   return candidate.at("why_not").get<std::string>();
 }
@@ -40,7 +40,9 @@ ReportJson RankingBars(const DiagnosisRecord& record, const char* key, const cha
   for (const ReportJson& candidate : record.json.at("ranking")) {
     if (items.size() == kMostBars) break;
     const std::string name = candidate.at("name");
-    const bool is_set = IsAmong(record.effects, name) || IsAmong(record.confidence_set, name);
+    const bool is_set = IsAmong(record.effects, name) ||
+                        std::any_of(record.confidence_sets.begin(), record.confidence_sets.end(),
+                                    [&](const auto& set) { return IsAmong(set, name); });
     if (!candidate.at(key).is_number()) continue;
     items.push_back({{"name", name},
                      {"value", candidate.at(key)},
@@ -85,12 +87,14 @@ ReportJson RankingTable(const DiagnosisRecord& record) {
 
 std::string SayConfidenceSet(const DiagnosisRecord& record) {
   if (record.effects.empty()) return "Nothing is named.";
-  if (record.confidence_set.size() < 2) {
+  std::vector<std::string> apart;
+  for (const std::vector<std::string>& set : record.confidence_sets)
+    if (set.size() > 1) apart.push_back(JoinNames(TitlesOf(set)));
+  if (apart.empty()) {
     return fmt::format("Nothing else does nearly what {} does in this recording.",
                        TitleOf(record.effects.front()));
   }
-  return fmt::format("This recording cannot tell these apart: {}.",
-                     JoinNames(TitlesOf(record.confidence_set)));
+  return fmt::format("This recording cannot tell these apart: {}.", JoinNames(apart, "; nor "));
 }
 
 ReportJson Percent(const ReportJson& share) {

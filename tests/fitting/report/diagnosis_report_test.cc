@@ -72,9 +72,11 @@ TEST_F(DiagnosisReport, SaysTheAnswerFirst) {
 // A gust is tied to the clock and wind to the world; friction of bending and of shear are alike.
 TEST_F(DiagnosisReport, IsAsGoodAsWhatItCannotTellApartIsAlike) {
   const fs::path file = folder_ / "diagnosis.json";
-  const auto grade_of = [&](const std::vector<std::string>& set) {
+  const auto grade_of = [&](const std::vector<std::string>& set,
+                            const std::vector<std::vector<std::string>>& beside = {}) {
     json record = json::parse(ReadTextFile(file));
     record["ambiguity"] = set;
+    record["ambiguity_beside"] = beside;
     WriteWholeFile(file, record.dump());
     const std::string html = MakeReport(folder_, kTestAssets).html;
     const std::string mark = "data-grade=\"";
@@ -85,6 +87,8 @@ TEST_F(DiagnosisReport, IsAsGoodAsWhatItCannotTellApartIsAlike) {
   EXPECT_EQ(grade_of({"wind", "gust"}), "partial");
   EXPECT_EQ(grade_of({"bending_friction", "shear_friction"}), "good");
   EXPECT_EQ(grade_of({"wind", "camera cam0: pose"}), "partial");
+  EXPECT_EQ(grade_of({"wind"}, {{"bending_friction", "shear_friction"}}), "good");
+  EXPECT_EQ(grade_of({"wind"}, {{"hem", "gust"}}), "partial");
 }
 
 TEST_F(DiagnosisReport, ShowsTheBaselineAndTheModel) {
