@@ -43,7 +43,7 @@ std::string Found(const Diagnosis& diagnosis) {
     parts.insert(is_one_of_several ? parts.end() : parts.begin(),
                  JoinNames(AllInBrief(diagnosis, alone), ", ", " and "));
   }
-  return JoinNames(parts, "; besides, ", "; besides, ");
+  return JoinNames(parts, "; besides, ");
 }
 
 std::string OfNoneOfTheAbove(const Diagnosis& diagnosis) {
