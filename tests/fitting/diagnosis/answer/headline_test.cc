@@ -86,11 +86,11 @@ TEST(Headline, NamesWhatALaterEffectCannotBeToldFrom) {
   beside.effects = {"wind", "gravity_tilt"};
   beside.parameters[0].value = 0.05;
   diagnosis.models = {WindModel(), tilt, beside};
-  const std::string words = "hem, or gravity tilt of 2.86 degrees (3.44 to 4.58)";
+  const std::string words = "hem, or gravity tilt of 2.86 degrees (2.29 to 4.58)";
   EXPECT_EQ(HeadlineOf(diagnosis), std::string("W") + kWindInBrief + "; besides, " + words +
                                        ": this recording cannot tell.");
   EXPECT_THAT(DescribeDiagnosis(diagnosis),
-              HasSubstr("This recording cannot tell hem from gravity tilt"));
+              HasSubstr("This recording cannot tell hem from gravity turned away"));
 }
 
 TEST(Headline, OfAFaultSaysWhatItIsOf) {
