@@ -34,6 +34,7 @@ Diagnosis ToDiagnosis(const clothfit::Diagnosis& found) {
                       found.words,
                       found.effects,
                       found.confidence_set,
+                      found.sets_beside,
                       found.residual_rms,
                       found.discretisation_rms,
                       {},

@@ -51,7 +51,9 @@ struct Diagnosis {
   std::string words;                 // the same as a paragraph, which begins with the headline
   std::vector<std::string> effects;  // that were named, and faults
   std::vector<std::string>
-      cannot_tell;                    // what the recording cannot tell from the first, itself too
+      cannot_tell;  // what the recording cannot tell from the first, itself too
+  // The same of each later effect that does not stand alone, beside those before it.
+  std::vector<std::vector<std::string>> cannot_tell_beside;
   double residual_rms = 0.0;          // of the baseline's fit, in sigmas
   double discretisation_rms = 0.0;    // the discretisation error, in sigmas
   std::vector<Candidate> candidates;  // best first

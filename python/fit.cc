@@ -189,6 +189,9 @@ void AddDiagnosis(py::module_* module) {
       .def_readonly("effects", &Diagnosis::effects, "that were named")
       .def_readonly("cannot_tell", &Diagnosis::cannot_tell,
                     "effects that the recording cannot tell from the first, itself among them")
+      .def_readonly("cannot_tell_beside", &Diagnosis::cannot_tell_beside,
+                    "the same of each later effect that does not stand alone, beside those before "
+                    "it")
       .def_readonly("residual_rms", &Diagnosis::residual_rms, "of the baseline's fit, in sigmas")
       .def_readonly("discretisation_rms", &Diagnosis::discretisation_rms,
                     "the discretisation error, of mesh and step, in sigmas")
