@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/answer/verdict.h"
 
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/diagnosis/compare/two_meshes.h"
 #include "fitting/diagnosis/fitted/fit_quality.h"
 #include "fitting/diagnosis/gate/gate.h"
@@ -19,6 +20,20 @@ bool IsOnItsWay(const Diagnosis& diagnosis, double unexplained) {
   return diagnosis.promised * (1.0 + beyond) >= kMost * beyond;
 }
 
+bool IsDetermined(const Diagnosis& diagnosis) {
+  if (!diagnosis.answer) return true;
+  const std::vector<NamedParameter> table = MakeParameterTable();
+  bool has_amount = false;
+  for (const EffectParameter& p : diagnosis.answer->parameters) {
+    const int index = FindParameter(table, p.name);  // none of a fault's
+    if (index < 0 || !SwitchesOff(table[static_cast<std::size_t>(index)].parameter)) continue;
+    const double off = table[static_cast<std::size_t>(index)].parameter.off;
+    if (!(p.lower90 <= off && off <= p.upper90)) return true;
+    has_amount = true;
+  }
+  return !has_amount;
+}
+
 Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome) {
   if (diagnosis.law) return Verdict::kNoneOfTheAbove;
   const bool is_most = outcome.explained >= outcome.most;
@@ -26,8 +41,8 @@ Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome) {
     // Of what mesh and step may leave, physics has to have taken half.
     const bool may_be_mesh = outcome.unexplained < kTooLittle ||
                              (outcome.unexplained < outcome.mesh && outcome.explained >= kHalfOfIt);
-    return outcome.is_explained || is_most || may_be_mesh ? Verdict::kNamed
-                                                          : Verdict::kNoneOfTheAbove;
+    const bool is_enough = outcome.is_explained || is_most || may_be_mesh;
+    return is_enough && IsDetermined(diagnosis) ? Verdict::kNamed : Verdict::kNoneOfTheAbove;
   }
   if (!diagnosis.effects.empty()) return Verdict::kObservationFault;
   if (outcome.is_explained || outcome.unexplained < kTooLittle) return Verdict::kNothingMissing;

@@ -26,6 +26,10 @@ double MostOfIt(double unexplained, bool is_lost = false);
 // Where nothing was kept, that is no evidence of anything.
 bool IsOnItsWay(const Diagnosis& diagnosis, double unexplained);
 
+// Does the 90 % interval of any amount of the answer's physics exclude the value at which it is
+// off? True where it has no amount.
+bool IsDetermined(const Diagnosis& diagnosis);
+
 // Of a diagnosis that has run to its end.
 Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome);
 

@@ -27,6 +27,20 @@ TEST(Verdict, NamesPhysicsThatLeavesTooLittleToAskFor) {
   EXPECT_EQ(VerdictOf(diagnosis, {true, false, 0.4, 1.5, 2.0}), Verdict::kNoneOfTheAbove);
 }
 
+// Half of the interval would be a patch that is heavier, the other half one that is lighter.
+TEST(Verdict, NamesNoPhysicsWhoseAmountsMayBeNone) {
+  Diagnosis diagnosis;
+  diagnosis.answer.emplace();
+  diagnosis.answer->parameters = {{"heavy_patch.share", "1", -0.7, -0.9, 0.2},
+                                  {"heavy_patch.u", "m", 0.4, 0.3, 0.5}};
+  EXPECT_EQ(VerdictOf(diagnosis, WithPhysics(0.95, 1.5)), Verdict::kNoneOfTheAbove);
+  diagnosis.answer->parameters[0].upper90 = -0.1;
+  EXPECT_EQ(VerdictOf(diagnosis, WithPhysics(0.95, 1.5)), Verdict::kNamed);
+  // One of several is enough: wind blows along one axis.
+  diagnosis.answer->parameters.push_back({"wind.x", "m/s", 0.0, -0.1, 0.1});
+  EXPECT_EQ(VerdictOf(diagnosis, WithPhysics(0.95, 1.5)), Verdict::kNamed);
+}
+
 TEST(Verdict, NamesWhatExplainsHalfOfForecastsWhereTheMotionIsLost) {
   EXPECT_EQ(MostOfIt(3.0), 0.9);
   EXPECT_EQ(MostOfIt(3.0, true), 0.5);
