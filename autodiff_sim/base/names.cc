@@ -6,6 +6,10 @@
 
 namespace clothfit {
 
+bool IsAmong(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 int EditDistance(std::string_view a, std::string_view b) {
   const size_t width = b.size() + 1;
   std::vector<int> table((a.size() + 1) * width);

@@ -25,6 +25,8 @@ std::vector<std::string> NamesOf(const std::vector<Thing>& things) {
   return names;
 }
 
+bool IsAmong(const std::vector<std::string>& names, std::string_view name);
+
 // "a, b, c"; before the last name stands `last`, unless that is empty.
 std::string JoinNames(const std::vector<std::string>& names, std::string_view between = ", ",
                       std::string_view last = "");

@@ -16,10 +16,6 @@ namespace {
 
 constexpr int kOnWay = 3;  // frames; an effect that acts before this was there from the start
 
-bool Contains(const std::vector<std::string>& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 bool Mentions(const std::string& text, const std::string& word) {
   return text.find(word) != std::string::npos;
 }
@@ -115,13 +111,13 @@ void ScoreParameters(const TrialTruth& truth, const Model& answer, TrialScore* s
   for (const EffectParameter& parameter : answer.parameters)
     found[parameter.name] = parameter.value;
   for (const std::string& effect : truth.effects) {
-    if (!IsListed(effect) || !Contains(answer.effects, effect)) continue;
+    if (!IsListed(effect) || !IsAmong(answer.effects, effect)) continue;
     const std::optional<double> error = AmountError(effect, truth, found);
     if (error) score->parameter_error = std::max(score->parameter_error.value_or(0.0), *error);
   }
   for (const EffectParameter& parameter : answer.parameters) {
     const std::string term = parameter.name.substr(0, parameter.name.find('.'));
-    if (!Contains(truth.effects, term) || !(parameter.lower90 < parameter.upper90)) continue;
+    if (!IsAmong(truth.effects, term) || !(parameter.lower90 < parameter.upper90)) continue;
     double value = 0.0;
     for (const Parameter& p : TermOf(term).parameters) {
       if (term + "." + p.name == parameter.name)
@@ -165,7 +161,7 @@ void ScoreClass(const TrialTruth& truth, const Diagnosis& diagnosis, TrialScore*
       (right.is_dissipative && found.is_driving) || (right.is_driving && found.is_dissipative);
   if (found.is_from_outside) score->class_right = !right.is_internal && !contradicts;
   if (!found.tied_to.empty() && !right.tied_to.empty())
-    score->tie_right = Contains(right.tied_to, found.tied_to);
+    score->tie_right = IsAmong(right.tied_to, found.tied_to);
 }
 
 bool NamesPhysics(const Diagnosis& diagnosis) {
@@ -191,7 +187,7 @@ void ScoreNames(const Trial& trial, const TrialTruth& truth, const Diagnosis& di
   const std::string& first = truth.effects.front();
   const std::vector<std::string>& named = diagnosis.effects;
   // The first of a pair is whichever the diagnosis likes.
-  const auto is_true = [&](const std::string& name) { return Contains(truth.effects, name); };
+  const auto is_true = [&](const std::string& name) { return IsAmong(truth.effects, name); };
   score->named_first = !named.empty() && is_true(named.front());
   score->top_right = !diagnosis.ranking.empty() && is_true(diagnosis.ranking.front().name);
   score->in_ambiguity =
@@ -205,7 +201,7 @@ void ScoreNames(const Trial& trial, const TrialTruth& truth, const Diagnosis& di
   score->over_limit = OverLimit(first, truth, diagnosis);
   if (trial.kind != TrialKind::kPair) return;
   score->both_named = std::all_of(truth.effects.begin(), truth.effects.end(),
-                                  [&](const std::string& name) { return Contains(named, name); });
+                                  [&](const std::string& name) { return IsAmong(named, name); });
   for (const std::string& effect : truth.effects) {
     const std::optional<double> over = OverLimit(effect, truth, diagnosis);
     if (over) score->over_limit = std::min(score->over_limit.value_or(*over), *over);

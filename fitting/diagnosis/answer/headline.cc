@@ -14,10 +14,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool IsAmong(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 Names AllInBrief(const Diagnosis& diagnosis, const Names& effects) {
   Names words;
   for (const std::string& effect : effects) words.push_back(InBrief(diagnosis, effect));

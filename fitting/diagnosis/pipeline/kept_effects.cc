@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "autodiff_sim/base/names.h"
 #include "autodiff_sim/base/parallel.h"
 #include "fitting/diagnosis/answer/parameter_intervals.h"
 #include "fitting/diagnosis/compare/forecast_screening.h"
@@ -184,8 +185,9 @@ void Diagnoser::TellApart(const std::vector<JudgedModel>& judged) {
 void Diagnoser::TellSetsBeside() {
   diagnosis_.sets_beside.clear();
   const auto first = FirstPhysics();
-  for (auto kept = first; kept != kept_.end(); ++kept) {
-    if (kept == first || !kept->IsPhysics()) continue;
+  if (first == kept_.end()) return;
+  for (auto kept = first + 1; kept != kept_.end(); ++kept) {
+    if (!kept->IsPhysics()) continue;
     std::vector<std::string> names;
     for (const JudgedModel* const one : ConfidenceSetOf(kept->competitors))
       names.push_back(one->candidate.summary.name);
@@ -238,9 +240,8 @@ std::vector<std::string> Diagnoser::EffectsSoFar() const {
   std::vector<std::string> effects = swaps_;
   for (const Kept& kept : kept_) {
     for (const std::string& effect : kept.candidate.Effects()) {
-      const bool is_again =  // a fault that is put right once more
-          std::find(effects.begin(), effects.end(), effect) != effects.end();
-      if (!is_again) effects.push_back(effect);
+      // A fault may be put right once more.
+      if (!IsAmong(effects, effect)) effects.push_back(effect);
     }
   }
   return effects;

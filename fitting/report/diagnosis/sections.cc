@@ -21,10 +21,6 @@ namespace {
 constexpr std::size_t kMostBars = 12;  // of candidates; the table has all
 constexpr std::size_t kBins = 24;      // of the null's draws
 
-bool IsAmong(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 // Why a candidate stands where it does.
 std::string Standing(const DiagnosisRecord& record, const ReportJson& candidate) {
   const std::string name = candidate.at("name");
