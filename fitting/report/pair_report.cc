@@ -12,7 +12,6 @@
 #include "fitting/report/kinds.h"
 #include "fitting/report/pair/sections.h"
 #include "fitting/report/scene_page.h"
-#include "fitting/runs/obstacles.h"
 
 namespace clothfit {
 namespace {
@@ -132,7 +131,7 @@ ReportPage PageOfOneRecording(RunPair pair, PairContent content, const ReportAss
        content.errors_title,
        content.errors,
        std::move(fields),
-       ObstacleSurfaces(report.scene()),
+       ObstaclesOf(report),
        {content.numbers, content.parameters, errors, content.settings, map, CameraSection(report)},
        {},
        true},

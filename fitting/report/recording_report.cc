@@ -104,7 +104,7 @@ ReportPage MakeRecordingReport(const std::filesystem::path& folder, const Report
                         "",
                         {},
                         std::move(fields),
-                        ObstacleSurfaces(report.scene()),
+                        ObstaclesOf(report),
                         std::move(sections),
                         {}},
                        assets, options);

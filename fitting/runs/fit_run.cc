@@ -16,7 +16,6 @@
 #include "fitting/fit/search.h"
 #include "fitting/rollout/window_simulator.h"
 #include "fitting/runs/expected_time.h"
-#include "fitting/runs/obstacles.h"
 #include "fitting/runs/workload.h"
 #include "tracking/silhouette/raster.h"
 #include "tracking/text/text.h"
@@ -182,7 +181,6 @@ void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& resu
   StepReport steps;
   run.WriteTrajectory(scene, SimulatePositions(scene, config, free, result.theta,
                                                scene.recording.frame_count - 1, &steps));
-  WriteObstacles(scene, free.Values(result.theta), run);
   LogContact(scene, config, steps, run);
   run.WriteSummary(scene, config, result);
   run.AppendLog("status: " + ToString(result.status));
@@ -229,7 +227,6 @@ int SimulateIntoRun(const Scene& scene, const FitConfig& config, const RunFolder
   const std::vector<Eigen::VectorXd> positions =
       SimulatePositions(scene, config, free, free.start(), last_frame, &taken);
   run.WriteTrajectory(scene, positions);
-  WriteObstacles(scene, free.Values(free.start()), run);
   LogContact(scene, config, taken, run);
   if (steps != nullptr) *steps = taken;
   run.AppendLog(fmt::format("simulated {} frames", positions.size()));

@@ -32,7 +32,7 @@ std::vector<std::string> HandlesUnknownInHeldOutFrames(const Scene& scene);
 // A fit that is given fewer iterations or simulations goes the same way as far as it goes.
 void RequireSameConfig(const RunFolder& run, const Recording& recording, const FitConfig& config);
 
-// A fit's results into the run, but for the config: parameters, trajectory, obstacles, summary.
+// A fit's results into the run, but for the config: parameters, trajectory, summary.
 void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& result,
               const RunFolder& run);
 

@@ -24,6 +24,21 @@ std::shared_ptr<const Silhouettes> LoadAllMasks(const Recording& recording) {
 
 }  // namespace
 
+std::vector<ObstacleSurface> ObstaclesOf(const ReportScene& report) {
+  const std::vector<NamedParameter>& table = MakeParameterTable();
+  const nlohmann::ordered_json& summary = report.record.summary;
+  Eigen::VectorXd values(static_cast<Eigen::Index>(table.size()));
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::string& name = table[i].name;
+    double& value = values[static_cast<Eigen::Index>(i)];
+    value = report.fitted.config.parameters.at(name).value;
+    if (!summary.contains("parameters") || !summary["parameters"].contains(name)) continue;
+    const nlohmann::ordered_json& found = summary["parameters"][name].at("value");
+    if (found.is_number()) value = found.get<double>();
+  }
+  return ObstacleSurfaces(report.scene(), values, report.motions.back().positions);
+}
+
 std::vector<Eigen::VectorXd> SimulateStart(const FittedRun& fitted) {
   const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
   std::vector<Eigen::VectorXd> positions;

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include "fitting/report/records/run_record.h"
+#include "fitting/runs/obstacles.h"
 #include "fitting/runs/prediction.h"
 #include "tracking/recording/surface/truth.h"
 
@@ -37,6 +38,9 @@ struct ReportScene {
 
   const Scene& scene() const { return fitted.scene; }
 };
+
+// Where they are for the page's last motion: with what the fit found, or as the config says.
+std::vector<ObstacleSurface> ObstaclesOf(const ReportScene& report);
 
 // At the values that a fit begins with.
 std::vector<Eigen::VectorXd> SimulateStart(const FittedRun& fitted);

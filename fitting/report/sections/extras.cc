@@ -48,7 +48,7 @@ ScalarField ReadField(const fs::path& folder, const ReportJson& json, const Repo
 
 ObstacleSurface ReadObstacle(const fs::path& folder, const ReportJson& json) {
   const fs::path file = folder / json.at("positions").get<std::string>();
-  ObstacleSurface obstacle{json.value("name", "obstacle"), ReadPointsNpy(file), {}};
+  ObstacleSurface obstacle{json.value("name", "obstacle"), ReadPointsNpy(file), {}, false};
   if (obstacle.positions.empty()) throw InputError(file.string(), "holds no frame");
   const Eigen::Index vertices = obstacle.positions[0].size() / 3;
   for (const ReportJson& triangle : json.at("triangles")) {

@@ -330,8 +330,6 @@ TEST(Simulate, CountsWhatPassesThroughObstacles) {
   EXPECT_EQ(on.status, 0) << on.err;
   EXPECT_THAT(on.out, HasSubstr("intersections after any step: 0"));
   EXPECT_THAT(ReadTextFile(folder.path() / "on" / "log.txt"), HasSubstr("contact: at most"));
-  EXPECT_THAT(ReadTextFile(folder.path() / "on" / "report" / "obstacles.json"),
-              HasSubstr("\"name\":\"ball\",\"positions\":\"obstacle_0.npy\""));
   EXPECT_THAT(ReadTextFile(folder.path() / "on" / "config.yaml"), HasSubstr("self_contact: true"));
   words[3] = "off";
   words.insert(words.end(), {"--without", "obstacle"});

@@ -187,6 +187,21 @@ TEST_F(DiagnosisReport, ShowsObstaclesThatMove) {
   EXPECT_NEAR(numbers[last + 2] - numbers[2], 0.01 * static_cast<double>(frames - 1), 1e-4);
 }
 
+// That the recording does not know of: it is what was found.
+TEST_F(DiagnosisReport, ShowsTheObstacleOfItsAnswer) {
+  EXPECT_TRUE(DataOfPage(*html_).at("obstacles").empty());
+  const fs::path file = folder_ / "config.yaml";
+  FitConfig config = DefaultConfig(ReadRecording(made_->path() / "rec"));
+  ReadConfig(file, &config);
+  config.recording = (made_->path() / "rec").string();
+  config.parameters.at("obstacle_table.stiffness").value = 1e4;
+  config.parameters.at("obstacle_table.x2").value = 1.0;
+  WriteWholeFile(file, ConfigToYaml(config));
+  const json data = DataOfPage(MakeReport(folder_, kTestAssets).html);
+  ASSERT_EQ(data.at("obstacles").size(), 1u);
+  EXPECT_EQ(data.at("obstacles")[0].at("name"), "unseen table");
+}
+
 // The errors on the page are of what the diagnosis went by, as those of its sentences are.
 TEST_F(DiagnosisReport, LeavesOutWhatTheDiagnosisLeftOut) {
   const auto error_of = [](const std::string& html) {

@@ -192,6 +192,19 @@ TEST_F(Report, TakesSectionsAndFieldsFromTheRun) {
   EXPECT_THAT(ErrorOf(), HasSubstr("extra.json: is nested too deep"));
 }
 
+// By what the fit found, not by what its config began with.
+TEST_F(Report, ShowsUnseenObstaclesWhereTheFitHasThem) {
+  json summary = json::parse(ReadTextFile(run_ / "summary.json"));
+  summary["parameters"]["obstacle_sphere.stiffness"] = summary["parameters"].front();
+  summary["parameters"]["obstacle_sphere.stiffness"]["value"] = 1e4;
+  WriteWholeFile(run_ / "summary.json", summary.dump());
+  const json obstacles =
+      DataOfPage(MakeReport(RunFolder::Open(run_), kTestAssets).html)["obstacles"];
+  ASSERT_EQ(obstacles.size(), 1u);
+  EXPECT_EQ(obstacles[0].at("name"), "unseen ball");
+  EXPECT_TRUE(DataOfPage(page_->html).at("obstacles").empty());
+}
+
 TEST_F(Report, NamesTheFileThatIsMissing) {
   int checked = 0;
   for (const char* name : {"summary.json", "config.yaml", "parameters.yaml", "trajectory.npy"}) {

@@ -158,7 +158,10 @@ export async function obstacleLayer(obstacles) {
     geometry.setAttribute('position', place);
     geometry.setIndex(new BufferAttribute(new Uint32Array(await decode(obstacle.triangles)), 1));
     geometry.computeVertexNormals();
-    const material = new MeshLambertMaterial({ color: colour('--obstacle'), side: DoubleSide });
+    // Cloth sinks into what gives way, and stays visible there.
+    const material = new MeshLambertMaterial({
+      color: colour('--obstacle'), side: DoubleSide, transparent: true, opacity: 0.7, depthWrite: false,
+    });
     object.add(new Mesh(geometry, material));
     movers.push({ positions, count, place, geometry, material });
   }
