@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <string_view>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
@@ -17,6 +17,7 @@
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/residuals/cloud_residuals.h"
+#include "fitting/runs/obstacles.h"
 #include "tracking/files/output_file.h"
 #include "tracking/recording/folder/validation.h"
 
@@ -28,7 +29,7 @@ using Positions = std::map<int, Eigen::VectorXd>;  // by frame
 const cv::Scalar kWhite(255, 255, 255), kInk(60, 50, 45), kThread(150, 130, 115);
 const cv::Scalar kMeasured(30, 30, 30), kMiss(40, 40, 220);  // BGR
 // The two sides of the cloth in full light: blue and orange, apart for every eye.
-const cv::Vec3d kFront(214, 160, 96), kBack(96, 170, 240);
+const cv::Vec3d kFront(214, 160, 96), kBack(96, 170, 240), kObstacle(186, 184, 180);
 constexpr int kShift = 4;  // fractional bits of drawn coordinates
 
 // An orthographic view; pixels of a panel.
@@ -48,30 +49,85 @@ cv::Point Fixed(const cv::Point2d& p) {
   return {cvRound(p.x * (1 << kShift)), cvRound(p.y * (1 << kShift))};
 }
 
-void DrawCloth(const ClothMesh& mesh, const Eigen::VectorXd& x, const View& view, cv::Mat* image) {
-  const auto corner = [&](std::size_t t, int k) {
-    return Eigen::Vector3d(x.segment<3>(3 * mesh.triangles[t][k]));
+struct Facet {
+  std::array<Eigen::Vector3d, 3> corners;  // m
+  bool is_cloth;
+};
+
+std::vector<Facet> FacetsOf(const ClothMesh& mesh, const Eigen::VectorXd& x) {
+  std::vector<Facet> facets;
+  for (const auto& t : mesh.triangles)
+    facets.push_back(
+        {{x.segment<3>(3 * t[0]), x.segment<3>(3 * t[1]), x.segment<3>(3 * t[2])}, true});
+  return facets;
+}
+
+// No side longer than `longest`, m, so that what is nearer is drawn later.
+void AddInParts(const Facet& facet, double longest, std::vector<Facet>* facets) {
+  const auto& c = facet.corners;
+  int k = 0;  // of the longest side's first corner
+  double length = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double side = (c[(i + 1) % 3] - c[i]).norm();
+    if (side > length) std::tie(k, length) = std::tuple(i, side);
+  }
+  if (length <= longest) {
+    facets->push_back(facet);
+    return;
+  }
+  const Eigen::Vector3d &a = c[k], &b = c[(k + 1) % 3], &opposite = c[(k + 2) % 3];
+  const Eigen::Vector3d middle = 0.5 * (a + b);
+  AddInParts({{a, middle, opposite}, facet.is_cloth}, longest, facets);
+  AddInParts({{middle, b, opposite}, facet.is_cloth}, longest, facets);
+}
+
+// What lies outside of the sphere of this radius about the view's centre, m, is left out.
+void AddObstacle(const ObstacleSurface& obstacle, int frame, const View& view, double radius,
+                 std::vector<Facet>* facets) {
+  constexpr int kParts = 24;  // of the radius, that are drawn as one
+  const auto last = static_cast<int>(obstacle.positions.size()) - 1;
+  const Eigen::VectorXd& x = obstacle.positions[static_cast<std::size_t>(std::min(frame, last))];
+  std::vector<Facet> parts;
+  for (std::size_t t = 0; t + 2 < obstacle.triangles.size(); t += 3) {
+    const std::int32_t* const vertex = &obstacle.triangles[t];
+    AddInParts(
+        {{x.segment<3>(3 * vertex[0]), x.segment<3>(3 * vertex[1]), x.segment<3>(3 * vertex[2])},
+         false},
+        radius / kParts, &parts);
+  }
+  for (const Facet& part : parts) {
+    const auto& c = part.corners;
+    const bool is_away = (c[1] - c[0]).cross(c[2] - c[0]).dot(view.towards) < 0.0;
+    const bool is_near = (c[0] - view.centre).norm() < radius;
+    if (is_near && !(obstacle.is_cut && is_away)) facets->push_back(part);
+  }
+}
+
+void DrawFacets(const std::vector<Facet>& facets, const View& view, cv::Mat* image) {
+  // Cloth sinks into what gives way: by as much an obstacle is drawn sooner, m.
+  constexpr double kSunk = 0.03;
+  const auto depth = [&](const Facet& facet) {
+    const auto& c = facet.corners;
+    return view.towards.dot(c[0] + c[1] + c[2]) / 3.0 - (facet.is_cloth ? 0.0 : kSunk);
   };
-  const auto depth = [&](std::size_t t) {
-    return view.towards.dot(corner(t, 0) + corner(t, 1) + corner(t, 2));
-  };
-  std::vector<std::size_t> order(mesh.triangles.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<const Facet*> order;
+  for (const Facet& facet : facets) order.push_back(&facet);
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return depth(a) < depth(b); });
+                   [&](const Facet* a, const Facet* b) { return depth(*a) < depth(*b); });
   const Eigen::Vector3d light = (view.towards + view.up + 0.5 * view.right).normalized();
-  for (const std::size_t t : order) {
-    const Eigen::Vector3d normal =
-        (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).normalized();
+  constexpr double kGrid = 0.85;  // how light the cloth's grid is beside it
+  for (const Facet* const facet : order) {
+    const auto& c = facet->corners;
+    const Eigen::Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
     const bool front = normal.dot(view.towards) > 0.0;
     const double shade = 0.6 + 0.4 * std::abs(normal.dot(light));
-    const cv::Vec3d colour = shade * (front ? kFront : kBack);
+    const cv::Vec3d colour = shade * (!facet->is_cloth ? kObstacle : front ? kFront : kBack);
+    const cv::Scalar fill(colour[0], colour[1], colour[2]);
     std::vector<cv::Point> outline;
-    for (int k = 0; k < 3; ++k) outline.push_back(Fixed(view.At(corner(t, k))));
-    cv::fillConvexPoly(*image, outline, cv::Scalar(colour[0], colour[1], colour[2]), cv::LINE_AA,
-                       kShift);
-    cv::polylines(*image, outline, true, 0.85 * cv::Scalar(colour[0], colour[1], colour[2]), 1,
-                  cv::LINE_AA, kShift);
+    for (const Eigen::Vector3d& corner : c) outline.push_back(Fixed(view.At(corner)));
+    cv::fillConvexPoly(*image, outline, fill, cv::LINE_AA, kShift);
+    cv::polylines(*image, outline, true, facet->is_cloth ? kGrid * fill : fill, 1, cv::LINE_AA,
+                  kShift);
   }
 }
 
@@ -141,15 +197,30 @@ Positions Simulate(const FittedRun& fitted, const FreeParameters& free,
       fmt::format("the simulation fails after frame {}; frame {} is asked for", reached - 1, last));
 }
 
+Positions Chosen(const std::vector<Eigen::VectorXd>& motion, const std::vector<int>& frames) {
+  Positions positions;
+  for (const int frame : frames) {
+    if (frame >= static_cast<int>(motion.size()))
+      throw std::runtime_error(fmt::format("the baseline ends with frame {}; frame {} is asked for",
+                                           motion.size() - 1, frame));
+    positions[frame] = motion[static_cast<std::size_t>(frame)];
+  }
+  return positions;
+}
+
 Eigen::Vector3d Centre(const Eigen::VectorXd& x) {
   return Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, x.size() / 3).rowwise().mean();
 }
 
-cv::Mat DrawPanel(const FittedRun& fitted, int frame, const Eigen::VectorXd& x, View view,
-                  const std::string& title, const PictureOptions& options) {
+cv::Mat DrawPanel(const FittedRun& fitted, const std::vector<ObstacleSurface>& obstacles, int frame,
+                  const Eigen::VectorXd& x, View view, const std::string& title,
+                  const PictureOptions& options) {
   cv::Mat image(options.panel, options.panel, CV_8UC3, kWhite);
   view.origin = {0.5 * options.panel, 0.56 * options.panel};
-  DrawCloth(fitted.scene.mesh, x, view, &image);
+  std::vector<Facet> facets = FacetsOf(fitted.scene.mesh, x);
+  for (const ObstacleSurface& obstacle : obstacles)
+    AddObstacle(obstacle, frame, view, options.panel / view.scale, &facets);
+  DrawFacets(facets, view, &image);
   double rms = 0.0, of_clouds = std::numeric_limits<double>::quiet_NaN();
   DrawClouds(fitted.scene, frame, x, view, &image, &of_clouds);
   DrawMarkers(fitted.scene, frame, x, view, &image, &rms);
@@ -213,8 +284,14 @@ void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions
   const std::string extension = PictureExtension(file);
   const std::vector<int> frames = ChooseFrames(fitted.scene, options.frames);
   const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
-  const Positions before = Simulate(fitted, free, free.start(), frames);
-  const Positions after = Simulate(fitted, free, run.ReadParameters(free), frames);
+  const Eigen::VectorXd found = run.ReadParameters(free);
+  const Positions before = options.before.empty() ? Simulate(fitted, free, free.start(), frames)
+                                                  : Chosen(options.before, frames);
+  const Positions after = Simulate(fitted, free, found, frames);
+  std::vector<Eigen::VectorXd> cloth;
+  for (const auto& [frame, x] : after) cloth.push_back(x);
+  const std::vector<ObstacleSurface> obstacles =
+      ObstacleSurfaces(fitted.scene, free.Values(found), cloth);
 
   View view = MakeView(options, fitted.scene.recording.cloth.size.maxCoeff() / 0.68);
 
@@ -223,8 +300,8 @@ void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions
     cv::Mat panels;
     for (const int frame : frames) {
       view.centre = Centre(after.at(frame));
-      const cv::Mat panel =
-          DrawPanel(fitted, frame, row->at(frame), view, row == &before ? "start" : "fit", options);
+      const cv::Mat panel = DrawPanel(fitted, obstacles, frame, row->at(frame), view,
+                                      options.titles[row == &before ? 0 : 1], options);
       Beside(panel, &panels);
     }
     Below(panels, &rows);
@@ -243,7 +320,7 @@ void DrawCloths(const ClothMesh& mesh, const std::vector<std::vector<ClothPanel>
     for (const ClothPanel& panel : row) {
       cv::Mat image(options.panel, options.panel, CV_8UC3, kWhite);
       view.centre = panel.centre;
-      DrawCloth(mesh, panel.x, view, &image);
+      DrawFacets(FacetsOf(mesh, panel.x), view, &image);
       Write(panel.title, 0, kInk, &image);
       Beside(image, &panels);
     }

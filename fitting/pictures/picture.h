@@ -4,6 +4,7 @@
 // A fitted cloth, drawn beside what was measured.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,10 +21,14 @@ struct PictureOptions {
   double azimuth = 0.6;     // rad, where the view comes from, about the vertical, from -y towards x
   double elevation = 0.25;  // rad above the horizon
   int panel = 420;          // px, width of a panel
+  // m, 3N, one a frame: what the upper row shows; empty: the fit's start.
+  std::vector<Eigen::VectorXd> before;
+  std::array<std::string, 2> titles = {"start", "fit"};  // of the rows
 };
 
 // Draws the cloth at the fit's start (upper row) and as fitted (lower row), from afar and to one
 // scale, with the measured markers and, red, how far they are from where the simulation has them.
+// Obstacles are where the fit has them, in both rows, those that no recording knows of, too.
 // A png or jpg file. Throws InputError where a frame is outside the recording or the file cannot be
 // written, std::runtime_error where the simulation does not reach a frame.
 void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,

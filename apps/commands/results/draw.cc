@@ -8,11 +8,17 @@
 #include "apps/commands/commands.h"
 #include "apps/terminal/next_step.h"
 #include "apps/terminal/terminal.h"
+#include "fitting/files/npy_file.h"
 #include "fitting/jobs/shell.h"
 #include "fitting/pictures/picture.h"
+#include "fitting/report/diagnosis/record.h"
+#include "fitting/report/scene/scene.h"
+#include "tracking/files/manifest.h"
 
 namespace clothfit {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct DrawOptions {
   std::string run, output;
@@ -21,13 +27,25 @@ struct DrawOptions {
   bool force = false;
 };
 
+// Beside what a diagnosis found, if anything.
+void ShowBaseline(const fs::path& diagnosis, const Scene& scene, PictureOptions* picture) {
+  if (ReadDiagnosisRecord(diagnosis).effects.empty()) return;
+  const fs::path file = diagnosis / "baseline.npy";
+  picture->before = ReadPointsNpy(file);
+  CheckTrajectory(file, scene, picture->before);
+  picture->titles = {"baseline", "answer"};
+}
+
 int RunDrawCommand(DrawOptions options) {
   CheckMayWrite(options.output, OverwriteIf(options.force));
   constexpr double kDegree = M_PI / 180.0;
   options.picture.azimuth = options.azimuth * kDegree;
   options.picture.elevation = options.elevation * kDegree;
   const RunFolder run = RunFolder::Open(options.run);
-  DrawRun(ReadFittedRun(run), run, options.picture, options.output, OverwriteIf(options.force));
+  const FittedRun fitted = ReadFittedRun(run);
+  if (KindOfFolder(options.run) == FolderKind::kDiagnosis)
+    ShowBaseline(options.run, fitted.scene, &options.picture);
+  DrawRun(fitted, run, options.picture, options.output, OverwriteIf(options.force));
   Print("picture: {}\n", options.output);
   PrintNext("clothfit report " + ShellWord(options.run));
   return kExitSuccess;
@@ -54,9 +72,9 @@ void AddDrawCommand(CLI::App* app, Action* action) {
       ->capture_default_str();
   command->add_flag("--force", options->force, "replace FILE");
   command->footer(
-      "The upper row is the fit's start, the lower its result; black dots are the measured "
-      "markers,\n"
-      "red lines lead to where the simulation has them.\n\n"
+      "The upper row is the fit's start, or a diagnosis' baseline, the lower its result; black\n"
+      "dots are the measured markers, red lines lead to where the simulation has them. Obstacles\n"
+      "are grey, those that a diagnosis found, too.\n\n"
       "Example:\n"
       "  clothfit draw runs/demo -o demo.png --frames 20 80");
   command->callback(
