@@ -3,6 +3,7 @@
 #include "autodiff_sim/terms/added_terms.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -13,7 +14,7 @@ namespace {
 
 struct Registry {
   std::vector<AddedTerm> terms;
-  bool is_closed = false;
+  std::atomic<bool> is_closed = false;  // many threads make simulations
 };
 
 Registry& TheRegistry() {
