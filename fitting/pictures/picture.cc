@@ -27,7 +27,7 @@ namespace {
 using Positions = std::map<int, Eigen::VectorXd>;  // by frame
 
 const cv::Scalar kWhite(255, 255, 255), kInk(60, 50, 45), kThread(150, 130, 115);
-const cv::Scalar kMeasured(30, 30, 30), kMiss(40, 40, 220);  // BGR
+const cv::Scalar kMeasured(30, 30, 30), kMiss(40, 40, 220), kHeld(0, 110, 230);  // BGR
 // The two sides of the cloth in full light: blue and orange, apart for every eye.
 const cv::Vec3d kFront(214, 160, 96), kBack(96, 170, 240), kObstacle(186, 184, 180);
 constexpr int kShift = 4;  // fractional bits of drawn coordinates
@@ -131,6 +131,16 @@ void DrawFacets(const std::vector<Facet>& facets, const View& view, cv::Mat* ima
   }
 }
 
+// Where hands and other handles hold the cloth, as far as their paths are known.
+void DrawHandles(const Scene& scene, int frame, const View& view, cv::Mat* image) {
+  for (const SceneHandle& handle : scene.handles) {
+    const double time = scene.FrameTime(frame);
+    if (!handle.path.is_known() || time > handle.released_after) continue;
+    cv::circle(*image, Fixed(view.At(handle.path.At(time))), 5 << kShift, kHeld, cv::FILLED,
+               cv::LINE_AA, kShift);
+  }
+}
+
 void DrawMarkers(const Scene& scene, int frame, const Eigen::VectorXd& x, const View& view,
                  cv::Mat* image, double* rms) {
   double squares = 0.0;
@@ -224,6 +234,7 @@ cv::Mat DrawPanel(const FittedRun& fitted, const std::vector<ObstacleSurface>& o
   double rms = 0.0, of_clouds = std::numeric_limits<double>::quiet_NaN();
   DrawClouds(fitted.scene, frame, x, view, &image, &of_clouds);
   DrawMarkers(fitted.scene, frame, x, view, &image, &rms);
+  DrawHandles(fitted.scene, frame, view, &image);
   if (!std::isfinite(rms)) rms = of_clouds;
   const char* kind = fitted.scene.IsHeldOut(frame)   ? ", held out"
                      : fitted.scene.is_fitted[frame] ? ", fitted"
@@ -276,37 +287,55 @@ void WritePicture(const cv::Mat& image, const std::string& extension,
                   overwrite);
 }
 
+struct PictureRow {
+  std::string title;
+  Positions positions;
+};
+
+// A panel a frame; the last row says where to look. `values`: by which obstacles stand.
+void DrawRows(const FittedRun& fitted, const Eigen::VectorXd& values,
+              const std::vector<PictureRow>& rows, const PictureOptions& options,
+              const std::filesystem::path& file, Overwrite overwrite) {
+  CheckMayWrite(file, overwrite);
+  const std::string extension = PictureExtension(file);
+  std::vector<Eigen::VectorXd> cloth;
+  for (const auto& [frame, x] : rows.back().positions) cloth.push_back(x);
+  const std::vector<ObstacleSurface> obstacles = ObstacleSurfaces(fitted.scene, values, cloth);
+  View view = MakeView(options, fitted.scene.recording.cloth.size.maxCoeff() / 0.68);
+  cv::Mat image;
+  for (const PictureRow& row : rows) {
+    cv::Mat panels;
+    for (const int frame : ChooseFrames(fitted.scene, options.frames)) {
+      view.centre = Centre(rows.back().positions.at(frame));
+      Beside(DrawPanel(fitted, obstacles, frame, row.positions.at(frame), view, row.title, options),
+             &panels);
+    }
+    Below(panels, &image);
+  }
+  WritePicture(image, extension, file, overwrite);
+}
+
 }  // namespace
 
 void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,
              const std::filesystem::path& file, Overwrite overwrite) {
-  CheckMayWrite(file, overwrite);
-  const std::string extension = PictureExtension(file);
   const std::vector<int> frames = ChooseFrames(fitted.scene, options.frames);
   const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
   const Eigen::VectorXd found = run.ReadParameters(free);
   const Positions before = options.before.empty() ? Simulate(fitted, free, free.start(), frames)
                                                   : Chosen(options.before, frames);
-  const Positions after = Simulate(fitted, free, found, frames);
-  std::vector<Eigen::VectorXd> cloth;
-  for (const auto& [frame, x] : after) cloth.push_back(x);
-  const std::vector<ObstacleSurface> obstacles =
-      ObstacleSurfaces(fitted.scene, free.Values(found), cloth);
+  DrawRows(
+      fitted, free.Values(found),
+      {{options.titles[0], before}, {options.titles[1], Simulate(fitted, free, found, frames)}},
+      options, file, overwrite);
+}
 
-  View view = MakeView(options, fitted.scene.recording.cloth.size.maxCoeff() / 0.68);
-
-  cv::Mat rows;
-  for (const Positions* row : {&before, &after}) {
-    cv::Mat panels;
-    for (const int frame : frames) {
-      view.centre = Centre(after.at(frame));
-      const cv::Mat panel = DrawPanel(fitted, obstacles, frame, row->at(frame), view,
-                                      options.titles[row == &before ? 0 : 1], options);
-      Beside(panel, &panels);
-    }
-    Below(panels, &rows);
-  }
-  WritePicture(rows, extension, file, overwrite);
+void DrawRecording(const FittedRun& unfitted, const PictureOptions& options,
+                   const std::filesystem::path& file, Overwrite overwrite) {
+  const std::vector<int> frames = ChooseFrames(unfitted.scene, options.frames);
+  const FreeParameters free(unfitted.config, unfitted.scene, MakeParameterTable());
+  DrawRows(unfitted, free.Values(free.start()),
+           {{"default", Simulate(unfitted, free, free.start(), frames)}}, options, file, overwrite);
 }
 
 void DrawCloths(const ClothMesh& mesh, const std::vector<std::vector<ClothPanel>>& rows,

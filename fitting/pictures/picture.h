@@ -28,11 +28,17 @@ struct PictureOptions {
 
 // Draws the cloth at the fit's start (upper row) and as fitted (lower row), from afar and to one
 // scale, with the measured markers and, red, how far they are from where the simulation has them.
-// Obstacles are where the fit has them, in both rows, those that no recording knows of, too.
+// Obstacles are where the fit has them, in both rows, those that no recording knows of, too;
+// orange is where handles hold it along known paths.
 // A png or jpg file. Throws InputError where a frame is outside the recording or the file cannot be
 // written, std::runtime_error where the simulation does not reach a frame.
 void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,
              const std::filesystem::path& file, Overwrite overwrite);
+
+// One row of a recording that nothing was fitted to: the cloth as the config has it simulated.
+// As DrawRun otherwise; options.before and options.titles are not looked at.
+void DrawRecording(const FittedRun& unfitted, const PictureOptions& options,
+                   const std::filesystem::path& file, Overwrite overwrite);
 
 // A cloth's state as a panel of a picture.
 struct ClothPanel {

@@ -34,8 +34,7 @@ ReportPage MakeReportOfKind(const fs::path& folder, const ReportAssets& assets,
   if (kind == FolderKind::kJointRun) return MakeJointReport(folder, assets, options);
   if (kind == FolderKind::kDiagnosis) return MakeDiagnosisReport(folder, assets, options);
   if (kind == FolderKind::kComparison) return MakeComparisonReport(folder, assets);
-  if (kind == FolderKind::kRecording || fs::exists(folder / "recording.yaml"))
-    return MakeRecordingReport(folder, assets, options);
+  if (IsRecordingFolder(folder)) return MakeRecordingReport(folder, assets, options);
   if (HasFileEndingIn(folder, ".md") || HasFileEndingIn(folder, ".csv"))
     return MakeStudyReport(folder, assets);
   throw InputError(folder.string(),

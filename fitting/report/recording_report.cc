@@ -9,7 +9,7 @@
 
 #include "fitting/report/kinds.h"
 #include "fitting/report/scene_page.h"
-#include "fitting/runs/fit_run.h"
+#include "fitting/runs/prediction.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/recording/pictures/images.h"
 #include "tracking/recording/warnings/summary.h"
@@ -82,14 +82,12 @@ ReportJson SeenSection(const Scene& scene) {
 
 ReportPage MakeRecordingReport(const std::filesystem::path& folder, const ReportAssets& assets,
                                const ReportOptions& options) {
-  const Recording whole = ReadRecording(folder);
+  FittedRun unfitted = ReadUnfitted(folder);
+  const Recording whole = unfitted.scene.recording;
   Recording recording = whole;
   LeaveOutOutliers(&recording);
   const std::string outliers = DescribeOutliers(recording);
-  FitConfig config = DefaultConfig(whole);
-  Scene scene = MakeScene(whole, config);
-  CheckSimulable(scene);
-  ReportScene report = GatherReportScene({std::move(config), std::move(scene)}, options.pictures);
+  ReportScene report = GatherReportScene(std::move(unfitted), options.pictures);
   report.motions = {{"after", "Default material", SimulateStart(report.fitted)}};
   const std::vector<std::string> unknown = HandlesUnknownInHeldOutFrames(report.scene());
   std::vector<ScalarField> fields = CommonFields(report);

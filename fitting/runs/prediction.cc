@@ -9,6 +9,7 @@
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/runs/fit_run.h"
 #include "tracking/files/output_file.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/recording/folder/validation.h"
@@ -49,6 +50,14 @@ FittedRun ReadFittedRun(const RunFolder& run) {
   ReadConfig(run.ConfigFile(), &config);
   if (config.leave_out_outliers) LeaveOutOutliers(&recording);
   Scene scene = MakeScene(recording, config);
+  return {std::move(config), std::move(scene)};
+}
+
+FittedRun ReadUnfitted(const fs::path& recording) {
+  Recording whole = ReadRecording(recording);
+  FitConfig config = DefaultConfig(whole);
+  Scene scene = MakeScene(whole, config);
+  CheckSimulable(scene);
   return {std::move(config), std::move(scene)};
 }
 

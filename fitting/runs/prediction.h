@@ -21,6 +21,9 @@ struct FittedRun {
 };
 // Reads the run's config and the recording that it names. Throws InputError.
 FittedRun ReadFittedRun(const RunFolder& run);
+// A recording with what a fit of it would begin with. Throws InputError, also where that cannot be
+// simulated.
+FittedRun ReadUnfitted(const std::filesystem::path& recording);
 
 // Where is the point (u, v), m, in a frame? `line`: of the file that asks, 0 for none.
 struct PredictionQuery {

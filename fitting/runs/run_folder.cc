@@ -97,7 +97,7 @@ RunFolder RunFolder::Open(const fs::path& folder) {
     throw InputError(folder.string(), "is a fit of several recordings; expected the run of one, " +
                                           (folder / PlaceOf("NAME")).string());
   }
-  if (kind == FolderKind::kRecording || fs::exists(folder / "recording.yaml")) {
+  if (IsRecordingFolder(folder)) {
     throw InputError(folder.string(), "is a recording; 'clothfit report " + folder.string() +
                                           "' shows it, 'clothfit fit " + folder.string() +
                                           " -o RUN' makes a run of it");

@@ -138,6 +138,12 @@ std::optional<FolderKind> KindOfFolder(const fs::path& folder) {
   return manifest->kind;
 }
 
+bool IsRecordingFolder(const fs::path& folder) {
+  std::error_code error;
+  return KindOfFolder(folder) == FolderKind::kRecording ||
+         fs::exists(folder / "recording.yaml", error);
+}
+
 bool IsInside(const std::string& file) {
   const fs::path path = file;
   return !path.empty() && path.is_relative() && file.find('\0') == std::string::npos &&

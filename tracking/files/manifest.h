@@ -53,6 +53,8 @@ void WriteManifest(const Manifest& manifest, const std::filesystem::path& folder
 
 // Nothing where the folder is not clothfit's, or not there.
 std::optional<FolderKind> KindOfFolder(const std::filesystem::path& folder);
+// Whoever wrote it: a person leaves no manifest.
+bool IsRecordingFolder(const std::filesystem::path& folder);
 
 // Whether it leads to a place inside of the folder that it is relative to.
 bool IsInside(const std::string& file);

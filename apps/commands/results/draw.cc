@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct DrawOptions {
-  std::string run, output;
+  std::string folder, output;
   PictureOptions picture;
   double azimuth = 35.0, elevation = 15.0;  // degrees
   bool force = false;
@@ -37,27 +37,32 @@ void ShowBaseline(const fs::path& diagnosis, const Scene& scene, PictureOptions*
 }
 
 int RunDrawCommand(DrawOptions options) {
-  CheckMayWrite(options.output, OverwriteIf(options.force));
+  const Overwrite overwrite = OverwriteIf(options.force);
+  CheckMayWrite(options.output, overwrite);
   constexpr double kDegree = M_PI / 180.0;
   options.picture.azimuth = options.azimuth * kDegree;
   options.picture.elevation = options.elevation * kDegree;
-  const RunFolder run = RunFolder::Open(options.run);
-  const FittedRun fitted = ReadFittedRun(run);
-  if (KindOfFolder(options.run) == FolderKind::kDiagnosis)
-    ShowBaseline(options.run, fitted.scene, &options.picture);
-  DrawRun(fitted, run, options.picture, options.output, OverwriteIf(options.force));
+  if (IsRecordingFolder(options.folder)) {
+    DrawRecording(ReadUnfitted(options.folder), options.picture, options.output, overwrite);
+  } else {
+    const RunFolder run = RunFolder::Open(options.folder);
+    const FittedRun fitted = ReadFittedRun(run);
+    if (KindOfFolder(options.folder) == FolderKind::kDiagnosis)
+      ShowBaseline(options.folder, fitted.scene, &options.picture);
+    DrawRun(fitted, run, options.picture, options.output, overwrite);
+  }
   Print("picture: {}\n", options.output);
-  PrintNext("clothfit report " + ShellWord(options.run));
+  PrintNext("clothfit report " + ShellWord(options.folder));
   return kExitSuccess;
 }
 
 }  // namespace
 
 void AddDrawCommand(CLI::App* app, Action* action) {
-  CLI::App* const command =
-      app->add_subcommand("draw", "a picture of a fitted cloth, before and after the fit");
+  CLI::App* const command = app->add_subcommand(
+      "draw", "a picture of a fitted cloth, before and after the fit, or of a recording");
   const auto options = std::make_shared<DrawOptions>();
-  command->add_option("RUN", options->run, "folder of the run")->required();
+  command->add_option("FOLDER", options->folder, "a run, a diagnosis or a recording")->required();
   command->add_option("-o,--output", options->output, "picture to write, .png or .jpg")
       ->type_name("FILE")
       ->required();
@@ -72,9 +77,11 @@ void AddDrawCommand(CLI::App* app, Action* action) {
       ->capture_default_str();
   command->add_flag("--force", options->force, "replace FILE");
   command->footer(
-      "The upper row is the fit's start, or a diagnosis' baseline, the lower its result; black\n"
-      "dots are the measured markers, red lines lead to where the simulation has them. Obstacles\n"
-      "are grey, those that a diagnosis found, too.\n\n"
+      "The upper row is the fit's start, or a diagnosis' baseline, the lower its result; of a\n"
+      "recording there is one row, with the default material. Black dots are the measured "
+      "markers,\n"
+      "red lines lead to where the simulation has them, orange is where hands hold the cloth.\n"
+      "Obstacles are grey, those that a diagnosis found, too.\n\n"
       "Example:\n"
       "  clothfit draw runs/demo -o demo.png --frames 20 80");
   command->callback(

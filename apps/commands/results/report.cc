@@ -38,7 +38,7 @@ std::string NameOf(const std::filesystem::path& folder) {
 std::filesystem::path PageOf(const ReportCommandOptions& options) {
   const std::filesystem::path folder = options.folder;
   if (!options.other.empty()) return NameOf(folder) + "-" + NameOf(options.other) + ".html";
-  if (!std::filesystem::exists(folder / "recording.yaml")) return folder / "report.html";
+  if (!IsRecordingFolder(folder)) return folder / "report.html";
   return NameOf(folder) + ".html";
 }
 

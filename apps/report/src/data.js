@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The report's data: JSON in one script element, large arrays in others, as blocks. The schema is
-// in docs/report.md.
+// in docs/report-internals.md.
 import { unzlibSync } from 'fflate';
 
 const kNoValue = 65535;

@@ -240,6 +240,10 @@ TEST_F(FitCommand, DrawsTheFitBeforeAndAfter) {
     EXPECT_GT(covered, 420 * 420 / 20) << "there is a cloth in it";
     EXPECT_LT(covered, 420 * 420 * 3 / 4) << "and room around it";
   }
+  const CommandResult recording =
+      RunCommand({"draw", "rec", "-o", "r.png", "--frames", "3", "9", "19"}, path());
+  ASSERT_EQ(recording.status, 0) << recording.err;
+  EXPECT_EQ(cv::imread((path() / "r.png").string()).size(), cv::Size(1260, 420));
   EXPECT_THAT(BadInputLine(RunCommand(words, path())), HasSubstr("--force"));
   EXPECT_THAT(BadInputLine(RunCommand({"draw", "run", "-o", "p.txt"}, path())),
               HasSubstr("p.txt: expected a name that ends in .png or .jpg"));
