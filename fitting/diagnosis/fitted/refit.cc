@@ -206,20 +206,27 @@ std::optional<FittedScene> FitBeyondForecasts(const FittedScene& forecasts, int 
   return MakeModel(forecasts.scene, forecasts.config, config, result);
 }
 
-std::optional<FittedScene> FitToAllFrames(const FitConfig& given, const FittedScene& forecasts,
+std::optional<FittedScene> FitToAllFrames(const FitConfig& given, const FittedScene& before,
+                                          const FittedScene& forecasts,
                                           const std::array<int, 2>& coarse, int most_iterations,
                                           const FitRunner& runner) {
   constexpr int kAfresh = 4;  // times as many iterations as from where forecasts have ended
-  std::optional<FittedScene> near = FitBeyondForecasts(forecasts, most_iterations, runner);
-  const bool follows = near && !HasLargeResidual(near->scene, near->config, near->fit);
-  if (follows || runner.IsStopped()) return near;
-  ModelStart start = WithMaterialOf(given, GoOn(forecasts));
-  start.config.resolution = coarse;
-  std::optional<FittedScene> afresh =
-      FitAfresh(start, Start::kWindows, kAfresh * most_iterations, runner);
-  const std::array<int, 2>& grid = forecasts.scene.mesh.grid;
-  if (afresh && grid != coarse) afresh = FitOnGrid(grid, *afresh, most_iterations, runner);
-  return Cheaper(std::move(near), std::move(afresh));
+  std::optional<FittedScene> best = FitBeyondForecasts(forecasts, most_iterations, runner);
+  const bool follows = best && !HasLargeResidual(best->scene, best->config, best->fit);
+  if (!follows && !runner.IsStopped()) {
+    ModelStart start = WithMaterialOf(given, GoOn(forecasts));
+    start.config.resolution = coarse;
+    std::optional<FittedScene> afresh =
+        FitAfresh(start, Start::kWindows, kAfresh * most_iterations, runner);
+    const std::array<int, 2>& grid = forecasts.scene.mesh.grid;
+    if (afresh && grid != coarse) afresh = FitOnGrid(grid, *afresh, most_iterations, runner);
+    best = Cheaper(std::move(best), std::move(afresh));
+  }
+  const bool is_lowest = best && best->fit.cost_after <= before.fit.cost_after;
+  if (is_lowest || before.of_forecasts || runner.IsStopped()) return best;
+  const ModelStart from_before = WithMaterialOf(GoOn(before).config, GoOn(forecasts));
+  return Cheaper(std::move(best), FitModel(before, from_before, most_iterations, runner,
+                                           EnoughToDecide(before.scene)));
 }
 
 std::optional<FittedScene> Cheaper(std::optional<FittedScene> a, std::optional<FittedScene> b) {

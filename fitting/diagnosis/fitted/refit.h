@@ -91,9 +91,12 @@ std::optional<FittedScene> FitBeyondForecasts(const FittedScene& forecasts, int 
 
 // That, and, where it leaves more than kLargeResidual, a fit by windows that grow on the grid
 // `coarse`, from the material of the config `given` and the other parameters of `forecasts`, gone
-// on with on theirs: the material of forecasts may lead to another valley. The cheaper of the two;
-// empty where both fail.
-std::optional<FittedScene> FitToAllFrames(const FitConfig& given, const FittedScene& forecasts,
+// on with on theirs: the material of forecasts may lead to another valley. Where either costs more
+// than `before`, the fit to all frames without the newest effect, one from where that ended, too:
+// a model's minimum costs no more than that of a model within it. The cheapest; empty where all
+// fail.
+std::optional<FittedScene> FitToAllFrames(const FitConfig& given, const FittedScene& before,
+                                          const FittedScene& forecasts,
                                           const std::array<int, 2>& coarse, int most_iterations,
                                           const FitRunner& runner);
 

@@ -95,7 +95,7 @@ std::vector<JudgedModel> Diagnoser::FitWhole(const FittedScene& before,
   std::vector<std::optional<FittedScene>> fits(forecasts.size());
   const auto fit = [&](std::size_t k) {
     if (!Stopped() && forecasts[k].model.Cost() <= doubtful)
-      fits[k] = FitToAllFrames(baseline_, forecasts[k].model.fine, meshes_.coarse(),
+      fits[k] = FitToAllFrames(baseline_, now_.fine, forecasts[k].model.fine, meshes_.coarse(),
                                kWholeIterations, runner_);
   };
   // One simulation does not fill two cores.
@@ -159,8 +159,8 @@ FittedScene Diagnoser::FitToEnd(FittedScene fine, int at_least) const {
 
 void Diagnoser::GoOnBeyondForecasts() {
   Say("fitting all frames", 0.75);
-  std::optional<FittedScene> fine =
-      FitToAllFrames(baseline_, now_.fine, meshes_.coarse(), kWholeIterations, runner_);
+  std::optional<FittedScene> fine = FitToAllFrames(baseline_, kept_.back().before.fine, now_.fine,
+                                                   meshes_.coarse(), kWholeIterations, runner_);
   if (fine) fine = FitToEnd(*std::move(fine), 0);
   if (fine && !Stopped()) {
     // One simulation does not fill two cores.

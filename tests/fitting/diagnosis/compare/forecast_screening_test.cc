@@ -102,10 +102,35 @@ TEST(ForecastScreening, IsFittedAfreshWhereItHasLostTheMotion) {
   ASSERT_TRUE(forecasts);
   const std::optional<FittedScene> near = FitBeyondForecasts(*forecasts, 1, runner);
   ASSERT_TRUE(near && HasLargeResidual(near->scene, near->config, near->fit));
-  const std::optional<FittedScene> found = FitToAllFrames(given, *forecasts, {5, 5}, 1, runner);
+  const std::optional<FittedScene> found =
+      FitToAllFrames(given, *near, *forecasts, {5, 5}, 1, runner);
   ASSERT_TRUE(found);
   EXPECT_FALSE(HasLargeResidual(found->scene, found->config, found->fit));
   EXPECT_LT(found->fit.cost_after, near->fit.cost_after);
+}
+
+// Where windows lead nowhere either: a model never costs more than the one within it.
+TEST(ForecastScreening, BeginsWithoutTheEffectWhereThatCostsLess) {
+  const FittedScene before = BaselineOf({});
+  FitConfig lost = before.config;
+  lost.parameters.at("stretch.stiffness").value = 4.0;
+  ModelStart start{before.scene.recording, lost};
+  for (const char* name : {"wind.x", "wind.y", "wind.z"})
+    start.config.parameters.at(name).free = true;
+  const FitRunner runner;
+  const std::optional<FittedScene> forecasts =
+      FitToForecasts(start, before.scene.mesh.grid, {0, kAllLengths, 0}, runner);
+  ASSERT_TRUE(forecasts);
+  FittedScene dear = before;
+  dear.fit.cost_after = 1e9;
+  const auto fit = [&](const FittedScene& without) {
+    return FitToAllFrames(lost, without, *forecasts, {5, 5}, 1, runner);
+  };
+  const std::optional<FittedScene> alone = fit(dear), nested = fit(before);
+  ASSERT_TRUE(alone && nested);
+  EXPECT_GT(alone->fit.cost_after, before.fit.cost_after);
+  EXPECT_LE(nested->fit.cost_after, before.fit.cost_after);
+  EXPECT_TRUE(nested->config.parameters.at("wind.x").free);
 }
 
 }  // namespace
