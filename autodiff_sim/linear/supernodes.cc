@@ -5,6 +5,7 @@
 #include "autodiff_sim/linear/supernodes.h"
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
 
 #include <cholmod.h>
@@ -25,7 +26,13 @@ struct Analysis {
         cholmod_allocate_sparse(n, n, pattern.column.size(), 1, 1, -1, CHOLMOD_PATTERN, &common);
     std::copy(pattern.column.begin(), pattern.column.end(), static_cast<int*>(matrix->i));
     std::copy(pattern.row_begin.begin(), pattern.row_begin.end(), static_cast<int*>(matrix->p));
-    factor = cholmod_analyze(matrix, &common);
+    {
+      // METIS seeds the C library's random numbers and draws from them, which all threads share:
+      // the order would depend on what others find at the same time.
+      static std::mutex one_at_a_time;
+      const std::lock_guard<std::mutex> lock(one_at_a_time);
+      factor = cholmod_analyze(matrix, &common);
+    }
     if (factor == nullptr) throw std::runtime_error("CHOLMOD: the analysis failed");
   }
   ~Analysis() {

@@ -9,7 +9,7 @@
 
 #include "fitting/report/kinds.h"
 #include "fitting/report/scene_page.h"
-#include "fitting/runs/prediction.h"
+#include "fitting/runs/fit_run.h"
 #include "tracking/outliers/outliers.h"
 #include "tracking/recording/pictures/images.h"
 #include "tracking/recording/warnings/summary.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The solver's own linear algebra beside Eigen's dense one, on matrices like a step's.
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "autodiff_sim/base/dual.h"
+#include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/linear/block_sparse_matrix.h"
 #include "autodiff_sim/linear/gmres.h"
 #include "autodiff_sim/linear/sparse_cholesky.h"
@@ -246,6 +248,17 @@ TEST_P(OnGrids, RefinementSolvesAsFarAsItsFactorAllows) {
   Lanes<kLanes> x = expected;
   options.relative_tolerance = 1e-10;
   EXPECT_EQ(gmres.Solve<kLanes>(&exact, b, options, &x).iterations, 1);
+}
+
+// METIS draws random numbers that all threads share: rounding, and with it where a chaotic fit
+// ends, depended on what other threads did.
+TEST(Supernodes, AreTheSameWhateverOtherThreadsFind) {
+  const BlockPattern pattern = GridPattern(24);
+  const std::vector<int> alone = FindSupernodes(pattern).order;
+  std::atomic<int> count_other = 0;
+  ParallelFor(200, 4,
+              [&](int, int) { count_other += FindSupernodes(pattern).order == alone ? 0 : 1; });
+  EXPECT_EQ(count_other, 0);
 }
 
 TEST(HandleReduction, IsTheProductWithTheSubstitutionsMatrix) {
