@@ -62,8 +62,14 @@ std::vector<Facet> FacetsOf(const ClothMesh& mesh, const Eigen::VectorXd& x) {
   return facets;
 }
 
-// No side longer than `longest`, m, so that what is nearer is drawn later.
-void AddInParts(const Facet& facet, double longest, std::vector<Facet>* facets) {
+// What a panel shows of a facet, m: a sphere, in parts with no side longer than `longest`, so that
+// what is nearer is drawn later.
+struct Sight {
+  Eigen::Vector3d centre;
+  double radius, longest;
+};
+
+void AddInParts(const Facet& facet, const Sight& sight, std::vector<Facet>* facets) {
   const auto& c = facet.corners;
   int k = 0;  // of the longest side's first corner
   double length = 0.0;
@@ -71,35 +77,29 @@ void AddInParts(const Facet& facet, double longest, std::vector<Facet>* facets) 
     const double side = (c[(i + 1) % 3] - c[i]).norm();
     if (side > length) std::tie(k, length) = std::tuple(i, side);
   }
-  if (length <= longest) {
+  // No point of a triangle is as far from a corner as its longest side is long.
+  if ((c[0] - sight.centre).norm() > sight.radius + length) return;
+  if (length <= sight.longest) {
     facets->push_back(facet);
     return;
   }
   const Eigen::Vector3d &a = c[k], &b = c[(k + 1) % 3], &opposite = c[(k + 2) % 3];
   const Eigen::Vector3d middle = 0.5 * (a + b);
-  AddInParts({{a, middle, opposite}, facet.is_cloth}, longest, facets);
-  AddInParts({{middle, b, opposite}, facet.is_cloth}, longest, facets);
+  AddInParts({{a, middle, opposite}, facet.is_cloth}, sight, facets);
+  AddInParts({{middle, b, opposite}, facet.is_cloth}, sight, facets);
 }
 
-// What lies outside of the sphere of this radius about the view's centre, m, is left out.
-void AddObstacle(const ObstacleSurface& obstacle, int frame, const View& view, double radius,
+void AddObstacle(const ObstacleSurface& obstacle, int frame, const Sight& sight, const View& view,
                  std::vector<Facet>* facets) {
-  constexpr int kParts = 24;  // of the radius, that are drawn as one
   const auto last = static_cast<int>(obstacle.positions.size()) - 1;
   const Eigen::VectorXd& x = obstacle.positions[static_cast<std::size_t>(std::min(frame, last))];
-  std::vector<Facet> parts;
   for (std::size_t t = 0; t + 2 < obstacle.triangles.size(); t += 3) {
-    const std::int32_t* const vertex = &obstacle.triangles[t];
-    AddInParts(
-        {{x.segment<3>(3 * vertex[0]), x.segment<3>(3 * vertex[1]), x.segment<3>(3 * vertex[2])},
-         false},
-        radius / kParts, &parts);
-  }
-  for (const Facet& part : parts) {
-    const auto& c = part.corners;
+    Facet facet{{}, false};
+    for (std::size_t k = 0; k < 3; ++k)
+      facet.corners[k] = x.segment<3>(3 * obstacle.triangles[t + k]);
+    const auto& c = facet.corners;
     const bool is_away = (c[1] - c[0]).cross(c[2] - c[0]).dot(view.towards) < 0.0;
-    const bool is_near = (c[0] - view.centre).norm() < radius;
-    if (is_near && !(obstacle.is_cut && is_away)) facets->push_back(part);
+    if (!(obstacle.is_cut && is_away)) AddInParts(facet, sight, facets);
   }
 }
 
@@ -228,8 +228,11 @@ cv::Mat DrawPanel(const FittedRun& fitted, const std::vector<ObstacleSurface>& o
   cv::Mat image(options.panel, options.panel, CV_8UC3, kWhite);
   view.origin = {0.5 * options.panel, 0.56 * options.panel};
   std::vector<Facet> facets = FacetsOf(fitted.scene.mesh, x);
+  constexpr double kParts = 24.0;  // of a panel, that are drawn as one
+  const double width = options.panel / view.scale;
+  const Sight sight{view.centre, width, width / kParts};
   for (const ObstacleSurface& obstacle : obstacles)
-    AddObstacle(obstacle, frame, view, options.panel / view.scale, &facets);
+    AddObstacle(obstacle, frame, sight, view, &facets);
   DrawFacets(facets, view, &image);
   double rms = 0.0, of_clouds = std::numeric_limits<double>::quiet_NaN();
   DrawClouds(fitted.scene, frame, x, view, &image, &of_clouds);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
@@ -55,6 +56,22 @@ TEST_F(Picture, ShowsObstaclesThatNoRecordingKnowsOf) {
   set("y", corner.y());
   set("z", corner.z());
   EXPECT_GT(CountGrey(Draw(options)), without + 1000);
+}
+
+// A panel's worth of it, however large it is.
+TEST_F(Picture, ShowsAPartOfAnObstacleWithoutEnd) {
+  PictureOptions options;
+  options.frames = {2};
+  const int without = CountGrey(Draw(options));
+  Eigen::VectorXd points(12);
+  points << -1e4, -1e4, 0.0, 1e4, -1e4, 0.0, 1e4, 1e4, 0.0, -1e4, 1e4, 0.0;
+  auto floor = std::make_shared<Obstacle>(MakeMeshObstacle(points, {{0, 1, 2}, {0, 2, 3}}));
+  RigidPose pose;
+  pose.origin_in_world.z() = fitted_.scene.initial[2] - 0.15;
+  floor->path = {pose};
+  fitted_.scene.world.obstacles = {floor};
+  fitted_.config.parameters.at("obstacle.stiffness").value = 0.0;  // to be seen, not met
+  EXPECT_GT(CountGrey(Draw(options)), without + 10000);
 }
 
 TEST_F(Picture, ShowsWhatIsGivenInTheUpperRow) {
