@@ -222,9 +222,15 @@ Eigen::Vector3d Centre(const Eigen::VectorXd& x) {
   return Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, x.size() / 3).rowwise().mean();
 }
 
+struct PictureRow {
+  std::string title;
+  Positions positions;
+  const char* fitted = ", fitted";  // of frames that are; of a recording none is yet
+};
+
 cv::Mat DrawPanel(const FittedRun& fitted, const std::vector<ObstacleSurface>& obstacles, int frame,
-                  const Eigen::VectorXd& x, View view, const std::string& title,
-                  const PictureOptions& options) {
+                  const PictureRow& row, View view, const PictureOptions& options) {
+  const Eigen::VectorXd& x = row.positions.at(frame);
   cv::Mat image(options.panel, options.panel, CV_8UC3, kWhite);
   view.origin = {0.5 * options.panel, 0.56 * options.panel};
   std::vector<Facet> facets = FacetsOf(fitted.scene.mesh, x);
@@ -240,9 +246,10 @@ cv::Mat DrawPanel(const FittedRun& fitted, const std::vector<ObstacleSurface>& o
   DrawHandles(fitted.scene, frame, view, &image);
   if (!std::isfinite(rms)) rms = of_clouds;
   const char* kind = fitted.scene.IsHeldOut(frame)   ? ", held out"
-                     : fitted.scene.is_fitted[frame] ? ", fitted"
+                     : fitted.scene.is_fitted[frame] ? row.fitted
                                                      : "";
-  Write(fmt::format("{}: {:.2f} s{}", title, fitted.scene.FrameTime(frame), kind), 0, kInk, &image);
+  Write(fmt::format("{}: {:.2f} s{}", row.title, fitted.scene.FrameTime(frame), kind), 0, kInk,
+        &image);
   if (std::isfinite(rms)) Write(fmt::format("{:.1f} mm rms", 1e3 * rms), 1, kMiss, &image);
   return image;
 }
@@ -290,11 +297,6 @@ void WritePicture(const cv::Mat& image, const std::string& extension,
                   overwrite);
 }
 
-struct PictureRow {
-  std::string title;
-  Positions positions;
-};
-
 // A panel a frame; the last row says where to look. `values`: by which obstacles stand.
 void DrawRows(const FittedRun& fitted, const Eigen::VectorXd& values,
               const std::vector<PictureRow>& rows, const PictureOptions& options,
@@ -310,8 +312,7 @@ void DrawRows(const FittedRun& fitted, const Eigen::VectorXd& values,
     cv::Mat panels;
     for (const int frame : ChooseFrames(fitted.scene, options.frames)) {
       view.centre = Centre(rows.back().positions.at(frame));
-      Beside(DrawPanel(fitted, obstacles, frame, row.positions.at(frame), view, row.title, options),
-             &panels);
+      Beside(DrawPanel(fitted, obstacles, frame, row, view, options), &panels);
     }
     Below(panels, &image);
   }
@@ -338,7 +339,8 @@ void DrawRecording(const FittedRun& unfitted, const PictureOptions& options,
   const std::vector<int> frames = ChooseFrames(unfitted.scene, options.frames);
   const FreeParameters free(unfitted.config, unfitted.scene, MakeParameterTable());
   DrawRows(unfitted, free.Values(free.start()),
-           {{"default", Simulate(unfitted, free, free.start(), frames)}}, options, file, overwrite);
+           {{"default", Simulate(unfitted, free, free.start(), frames), ""}}, options, file,
+           overwrite);
 }
 
 void DrawCloths(const ClothMesh& mesh, const std::vector<std::vector<ClothPanel>>& rows,
