@@ -80,7 +80,7 @@ test-deep: test ## Sanitizers, 2000 broken inputs, 1000 fits in turn, then clang
 # Of all work that several threads share, and of what a signal stops.
 THREADED := ParallelFor|Simulation|RolloutDerivative|SyntheticPictures|Renderer|TrackRecordingTest|LoadMask
 THREADED := $(THREADED)|SoftSilhouette|CloudResiduals|CloudFitTest|NodeSums|Discretisation|Windows
-THREADED := $(THREADED)|ShootingWindows|JointRollout|JointFit|RunJobs|FitRunnerTest|Diagnose|Report|Interrupted
+THREADED := $(THREADED)|ShootingWindows|JointRollout|JointFit|RunJobs|FitRunnerTest|Diagnose|Report|Interrupted|Supernodes
 test-threads: test-packages ## What several threads do, under the thread sanitizer
 	$(MAKE) --no-print-directory build PRESET=tsan
 	ctest --preset tsan -R '^($(THREADED))$$'
