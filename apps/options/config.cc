@@ -169,10 +169,10 @@ FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording)
   return config;
 }
 
-void LeaveOutOutliers(const FitConfig& config, Recording* recording) {
+void LeaveOutOutliers(const FitConfig& config, Recording* recording, bool quiet) {
   if (!config.leave_out_outliers) return;
   LeaveOutOutliers(recording);
-  PrintOutliers(*recording);
+  if (!quiet) PrintOutliers(*recording);
 }
 
 void PrintOutliers(const Recording& recording, const std::string& name) {

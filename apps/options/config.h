@@ -56,8 +56,9 @@ Recording ReadRecordingOf(const ConfigOptions& options);
 // last two terms before single parameters. Not yet checked as a whole.
 FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording);
 
-// Leaves the recording's gross errors out, unless the config keeps them, and tells them on stderr.
-void LeaveOutOutliers(const FitConfig& config, Recording* recording);
+// Leaves the recording's gross errors out, unless the config keeps them, and tells them on stderr,
+// unless it is to be quiet.
+void LeaveOutOutliers(const FitConfig& config, Recording* recording, bool quiet = false);
 // Tells what was left out. `name`: of one of several recordings.
 void PrintOutliers(const Recording& recording, const std::string& name = "");
 

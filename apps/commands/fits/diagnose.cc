@@ -52,7 +52,7 @@ int RunDiagnoseCommand(DiagnoseOptions options) {
   LeaveOutClouds(recording, options.quiet, &config);
   TakeFrames(options.frames, &config);
   CheckConfig(config);
-  LeaveOutOutliers(config, &recording);
+  LeaveOutOutliers(config, &recording, options.quiet);
   const Recording with_held_out = WithHeldOutFrames(recording, options.diagnosis.held_out_share);
   CheckFittable(MakeScene(with_held_out, config), config);
   const DiagnosisFolder folder(options.output, ExistingIf(options.force, options.resume));

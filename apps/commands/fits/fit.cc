@@ -80,7 +80,7 @@ int RunFitCommand(FitOptions options) {
   Recording recording = ReadRecordingOf(options.config);
   FitConfig config = ReadConfigOf(options.config, recording);
   ApplyOptions(options, &config);
-  LeaveOutOutliers(config, &recording);
+  LeaveOutOutliers(config, &recording, options.quiet);
   Scene scene = MakeScene(recording, config);
   const bool track = HasPicturesOnly(recording);
   if (!track) CheckFittable(scene, config);
@@ -93,7 +93,7 @@ int RunFitCommand(FitOptions options) {
     config = ReadConfigOf(options.config, recording);
     config.recording = fs::absolute(recording.path).lexically_normal().string();
     ApplyOptions(options, &config);
-    LeaveOutOutliers(config, &recording);
+    LeaveOutOutliers(config, &recording, options.quiet);
     scene = MakeScene(recording, config);
     CheckFittable(scene, config);
   }

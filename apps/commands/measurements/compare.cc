@@ -111,12 +111,14 @@ int RunCompareCommand(CompareOptions options) {
   CheckOptions(&options);
   Recording recording = ReadRecordingOf(options.config);
   const FitConfig config = ConfigOf(options, recording);
-  LeaveOutOutliers(config, &recording);
+  LeaveOutOutliers(config, &recording, options.quiet);
   const Scene scene = MakeScene(recording, config);
   CheckFittable(scene, config);
   CheckContact(scene, config);
-  PrintWarnings(recording);
-  PrintWarnings(scene);
+  if (!options.quiet) {
+    PrintWarnings(recording);
+    PrintWarnings(scene);
+  }
   OutputFolder output = OpenFolder(options);
   const std::optional<Comparison> before = Prepare(options, config, &output);
   const fs::path folder = options.output;
