@@ -150,8 +150,11 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
       "diagnosis.md and config.yaml, which fit and simulate take.\n"
       "Ctrl-C stops (exit status 130); the same command with --resume does not repeat fits that\n"
       "were finished by then.\n\n"
-      "Example:\n"
-      "  clothfit diagnose data/demo --without air_drag -o runs/missing");
+      "Example, with wind that the recording says nothing of:\n"
+      "  clothfit synthesize -o windy --scenario two-corner-swing --resolution 9 9 --refinement 2 "
+      "\\\n"
+      "      --frames 60 --rate 24 --markers 7 7 --noise 0.0015 --held-out 0.33 --set wind.y=0.6\n"
+      "  clothfit diagnose windy -o runs/windy");
   command->callback(
       [options, action] { *action = [options] { return RunDiagnoseCommand(*options); }; });
 }
