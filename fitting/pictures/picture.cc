@@ -301,8 +301,6 @@ void WritePicture(const cv::Mat& image, const std::string& extension,
 void DrawRows(const FittedRun& fitted, const Eigen::VectorXd& values,
               const std::vector<PictureRow>& rows, const PictureOptions& options,
               const std::filesystem::path& file, Overwrite overwrite) {
-  CheckMayWrite(file, overwrite);
-  const std::string extension = PictureExtension(file);
   std::vector<Eigen::VectorXd> cloth;
   for (const auto& [frame, x] : rows.back().positions) cloth.push_back(x);
   const std::vector<ObstacleSurface> obstacles = ObstacleSurfaces(fitted.scene, values, cloth);
@@ -316,13 +314,20 @@ void DrawRows(const FittedRun& fitted, const Eigen::VectorXd& values,
     }
     Below(panels, &image);
   }
-  WritePicture(image, extension, file, overwrite);
+  WritePicture(image, PictureExtension(file), file, overwrite);
+}
+
+// Before anything is simulated.
+void CheckPictureFile(const std::filesystem::path& file, Overwrite overwrite) {
+  CheckMayWrite(file, overwrite);
+  PictureExtension(file);
 }
 
 }  // namespace
 
 void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions& options,
              const std::filesystem::path& file, Overwrite overwrite) {
+  CheckPictureFile(file, overwrite);
   const std::vector<int> frames = ChooseFrames(fitted.scene, options.frames);
   const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
   const Eigen::VectorXd found = run.ReadParameters(free);
@@ -336,6 +341,7 @@ void DrawRun(const FittedRun& fitted, const RunFolder& run, const PictureOptions
 
 void DrawRecording(const FittedRun& unfitted, const PictureOptions& options,
                    const std::filesystem::path& file, Overwrite overwrite) {
+  CheckPictureFile(file, overwrite);
   const std::vector<int> frames = ChooseFrames(unfitted.scene, options.frames);
   const FreeParameters free(unfitted.config, unfitted.scene, MakeParameterTable());
   DrawRows(unfitted, free.Values(free.start()),

@@ -188,15 +188,13 @@ ReportPage MakeDiagnosisReport(const fs::path& folder, const ReportAssets& asset
   fields.insert(fields.begin() + 1, std::make_move_iterator(forces.begin()),
                 std::make_move_iterator(forces.end()));
   const ReportExtras extras = ReadReportExtras(folder, report);
-  std::vector<ObstacleSurface> obstacles = ObstaclesOf(report);
-  obstacles.insert(obstacles.end(), extras.obstacles.begin(), extras.obstacles.end());
   return MakeScenePage({report,
                         {GradeOf(record), record.headline, Sentences(record)},
                         "Diagnosis of " + report.scene().recording.name,
                         TitleOfErrors(record),
                         ChangesOf(report, misfits),
                         std::move(fields),
-                        std::move(obstacles),
+                        ObstaclesOf(report, extras.obstacles),
                         std::move(sections),
                         std::move(blobs)},
                        assets, options);

@@ -28,8 +28,6 @@ ReportPage MakeReport(const RunFolder& run, const ReportAssets& assets,
                       const ReportOptions& options) {
   const ReportScene report = GatherReportScene(run, options.pictures);
   const ReportExtras extras = ReadReportExtras(run.path(), report);
-  std::vector<ObstacleSurface> obstacles = ObstaclesOf(report);
-  obstacles.insert(obstacles.end(), extras.obstacles.begin(), extras.obstacles.end());
   std::vector<ScalarField> fields = CommonFields(report);
   const VerdictFacts facts = FactsOf(report.record);
   std::vector<ReportJson> sections = SectionsOfRun(report, fields, extras.sections);
@@ -40,7 +38,7 @@ ReportPage MakeReport(const RunFolder& run, const ReportAssets& assets,
                         "Error at the start → after the fit",
                         facts.errors,
                         std::move(fields),
-                        std::move(obstacles),
+                        ObstaclesOf(report, extras.obstacles),
                         std::move(sections),
                         {}},
                        assets, options);

@@ -22,7 +22,7 @@ bool IsOnItsWay(const Diagnosis& diagnosis, double unexplained) {
 
 bool IsDetermined(const Diagnosis& diagnosis) {
   if (!diagnosis.answer) return true;
-  const std::vector<NamedParameter> table = MakeParameterTable();
+  const std::vector<NamedParameter>& table = MakeParameterTable();
   bool has_amount = false;
   for (const EffectParameter& p : diagnosis.answer->parameters) {
     const int index = FindParameter(table, p.name);  // none of a fault's

@@ -24,7 +24,8 @@ std::shared_ptr<const Silhouettes> LoadAllMasks(const Recording& recording) {
 
 }  // namespace
 
-std::vector<ObstacleSurface> ObstaclesOf(const ReportScene& report) {
+std::vector<ObstacleSurface> ObstaclesOf(const ReportScene& report,
+                                         const std::vector<ObstacleSurface>& brought) {
   const std::vector<NamedParameter>& table = MakeParameterTable();
   const nlohmann::ordered_json& summary = report.record.summary;
   Eigen::VectorXd values(static_cast<Eigen::Index>(table.size()));
@@ -36,7 +37,10 @@ std::vector<ObstacleSurface> ObstaclesOf(const ReportScene& report) {
     const nlohmann::ordered_json& found = summary["parameters"][name].at("value");
     if (found.is_number()) value = found.get<double>();
   }
-  return ObstacleSurfaces(report.scene(), values, report.motions.back().positions);
+  std::vector<ObstacleSurface> surfaces =
+      ObstacleSurfaces(report.scene(), values, report.motions.back().positions);
+  surfaces.insert(surfaces.end(), brought.begin(), brought.end());
+  return surfaces;
 }
 
 std::vector<Eigen::VectorXd> SimulateStart(const FittedRun& fitted) {

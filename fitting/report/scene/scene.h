@@ -39,8 +39,10 @@ struct ReportScene {
   const Scene& scene() const { return fitted.scene; }
 };
 
-// Where they are for the page's last motion: with what the fit found, or as the config says.
-std::vector<ObstacleSurface> ObstaclesOf(const ReportScene& report);
+// Where they are for the page's last motion: with what the fit found, or as the config says. Then
+// those that a folder brings along.
+std::vector<ObstacleSurface> ObstaclesOf(const ReportScene& report,
+                                         const std::vector<ObstacleSurface>& brought = {});
 
 // At the values that a fit begins with.
 std::vector<Eigen::VectorXd> SimulateStart(const FittedRun& fitted);

@@ -35,6 +35,14 @@ class UnseenObstacles : public testing::Test {
     EXPECT_EQ(surfaces.size(), 1u);
     return surfaces.at(0);
   }
+  // A term that pushes, with its two places.
+  static std::map<std::string, double> Between(const std::string& term,
+                                               const Eigen::Vector3d& first,
+                                               const Eigen::Vector3d& second) {
+    return {{term + ".stiffness", 1e4}, {term + ".x1", first.x()},  {term + ".y1", first.y()},
+            {term + ".z1", first.z()},  {term + ".x2", second.x()}, {term + ".y2", second.y()},
+            {term + ".z2", second.z()}};
+  }
   static std::vector<Eigen::Vector3d> Vertices(const ObstacleSurface& surface) {
     const Eigen::VectorXd& x = surface.positions.at(0);
     std::vector<Eigen::Vector3d> vertices;
@@ -90,13 +98,7 @@ TEST_F(UnseenObstacles, PlaneLiesUnderTheCloth) {
 
 TEST_F(UnseenObstacles, TableHasATopAndASide) {
   const Eigen::Vector3d first(0.0, 0.1, 0.7), second(0.1, 0.9, 0.75);
-  const ObstacleSurface table = Only({{"obstacle_table.stiffness", 1e4},
-                                      {"obstacle_table.x1", first.x()},
-                                      {"obstacle_table.y1", first.y()},
-                                      {"obstacle_table.z1", first.z()},
-                                      {"obstacle_table.x2", second.x()},
-                                      {"obstacle_table.y2", second.y()},
-                                      {"obstacle_table.z2", second.z()}});
+  const ObstacleSurface table = Only(Between("obstacle_table", first, second));
   // As terms/obstacle.h has them.
   const Eigen::Vector3d edge = second - first;
   const Eigen::Vector3d over = edge.cross(Eigen::Vector3d::UnitZ()).normalized();
@@ -124,14 +126,9 @@ TEST_F(UnseenObstacles, BallAndBarAreAsThickAsTheySay) {
                                      {"obstacle_sphere.radius", 0.07}});
   EXPECT_FALSE(ball.is_cut);
   for (const Eigen::Vector3d& x : Vertices(ball)) EXPECT_NEAR((x - middle).norm(), 0.07, 1e-12);
-  const ObstacleSurface bar = Only({{"obstacle_capsule.stiffness", 1e4},
-                                    {"obstacle_capsule.x1", middle.x()},
-                                    {"obstacle_capsule.y1", middle.y()},
-                                    {"obstacle_capsule.z1", middle.z()},
-                                    {"obstacle_capsule.x2", end.x()},
-                                    {"obstacle_capsule.y2", end.y()},
-                                    {"obstacle_capsule.z2", end.z()},
-                                    {"obstacle_capsule.radius", 0.03}});
+  std::map<std::string, double> of_bar = Between("obstacle_capsule", middle, end);
+  of_bar["obstacle_capsule.radius"] = 0.03;
+  const ObstacleSurface bar = Only(of_bar);
   double nearest_to_end = 1.0;
   for (const Eigen::Vector3d& x : Vertices(bar)) {
     const Eigen::Vector3d axis = end - middle;
