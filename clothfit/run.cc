@@ -83,6 +83,7 @@ Run FitInto(const fs::path& folder, const Recording& recording, FitConfig config
             const FitOptions& options, std::shared_ptr<const PassingFolder> passing) {
   clothfit::Recording used = recording.data().recording;
   config.Check("config");
+  ForgetChosenMesh(&config);
   if (config.leave_out_outliers) LeaveOutOutliers(&used);
   Scene scene = MakeScene(used, config);
   CheckFittable(scene, config);
@@ -92,10 +93,12 @@ Run FitInto(const fs::path& folder, const Recording& recording, FitConfig config
     config.recording = used.path.string();
     if (used.path.empty()) KeepRecording(run, recording, &config);
     if (options.existing == Existing::kResume) RequireSameConfig(run, used, config);
-    const FitResult result = FitIntoRun(scene, config, run, ToFitCallbacks(options.callbacks),
-                                        options.existing == Existing::kResume);
-    if (result.status == FitStatus::kFailed)
+    const FitOnMesh fit = FitIntoRun(scene, config, run, ToFitCallbacks(options.callbacks),
+                                     options.existing == Existing::kResume);
+    if (fit.result.status == FitStatus::kFailed)
       throw std::runtime_error("the fit failed: the simulation diverges at the start");
+    config = fit.config;
+    if (fit.scene) scene = *fit.scene;
   }
   return Run(Load(folder, {std::move(config), std::move(scene)}, std::move(passing)));
 }

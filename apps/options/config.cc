@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <map>
 
+#include "apps/options/value_checks.h"
 #include "apps/terminal/terminal.h"
 #include "autodiff_sim/base/error.h"
+#include "autodiff_sim/base/parallel.h"
 #include "autodiff_sim/base/printable.h"
 #include "fitting/config/keys.h"
 #include "tracking/outliers/outliers.h"
@@ -29,10 +31,12 @@ CLI::Option* AddRepeated(CLI::App* command, const std::string& name,
 const std::map<std::string, std::string>& OptionsOfKeys() {
   static const std::map<std::string, std::string> options = {
       {"cloth.resolution", "--resolution"},
+      {"cloth.finest", "--finest"},
       {"initial_state.order", "--initial-order"},
       {"observations.alpha", "--alpha"},
       {"observations.beta", "--beta"},
       {"observations.frames", "--frames"},
+      {"observations.every", "--every"},
       {"strategy.max_iterations", "--max-iterations"},
       {"strategy.max_simulations", "--max-simulations"},
       {"strategy.optimiser", "--optimiser"},
@@ -86,16 +90,31 @@ CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option,
   throw std::logic_error(key + ": no such key");
 }
 
-void AddFramesOption(CLI::App* command, FramesOption* frames) {
+void AddFramesOptions(CLI::App* command, FramesOptions* frames) {
   command
-      ->add_option("--frames", *frames,
+      ->add_option("--frames", frames->range,
                    "first and last frame to fit; else all that are not held out")
       ->type_name("A B")
       ->expected(2);
+  DefaultIsKey("observations.every",
+               command->add_option("--every", frames->every, "of these frames, fit one in so many"))
+      ->type_name("N");
 }
 
-void TakeFrames(const FramesOption& frames, FitConfig* config) {
-  if (frames) config->frames = {(*frames)[0], (*frames)[1]};
+void TakeFrames(const FramesOptions& frames, FitConfig* config) {
+  if (frames.range) config->frames = {(*frames.range)[0], (*frames.range)[1]};
+  if (frames.every) config->every = *frames.every;
+}
+
+void AddThreadLimit(CLI::App* command) {
+  constexpr int kMostThreads = 1024;
+  command
+      ->add_option_function<int>(
+          "--threads", LimitThreads,
+          "threads at the same time, 0: all cores; no influence on the result")
+      ->check(WholeNumber(0, kMostThreads))
+      ->default_str("0")
+      ->type_name("N");
 }
 
 void CheckConfig(const FitConfig& config) {
@@ -165,7 +184,10 @@ FitConfig ReadConfigOf(const ConfigOptions& options, const Recording& recording)
   FreeAndFix(options, &config);
   if (options.self_contact) config.self_contact = true;
   if (options.keep_outliers) config.leave_out_outliers = false;
-  if (options.resolution) config.resolution = {(*options.resolution)[0], (*options.resolution)[1]};
+  if (options.resolution) {
+    config.resolution = {(*options.resolution)[0], (*options.resolution)[1]};
+    config.refined = false;
+  }
   return config;
 }
 

@@ -41,10 +41,16 @@ void BeginGroup(CLI::App* command, const std::string& title);
 CLI::Option* DefaultIsKey(const std::string& key, CLI::Option* option,
                           const std::string& otherwise = "");
 
-// --frames A B: which frames are fitted.
-using FramesOption = std::optional<std::vector<int>>;
-void AddFramesOption(CLI::App* command, FramesOption* frames);
-void TakeFrames(const FramesOption& frames, FitConfig* config);
+// --frames A B and --every N: which frames are fitted.
+struct FramesOptions {
+  std::optional<std::vector<int>> range;
+  std::optional<int> every;
+};
+void AddFramesOptions(CLI::App* command, FramesOptions* frames);
+void TakeFrames(const FramesOptions& frames, FitConfig* config);
+
+// --threads N, of this process; what it does is the same for any number.
+void AddThreadLimit(CLI::App* command);
 
 // FitConfig::Check of what the command line has changed: names the option where one sets the key.
 void CheckConfig(const FitConfig& config);

@@ -14,6 +14,7 @@ namespace clothfit {
 namespace {
 
 thread_local bool is_inside = false;
+std::atomic<int> most_threads = 0;
 
 }  // namespace
 
@@ -22,8 +23,12 @@ InsideParallelWork::~InsideParallelWork() { is_inside = before_; }
 
 int NumThreads(int asked) {
   if (is_inside) return 1;
-  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = asked > 0 ? asked : all, most = most_threads;
+  return most > 0 ? std::min(threads, most) : threads;
 }
+
+void LimitThreads(int most) { most_threads = most; }
 
 void ParallelFor(int count, int num_threads,
                  const std::function<void(int piece, int worker)>& work) {

@@ -12,6 +12,9 @@ namespace clothfit {
 // the cores are taken.
 int NumThreads(int asked);
 
+// The whole process runs no more threads at once than this from here on; 0: as the machine allows.
+void LimitThreads(int most);
+
 // While it lives, this thread's work counts as part of other parallel work.
 class InsideParallelWork {
  public:

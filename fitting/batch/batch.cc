@@ -100,7 +100,7 @@ FitResult FitInto(const fs::path& folder, const fs::path& place, const BatchFit&
   CheckContact(scene, config);
   FitCallbacks callbacks;
   callbacks.stop = context.stop;
-  return FitIntoRun(scene, config, run, callbacks, false);
+  return FitIntoRun(scene, config, run, callbacks, false).result;
 }
 
 std::string Cell(const nlohmann::json& value, bool markdown) {

@@ -80,6 +80,7 @@ std::vector<BatchFit> ReadBatchList(const fs::path& file) {
 FitConfig BatchConfig(const BatchFit& fit, const Recording& recording) {
   FitConfig config = DefaultConfig(recording);
   for (const fs::path& file : fit.configs) ReadConfig(file, &config);
+  ForgetChosenMesh(&config);
   config.recording = fs::absolute(recording.path).lexically_normal().string();
   for (const std::string& assignment : fit.set)
     SetParameter(fit.name + ": set", assignment, &config);

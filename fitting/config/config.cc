@@ -109,6 +109,11 @@ void CheckParameters(const std::string& place,
 
 }  // namespace
 
+void ForgetChosenMesh(FitConfig* config) {
+  if (config->refined) config->resolution = {0, 0};
+  config->refined = false;
+}
+
 FitConfig DefaultConfig(const Recording& recording) {
   FitConfig config;
   config.recording = recording.path.string();

@@ -51,7 +51,11 @@ struct FitConfig {
 
   // cloth
   std::array<int, 2> resolution = {0, 0};  // particles along u and v; 0 = as the recording says
-  bool buckling = true;                    // below the mesh, see ClothMesh
+  // Particles along the longer side of the finest mesh that a fit may choose where no resolution is
+  // given; 0: it keeps the recording's.
+  int finest = 31;
+  bool refined = false;  // the resolution is one that a fit has chosen; a fit chooses anew
+  bool buckling = true;  // below the mesh, see ClothMesh
 
   // simulation
   double max_step = 1.0 / 120.0;  // s; a frame is divided into equal steps no longer than this
@@ -89,7 +93,8 @@ struct FitConfig {
   LossKind loss = LossKind::kNone;
   double loss_scale = 3.0;  // in sigmas
   std::optional<std::array<int, 2>>
-      frames;  // inclusive range of frames to fit; all but held-out ones
+      frames;     // inclusive range of frames to fit; all but held-out ones
+  int every = 1;  // of them one in so many, from the first on
   // Of a fit of several recordings: this one is predicted, and nothing of it fitted.
   bool hold_out = false;
   // pull of the markers and of the tracks' rays on the cloth while fitting, as strong as
@@ -124,6 +129,9 @@ struct FitConfig {
   // Throws InputError, naming `place` and the key, where a value is out of range.
   void Check(const std::string& place) const;
 };
+
+// A mesh that an earlier fit has chosen: the next one begins where that did.
+void ForgetChosenMesh(FitConfig* config);
 
 // Defaults for this recording: which parameters are free depends on what it has (ground or none, a
 // known areal density or none).

@@ -111,9 +111,9 @@ ConfigKey ResolutionKey() {
   key.problem = [](const FitConfig& config) {
     const auto& [nu, nv] = config.resolution;
     const bool is_default = nu == 0 && nv == 0;
-    constexpr int kMost = 1000;
-    if (is_default || (std::min(nu, nv) >= 2 && std::max(nu, nv) <= kMost)) return std::string();
-    return fmt::format("expected 2 to {} particles along u and v, or [0, 0]", kMost);
+    if (is_default || (std::min(nu, nv) >= 2 && std::max(nu, nv) <= kMostResolution))
+      return std::string();
+    return fmt::format("expected 2 to {} particles along u and v, or [0, 0]", kMostResolution);
   };
   return key;
 }
@@ -159,6 +159,13 @@ ConfigKey FramesKey() {
 std::vector<ConfigKey> MakeConfigKeys() {
   return {
       ResolutionKey(),
+      IntegerKey("cloth", "finest",
+                 "without a resolution: particles along the longer side of the finest mesh that a "
+                 "fit may choose; 0: it keeps the recording's",
+                 &FitConfig::finest, 0, kMostResolution),
+      ChoiceKey("cloth", "refined",
+                "the resolution is one that a fit has chosen; a fit chooses anew",
+                &FitConfig::refined, kYesOrNo),
       ChoiceKey("cloth", "buckling",
                 "wrinkles that are shorter than the mesh limit compression; false: springs resist "
                 "it as they resist tension",
@@ -214,6 +221,8 @@ std::vector<ConfigKey> MakeConfigKeys() {
       NumberKey("observations", "loss_scale", "sigmas from which an observation is an outlier",
                 &FitConfig::loss_scale, Range::kAboveZero),
       FramesKey(),
+      IntegerKey("observations", "every", "of these frames, fit one in so many", &FitConfig::every,
+                 1, kMostFrames),
       ChoiceKey("observations", "hold_out",
                 "of a fit of several recordings: predict this one and fit nothing of it",
                 &FitConfig::hold_out, kYesOrNo),

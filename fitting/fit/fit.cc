@@ -77,20 +77,7 @@ class CoarserScenes {
 
 // Its share of the whole fit's progress is a guess.
 FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const Scene& scene, double share) {
-  const std::string name =
-      fmt::format("{} x {} particles, ", scene.mesh.grid[0], scene.mesh.grid[1]);
-  FitCallbacks of_coarse;
-  of_coarse.stop = callbacks.stop;
-  of_coarse.journal = callbacks.journal;
-  if (callbacks.log)
-    of_coarse.log = [&callbacks, name](const std::string& line) { callbacks.log(name + line); };
-  if (callbacks.progress) {
-    of_coarse.progress = [&callbacks, name, share](FitProgress progress) {
-      progress.stage = name + progress.stage;
-      progress.fraction *= share;
-      callbacks.progress(progress);
-    };
-  }
+  FitCallbacks of_coarse = OfPart(callbacks, GridAsText(scene) + " particles, ", 0.0, share);
   if (callbacks.checkpoint) {
     of_coarse.checkpoint = [&callbacks](FitCheckpoint checkpoint) {
       checkpoint.coarse = true;
@@ -101,6 +88,23 @@ FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const Scene& scene, doub
 }
 
 }  // namespace
+
+FitCallbacks OfPart(const FitCallbacks& callbacks, const std::string& name, double from,
+                    double share) {
+  FitCallbacks part;
+  part.stop = callbacks.stop;
+  part.journal = callbacks.journal;
+  if (callbacks.log)
+    part.log = [&callbacks, name](const std::string& line) { callbacks.log(name + line); };
+  if (callbacks.progress) {
+    part.progress = [&callbacks, name, from, share](FitProgress progress) {
+      progress.stage = name + progress.stage;
+      progress.fraction = from + share * progress.fraction;
+      callbacks.progress(progress);
+    };
+  }
+  return part;
+}
 
 FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks,
                  const FitCheckpoint* resume, bool tells_misfit) {
@@ -161,6 +165,20 @@ FitResult FitForecasts(const Scene& scene, const FitConfig& config, const FitCal
                        const FitCheckpoint* from, int most_lengths) {
   return Fitter(scene, config, callbacks)
       .Forecast(NumForecastLengths(scene, config), most_lengths, from);
+}
+
+FitResult GoOnFitting(const Scene& scene, const FitConfig& config, const Eigen::VectorXd& theta,
+                      const FitCallbacks& callbacks) {
+  const auto begin = std::chrono::steady_clock::now();
+  Fitter fitter(scene, config, callbacks);
+  const FitCheckpoint reached = fitter.AfterWindows(theta);
+  fitter.BeginNear();
+  fitter.Begin(&reached);
+  fitter.Advance(config.max_iterations);
+  fitter.TellMisfit();
+  FitResult result = fitter.End();
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
 }
 
 FitResult AppraiseFit(const Scene& scene, const FitConfig& config, const Eigen::VectorXd& theta) {

@@ -108,11 +108,20 @@ struct FitResult {
   std::vector<FitResult> recordings;
 };
 
+// Those of a part of a fit, without checkpoints: from there on, of this share of the whole. `name`
+// goes before what it tells.
+FitCallbacks OfPart(const FitCallbacks& callbacks, const std::string& name, double from,
+                    double share);
+
 // Runs the fit. `resume` goes on from a checkpoint of the same scene and config. tells_misfit: with
 // a misfit of markers and tracks, and intervals that hold the discretisation error, see
 // AppraiseFit.
 FitResult RunFit(const Scene& scene, const FitConfig& config, const FitCallbacks& callbacks = {},
                  const FitCheckpoint* resume = nullptr, bool tells_misfit = false);
+
+// A fit of all frames from where one on a coarser mesh has ended, with its misfit.
+FitResult GoOnFitting(const Scene& scene, const FitConfig& config, const Eigen::VectorXd& theta,
+                      const FitCallbacks& callbacks = {});
 
 // What a whole fit would say of theta, without any fitting: errors, intervals with what mesh and
 // step do to them, and the misfit of markers and tracks.

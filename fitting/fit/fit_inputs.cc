@@ -235,12 +235,13 @@ class InputBytes {
     PutAll(value, free, lower, upper, prior, prior_sigma, scale, shared);
   }
   void Put(const FitConfig& config) {
-    [[maybe_unused]] const auto& [recording, resolution, buckling, max_step, integrator, tolerance,
-                                  check_intersections, self_contact, parameters, initial_order,
-                                  initial_position_sigma, initial_velocity_sigma, spline_spacing,
-                                  spline_acceleration, spline_speed, use_markers, use_tracks,
-                                  use_silhouettes, use_clouds, leave_out_outliers, alpha, beta,
-                                  cloud_points, cloud_coverage, loss, loss_scale, frames, hold_out,
+    [[maybe_unused]] const auto& [recording, resolution, finest, refined, buckling, max_step,
+                                  integrator, tolerance, check_intersections, self_contact,
+                                  parameters, initial_order, initial_position_sigma,
+                                  initial_velocity_sigma, spline_spacing, spline_acceleration,
+                                  spline_speed, use_markers, use_tracks, use_silhouettes,
+                                  use_clouds, leave_out_outliers, alpha, beta, cloud_points,
+                                  cloud_coverage, loss, loss_scale, frames, every, hold_out,
                                   attract, loops, optimiser, max_simulations, polish_hard, window,
                                   window_resolution, coarse_resolution, polish, max_iterations,
                                   function_tolerance] = config;
@@ -248,7 +249,7 @@ class InputBytes {
            parameters, initial_order, initial_position_sigma, initial_velocity_sigma,
            spline_spacing, spline_acceleration, spline_speed, use_markers, use_tracks,
            use_silhouettes, use_clouds, leave_out_outliers, alpha, beta, cloud_points,
-           cloud_coverage, loss, loss_scale, frames, hold_out, attract, loops, optimiser,
+           cloud_coverage, loss, loss_scale, frames, every, hold_out, attract, loops, optimiser,
            max_simulations, polish_hard, window, window_resolution, coarse_resolution, polish,
            max_iterations, function_tolerance);
   }

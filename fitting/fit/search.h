@@ -76,4 +76,18 @@ SearchResult Search(const Scene& scene, const FitConfig& config, const SearchOpt
 FitResult FitByStrategy(const Scene& scene, const FitConfig& config,
                         const FitCallbacks& callbacks = {});
 
+// A fit and its mesh.
+struct FitOnMesh {
+  std::shared_ptr<const Scene> scene;  // where the fit has chosen another than it was given
+  FitConfig config;                    // names the mesh that was chosen
+  FitResult result;
+};
+
+// FitByStrategy, and then again on finer and finer meshes (FinerSide), each fit from where the one
+// before ended, until no more of the discretisation error is in the residuals than half the noise,
+// or the mesh is the finest that the config allows. Only where the config gives no resolution, the
+// cloth is a grid, and the fit has come to rest and has a misfit; the result says so.
+FitOnMesh FitOnChosenMesh(const Scene& scene, const FitConfig& config,
+                          const FitCallbacks& callbacks = {});
+
 }  // namespace clothfit

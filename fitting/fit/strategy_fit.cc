@@ -3,14 +3,19 @@
 //
 // Whole fits by any strategy, and what follows where Levenberg-Marquardt stalls.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/fit/fitter.h"
+#include "fitting/fit/rugged_cost.h"
 #include "fitting/fit/search.h"
+#include "fitting/scene/grid_side.h"
 
 namespace clothfit {
 namespace {
@@ -43,14 +48,18 @@ void Add(const SearchResult& search, const Scene& scene, FitResult* result) {
   result->seconds += search.seconds;
 }
 
+void AddWork(const FitResult& other, FitResult* result) {
+  result->iterations += other.iterations;
+  result->simulated_frames += other.simulated_frames;
+  result->differentiated_frames += other.differentiated_frames;
+  result->simulations += other.simulations;
+  result->seconds += other.seconds;
+}
+
 void Add(const FitResult& before, FitResult* result) {
   result->before = before.before;
   result->cost_before = before.cost_before;
-  result->iterations += before.iterations;
-  result->simulated_frames += before.simulated_frames;
-  result->differentiated_frames += before.differentiated_frames;
-  result->simulations += before.simulations;
-  result->seconds += before.seconds;
+  AddWork(before, result);
 }
 
 // The hard error where Levenberg-Marquardt's soft one gets no further. May cost as many simulations
@@ -115,7 +124,101 @@ FitResult FitBySearch(const Scene& scene, const FitConfig& config, const FitCall
   return result;
 }
 
+int LongerSide(const Scene& scene) { return std::max(scene.mesh.grid[0], scene.mesh.grid[1]); }
+
+bool MayBeRefined(const Scene& scene, const FitConfig& config) {
+  const bool is_given = !config.refined && config.resolution != std::array<int, 2>{0, 0};
+  return !is_given && scene.mesh.is_grid() && LongerSide(scene) < config.finest &&
+         config.loops == Strategy::kJoint && config.optimiser == "lm";
+}
+
+// Of the discretisation error, in sigmas: what of it is in the residuals. More than all of it is
+// something else.
+double MeshInResiduals(const Misfit& misfit) {
+  return misfit.discretisation.value_or(0.0) * std::clamp(misfit.amplitude.value_or(0.0), 0.0, 1.0);
+}
+
+constexpr double kNegligibleMesh = 0.5;  // sigmas of mesh and step, which make 1.12 of one of noise
+
+// A fit that has used up its iterations does not: it is not known what it would leave.
+bool AsksForFinerMesh(const FitResult& fit) {
+  const bool is_at_rest =
+      fit.status == FitStatus::kConverged ||
+      (fit.status == FitStatus::kNotConverged && !RuggedCostAmong(fit.statements).empty());
+  return is_at_rest && fit.misfit && !fit.misfit->IsNoise() &&
+         MeshInResiduals(*fit.misfit) > kNegligibleMesh;
+}
+
+// On which mesh, by an error of second order, no more than that should be left.
+int NextSide(const Scene& scene, const FitOnMesh& fit) {
+  const int side = LongerSide(scene);
+  const double ratio = std::sqrt(MeshInResiduals(*fit.result.misfit) / kNegligibleMesh);
+  const int enough = 1 + static_cast<int>(std::ceil(ratio * (side - 1)));
+  return std::min(fit.config.finest, std::max(FinerSide(side), enough));
+}
+
+// Why the mesh is as fine as it is.
+std::string SayMesh(const Scene& first, const Scene& chosen, const FitOnMesh& fit) {
+  const std::string refined = fmt::format("the mesh was refined from {} to {} particles",
+                                          GridAsText(first), GridAsText(chosen));
+  const bool is_finest = LongerSide(chosen) >= fit.config.finest;
+  if (!is_finest || !AsksForFinerMesh(fit.result)) return refined;
+  return fmt::format("{}, the finest that may be chosen (--finest)", refined);
+}
+
+std::string SayNoFinerMesh(const Scene& finer) {
+  return fmt::format("a mesh of {} particles explains no more", GridAsText(finer));
+}
+
+// A finer mesh, from where the fit has ended. False where it explains no more.
+bool Refine(const Scene& scene, int side, const FitCallbacks& callbacks, FitOnMesh* fit) {
+  FitOnMesh finer = *fit;
+  finer.config.resolution = GridWithSide(scene.mesh.grid, side);
+  finer.config.refined = true;
+  finer.scene = std::make_shared<const Scene>(MakeScene(scene.recording, finer.config, &scene));
+  Log(callbacks, fmt::format("mesh and step leave {:.2g} times the noise in the residuals: on with "
+                             "{} particles",
+                             MeshInResiduals(*fit->result.misfit), GridAsText(*finer.scene)));
+  finer.result =
+      GoOnFitting(*finer.scene, finer.config, fit->result.theta,
+                  OfPart(callbacks, GridAsText(*finer.scene) + " particles, ", 0.0, 1.0));
+  const bool is_better =
+      finer.result.status == FitStatus::kInterrupted ||
+      (finer.result.misfit && finer.result.misfit->chi_square < fit->result.misfit->chi_square);
+  if (is_better) {
+    Add(fit->result, &finer.result);
+    *fit = std::move(finer);
+    return true;
+  }
+  AddWork(finer.result, &fit->result);
+  fit->result.statements.push_back(SayNoFinerMesh(*finer.scene));
+  return false;
+}
+
 }  // namespace
+
+FitOnMesh FitOnChosenMesh(const Scene& scene, const FitConfig& config,
+                          const FitCallbacks& callbacks) {
+  FitOnMesh fit;
+  fit.config = config;
+  double left = 1.0;  // of the progress; half of it where another fit may follow
+  const auto part = [&](bool is_last) {
+    const double share = is_last ? left : 0.5 * left;
+    left -= share;
+    return OfPart(callbacks, "", 1.0 - left - share, share);
+  };
+  const Scene* now = &scene;
+  fit.result = FitByStrategy(scene, config, part(!MayBeRefined(scene, config)));
+  bool is_finer = true;
+  while (is_finer && MayBeRefined(*now, fit.config) && AsksForFinerMesh(fit.result)) {
+    const std::shared_ptr<const Scene> kept = fit.scene;  // `now` may be within
+    const int side = NextSide(*now, fit);
+    is_finer = Refine(*now, side, part(side >= fit.config.finest), &fit);
+    if (fit.scene) now = fit.scene.get();
+  }
+  if (fit.scene) fit.result.statements.push_back(SayMesh(scene, *fit.scene, fit));
+  return fit;
+}
 
 FitResult FitByStrategy(const Scene& scene, const FitConfig& config,
                         const FitCallbacks& callbacks) {

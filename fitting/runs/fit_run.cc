@@ -165,6 +165,7 @@ void RequireSameConfig(const RunFolder& run, const Recording& recording, const F
   if (!IsThere(run.ConfigFile())) return;  // it ended before it began
   FitConfig of_run = DefaultConfig(recording);
   ReadConfig(run.ConfigFile(), &of_run);
+  ForgetChosenMesh(&of_run);
   // A fit that was given less goes the same way as far as it goes.
   of_run.max_iterations = config.max_iterations;
   of_run.max_simulations = config.max_simulations;
@@ -208,15 +209,24 @@ FitResult FitWithCheckpoint(const RunFolder& run, const FitCallbacks& callbacks,
   return result;
 }
 
-FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
+FitOnMesh FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
                      const FitCallbacks& callbacks, bool resume) {
   run.WriteConfig(config);
   FitConfig unchecked = config;
   unchecked.check_intersections = false;  // only the result is worth it
-  return FitWithCheckpoint(
+  FitOnMesh fit;
+  fit.result = FitWithCheckpoint(
       run, callbacks, resume,
-      [&](const FitCallbacks& with_run) { return FitByStrategy(scene, unchecked, with_run); },
-      [&](const FitResult& result) { WriteFit(scene, config, result, run); });
+      [&](const FitCallbacks& with_run) {
+        fit = FitOnChosenMesh(scene, unchecked, with_run);
+        return fit.result;
+      },
+      [&](const FitResult& result) {
+        fit.config.check_intersections = config.check_intersections;
+        if (fit.scene) run.WriteConfig(fit.config);
+        WriteFit(fit.scene ? *fit.scene : scene, fit.config, result, run);
+      });
+  return fit;
 }
 
 int SimulateIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,

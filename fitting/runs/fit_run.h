@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fitting/fit/fit.h"
+#include "fitting/fit/search.h"
 #include "fitting/runs/run_folder.h"
 
 namespace clothfit {
@@ -36,11 +37,11 @@ void RequireSameConfig(const RunFolder& run, const Recording& recording, const F
 void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& result,
               const RunFolder& run);
 
-// FitByStrategy with everything written into the run: config and log at once, the checkpoint after
-// every accepted step, the results at the end. The checkpoint stays behind where more can be had:
-// after an interruption, or when the iterations were used up. `callbacks` are called too. `resume`
-// goes on from the run's own checkpoint, or from the beginning where it has none yet.
-FitResult FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
+// FitOnChosenMesh with everything written into the run: config and log at once, the checkpoint
+// after every accepted step, the results at the end. The checkpoint stays behind where more can be
+// had: after an interruption, or when the iterations were used up. `callbacks` are called too.
+// `resume` goes on from the run's own checkpoint, or from the beginning where it has none yet.
+FitOnMesh FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
                      const FitCallbacks& callbacks, bool resume);
 
 // The frame of both: the log and the checkpoint of a fit that `fit` does and whose results `write`

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <ceres/cubic_interpolation.h>
+#include <fmt/format.h>
 
 #include "autodiff_sim/base/error.h"
 #include "autodiff_sim/contact/obstacle_body.h"
@@ -131,9 +132,12 @@ void ChooseFrames(const Recording& recording, const FitConfig& config, Scene* sc
         std::to_string((*config.frames)[0]) + " " + std::to_string((*config.frames)[1]) +
             "; expected first <= last within 0 to " + std::to_string(recording.frame_count - 1));
   }
+  const std::array<int, 2> all = {0, recording.frame_count - 1};
+  const auto [first, last] = config.frames.value_or(all);
   for (int f = 0; f < recording.frame_count; ++f) {
-    const bool chosen = !config.frames || (f >= (*config.frames)[0] && f <= (*config.frames)[1]);
-    scene->is_fitted.push_back(chosen && !scene->IsHeldOut(f));
+    const bool is_within = f >= first && f <= last;
+    const bool is_chosen = is_within && (f - first) % config.every == 0;
+    scene->is_fitted.push_back(is_chosen && !scene->IsHeldOut(f));
   }
   for (const MarkerObservation& m : scene->markers) {
     if (scene->is_fitted[m.frame])
@@ -223,6 +227,10 @@ bool Scene::IsHeldOut(int frame) const {
 
 bool Scene::IsFitted(int frame, int camera) const {
   return is_fitted[frame] && !IsHeldOutCamera(recording, camera);
+}
+
+std::string GridAsText(const Scene& scene) {
+  return fmt::format("{} x {}", scene.mesh.grid[0], scene.mesh.grid[1]);
 }
 
 Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene* same) {

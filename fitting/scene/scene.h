@@ -98,6 +98,9 @@ struct Scene {
   bool IsFitted(int frame, int camera) const;
 };
 
+// "31 x 25"
+std::string GridAsText(const Scene& scene);
+
 // Throws InputError where the recording or the config cannot be used. `same`, where given, is a
 // scene of the same recording whose silhouettes are used again, unless what is known to be wrong
 // with masks differs.

@@ -48,8 +48,8 @@ RecoveredSeed RecoverSeed(const RecoveryOptions& options, int seed) {
       MakeSyntheticRecording(recording_options, {}, options.generator);
   FitConfig config = DefaultConfig(synthetic.recording);
   config.max_iterations = options.max_iterations;
-  const Scene scene = MakeScene(synthetic.recording, config);
-  const FitResult fit = FitByStrategy(scene, config);
+  config.finest = options.finest;
+  const FitResult fit = FitOnChosenMesh(MakeScene(synthetic.recording, config), config).result;
   RecoveredSeed result;
   result.seed = seed;
   result.status = fit.status;

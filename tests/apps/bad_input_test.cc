@@ -100,6 +100,9 @@ TEST_F(BadInput, FrameOutsideTheRecording) {
   EXPECT_THAT(FitLine(), HasSubstr("frame 6 is outside 0..5"));
   WriteRecording(recording_, path() / "rec", Overwrite::kAllow);
   EXPECT_THAT(FitLine({"--frames", "0", "6"}), HasSubstr("expected first <= last within 0 to 5"));
+  EXPECT_THAT(FitLine({"--every", "0"}), HasSubstr("--every: 0; expected an integer from 1"));
+  EXPECT_THAT(FitLine({"--threads", "-1"}), HasSubstr("--threads: -1; expected"));
+  EXPECT_THAT(FitLine({"--finest", "-1"}), HasSubstr("--finest: -1; expected an integer from 0"));
 }
 
 TEST_F(BadInput, NothingObserved) {

@@ -21,6 +21,7 @@ SOURCES = (
     ("fitting/report/scene/scene.cc", None, None),
     ("fitting/fit/fitter_result.cc", None, None),
     ("fitting/fit/rugged_cost.cc", None, None),
+    ("fitting/fit/strategy_fit.cc", "std::string SayMesh(", "// A finer mesh, from where"),
     ("fitting/fit/uncertainty.cc", None, None),
     ("fitting/scene/silhouettes.cc", None, None),
     ("fitting/scene/clouds.cc", None, None),

@@ -28,7 +28,7 @@ namespace {
 struct DiagnoseOptions {
   ConfigOptions config;
   DiagnosisOptions diagnosis;
-  FramesOption frames;
+  FramesOptions frames;
   std::string output;
   bool no_projection = false, table_null = false, no_nudge = false;
   bool force = false, resume = false, quiet = false;
@@ -139,10 +139,11 @@ void AddDiagnoseCommand(CLI::App* app, Action* action) {
                  "go on with an interrupted diagnosis there; begins where there is none")
       ->excludes(force);
   command->add_flag("--quiet", options->quiet, "print errors only");
+  AddThreadLimit(command);
   AddConfigOptions(command, &options->config);
   AddFreeOptions(command, &options->config);
   BeginGroup(command, "What is fitted");
-  AddFramesOption(command, &options->frames);
+  AddFramesOptions(command, &options->frames);
   AddLookOptions(command, options.get());
   AddAblationOptions(command, options.get());
   command->footer(

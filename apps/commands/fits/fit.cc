@@ -55,7 +55,7 @@ FitResult FitWithDisplay(const Scene& scene, const FitConfig& config, const RunF
     };
     callbacks.note = [&display](const std::string& line) { display.Note(line); };
   }
-  FitResult result = FitIntoRun(scene, config, run, callbacks, options.resume);
+  FitResult result = FitIntoRun(scene, config, run, callbacks, options.resume).result;
   display.Finish();
   return result;
 }
@@ -105,11 +105,20 @@ int RunFitCommand(FitOptions options) {
   return Report(FitWithDisplay(scene, config, run, options), run, options.quiet);
 }
 
+void AddMeshOption(CLI::App* command, FitOptions* options) {
+  DefaultIsKey("cloth.finest",
+               command->add_option("--finest", options->finest,
+                                   "without --resolution: particles along the longer side of the "
+                                   "finest mesh that the fit may choose; 0: it keeps the "
+                                   "recording's"))
+      ->type_name("N");
+}
+
 void AddObservationOptions(CLI::App* command, FitOptions* options) {
   const std::map<std::string, LossKind> losses = {
       {"none", LossKind::kNone}, {"huber", LossKind::kHuber}, {"cauchy", LossKind::kCauchy}};
   BeginGroup(command, "What is fitted");
-  AddFramesOption(command, &options->frames);
+  AddFramesOptions(command, &options->frames);
   DefaultIsKey("observations.loss",
                command->add_option("--loss", options->loss, "how outliers count"),
                "; huber with tracks, masks or clouds")
@@ -173,6 +182,7 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
   command->add_flag("--resume", options->resume, "go on with an interrupted run")
       ->excludes("--force");
   command->add_flag("--quiet", options->quiet, "print errors only");
+  AddThreadLimit(command);
   command
       ->add_option("--hold-out", options->hold_out,
                    "a recording to predict and not to fit, of those named or another; may be "
@@ -180,6 +190,7 @@ void AddFitOptions(CLI::App* command, FitOptions* options) {
       ->type_name("RECORDING")
       ->allow_extra_args(false);
   AddConfigOptions(command, &options->config, &options->recordings);
+  AddMeshOption(command, options);
   AddFreeOptions(command, &options->config);
   AddObservationOptions(command, options);
   AddSearchOptions(command, options);

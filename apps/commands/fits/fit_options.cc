@@ -17,6 +17,8 @@ void ApplyOptions(const FitOptions& options, FitConfig* config) {
   if (options.window) config->window = *options.window;
   if (options.initial_order) config->initial_order = *options.initial_order;
   if (options.max_iterations) config->max_iterations = *options.max_iterations;
+  ForgetChosenMesh(config);
+  if (options.finest) config->finest = *options.finest;
   TakeFrames(options.frames, config);
   if (options.loss) config->loss = *options.loss;
   if (options.alpha) config->alpha = *options.alpha;

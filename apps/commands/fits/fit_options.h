@@ -23,7 +23,8 @@ struct FitOptions {
   std::optional<int> initial_order, max_iterations;
   std::optional<double> alpha, beta, max_simulations;
   std::optional<std::string> strategy, optimiser;
-  FramesOption frames;
+  std::optional<int> finest;
+  FramesOptions frames;
   std::optional<LossKind> loss;
   bool no_polish = false, attract = false, force = false, resume = false;
   bool quiet = false;

@@ -140,6 +140,8 @@ bool IsOfSeveral(const FitOptions& options) {
 int RunFitOfSeveral(const FitOptions& options) {
   if (options.run.empty())
     throw InputError("-o", "is missing; expected the run's folder, of several recordings");
+  if (options.finest)
+    throw InputError("--finest", "is for one recording; several keep their meshes");
   const std::vector<ListedRecording> listed = ListOf(options);
   std::vector<Prepared> prepared;
   std::vector<std::string> names;

@@ -34,7 +34,7 @@ struct CompareOptions {
   ComparisonOptions comparison;
   std::string output;
   std::optional<double> alpha, beta;
-  FramesOption frames;
+  FramesOptions frames;
   bool force = false, resume = false, quiet = false;
 };
 
@@ -205,7 +205,7 @@ void AddCompareOptions(CLI::App* command, CompareOptions* options) {
   AddFreeOptions(command, &options->config);
   AddContenderOptions(command, &comparison, options);
   BeginGroup(command, "What is fitted");
-  AddFramesOption(command, &options->frames);
+  AddFramesOptions(command, &options->frames);
   DefaultIsKey("observations.alpha",
                command->add_option("--alpha", options->alpha, "weight of the silhouettes"))
       ->type_name("W");

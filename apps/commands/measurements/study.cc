@@ -11,6 +11,7 @@
 
 #include "apps/commands/commands.h"
 #include "apps/options/tracking.h"
+#include "apps/options/value_checks.h"
 #include "apps/terminal/next_step.h"
 #include "apps/terminal/terminal.h"
 #include "autodiff_sim/base/error.h"
@@ -21,23 +22,23 @@
 #include "fitting/trials/finite_elements/generator.h"
 #include "tracking/features/tracking_evaluation.h"
 #include "tracking/files/output_folder.h"
+#include "tracking/recording/limits.h"
 #include "tracking/text/text.h"
 
 namespace clothfit {
 namespace {
 
-constexpr int kFiniteElementRefinement = 2;  // elements along a spacing of the fit's particles
-
 struct RecoveryStudyOptions {
   RecoveryOptions recovery;
   std::string output;
+  int elements = 2;  // along a spacing of the recording's particles
   bool force = false, finite_elements = false;
 };
 
 int RunRecoveryCommand(RecoveryStudyOptions options) {
   if (options.finite_elements) {
     options.recovery.generator = FiniteElementGenerator({}, {}, nullptr);
-    options.recovery.recording.refinement = kFiniteElementRefinement;
+    options.recovery.recording.refinement = options.elements;
   }
   if (options.recovery.num_seeds < 1) {
     throw InputError("--seeds", fmt::format("{}; expected 1 or more", options.recovery.num_seeds));
@@ -81,9 +82,23 @@ void AddRecoveryStudy(CLI::App* study, Action* action) {
                    "recordings fitted at the same time; no influence on the result")
       ->type_name("N")
       ->capture_default_str();
-  recovery->add_flag("--finite-elements", options->finite_elements,
-                     "make them with triangular finite elements on a finer mesh, which share no "
-                     "code with a fit");
+  recovery
+      ->add_option("--finest", options->recovery.finest,
+                   "particles along the longer side of the finest mesh that a fit may choose; 0: "
+                   "it keeps the recording's")
+      ->type_name("N")
+      ->check(WholeNumber(0, kMostResolution))
+      ->capture_default_str();
+  CLI::Option* const finite_elements = recovery->add_flag(
+      "--finite-elements", options->finite_elements,
+      "make them with triangular finite elements on a finer mesh, which share no code with a fit");
+  recovery
+      ->add_option("--elements", options->elements,
+                   "of these along a spacing of the recording's particles; 4 take 8 times as long")
+      ->type_name("N")
+      ->check(WholeNumber(1, 10))
+      ->needs(finite_elements)
+      ->capture_default_str();
   recovery->add_flag("--force", options->force, "replace the tables that are there");
   recovery->footer("Example:\n  clothfit study recovery --seeds 20 -o studies/recovery");
   recovery->callback(

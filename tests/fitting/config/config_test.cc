@@ -58,6 +58,9 @@ FitConfig AwkwardConfig() {
   config.optimiser = "pattern";
   config.max_simulations = 1e3 / 7.0;
   config.polish_hard = false;
+  config.finest = 45;
+  config.refined = true;
+  config.every = 2;
   config.max_iterations = 7;
   config.function_tolerance = 1e-300;
   config.parameters["air_drag.normal"] = {1.0 / 3.0, false, 1e-17, 1e17 / 7.0,

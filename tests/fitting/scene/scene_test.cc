@@ -46,5 +46,26 @@ TEST(HandlePath, HasFourControlPointsAtEveryTime) {
   }
 }
 
+TEST(Scene, FitsOneFrameInSoMany) {
+  Recording recording;
+  recording.frame_count = 12;
+  recording.cloth.size = {0.4, 0.4};
+  recording.cloth.resolution = {4, 4};
+  recording.cloth.initial = FlatPlacement{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+  recording.splits.held_out_frames = Splits::FrameRange{10, 11};
+  FitConfig config = DefaultConfig(recording);
+  config.every = 3;
+  const auto fitted = [&] {
+    const Scene scene = MakeScene(recording, config);
+    std::vector<int> frames;
+    for (int frame = 0; frame < recording.frame_count; ++frame)
+      if (scene.is_fitted[static_cast<std::size_t>(frame)]) frames.push_back(frame);
+    return frames;
+  };
+  EXPECT_EQ(fitted(), (std::vector<int>{0, 3, 6, 9}));
+  config.frames = {2, 11};
+  EXPECT_EQ(fitted(), (std::vector<int>{2, 5, 8}));  // 11 is held out
+}
+
 }  // namespace
 }  // namespace clothfit

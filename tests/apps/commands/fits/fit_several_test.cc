@@ -116,6 +116,8 @@ TEST_F(FitSeveral, RefusesAllForOneBeforeAnythingIsWritten) {
   EXPECT_THAT(BadInputLine(Fit({"a/take", "b/take"})), HasSubstr("-o"));
   EXPECT_THAT(BadInputLine(Fit({"a/take", "b/take", "-o", "none", "--optimiser", "bobyqa"})),
               HasSubstr("several recordings are fitted by lm"));
+  EXPECT_THAT(BadInputLine(Fit({"a/take", "b/take", "-o", "none", "--finest", "9"})),
+              HasSubstr("--finest: is for one recording"));
   EXPECT_FALSE(fs::exists(path() / "none"));
 }
 
