@@ -153,6 +153,9 @@ Raises InputError where format is none of these, the run lacks what it needs or 
       py::arg("progress") = py::none(),
       R"(Fits a simulated cloth to a recording (or to the folder of one) and returns the Run.
 
+Where the config has no cloth.resolution the fit begins with the recording's and may choose a finer one,
+up to cloth.finest.
+
 folder: where the run is written; None: nowhere that lasts. replace: what an earlier fit wrote
 there. resume: go on with an interrupted one. progress: called as progress(stage, share).
 Ctrl-C raises KeyboardInterrupt; with a folder, resume=True goes on from there.
