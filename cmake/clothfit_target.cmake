@@ -8,6 +8,8 @@ target_compile_options(clothfit_options INTERFACE
   $<$<BOOL:${CLOTHFIT_WERROR}>:-Werror>
   # GCC 12 takes its own AVX-512 intrinsics for uninitialised (GCC bug 105593).
   -Wno-maybe-uninitialized -Wno-array-bounds
+  # GCC 14 takes one of its own for a memcpy beyond what it reads.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-stringop-overread>
   # Square roots and the like set no errno here, so they may be inlined. Nothing else of fast-math.
   -fno-math-errno)
 if(CLOTHFIT_MARCH)
