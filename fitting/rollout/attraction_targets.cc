@@ -23,9 +23,31 @@ bool IsSame(const SurfacePoint& a, const SurfacePoint& b) {
 template <class Values>
 using Sightings = std::map<int, std::pair<SurfacePoint, Values>>;
 
-// The courses of one target, each added to those that end at its frame.
+// Frames from one that is fitted to the next, where all in between are left out evenly; 1 where
+// none are.
+int FramesBetween(const Scene& scene) {
+  int fewest = static_cast<int>(scene.is_fitted.size()), last = -1;
+  for (int frame = 0; frame < static_cast<int>(scene.is_fitted.size()); ++frame) {
+    if (!scene.is_fitted[static_cast<std::size_t>(frame)]) continue;
+    if (last >= 0) fewest = std::min(fewest, frame - last);
+    last = frame;
+  }
+  return std::max(1, fewest);
+}
+
+// The piece of so many equal ones, of a cubic in s from 0 to 1, by an s of its own.
+template <class Values>
+std::array<Values, 4> PieceOf(const std::array<Values, 4>& c, int piece, int pieces) {
+  const double n = pieces, t = piece / n;
+  return {c[0] + t * (c[1] + t * (c[2] + t * c[3])), (c[1] + t * (2.0 * c[2] + 3.0 * t * c[3])) / n,
+          (c[2] + 3.0 * t * c[3]) / (n * n), c[3] / (n * n * n)};
+}
+
+// The courses of one target, which is seen every `step` frames, each added to those that end at its
+// frame.
 template <class Values, class Course>
-void AddCourses(const Sightings<Values>& seen, std::vector<std::vector<Course>>* courses) {
+void AddCourses(const Sightings<Values>& seen, int step,
+                std::vector<std::vector<Course>>* courses) {
   // Null where it was not seen in that frame, or elsewhere on the cloth.
   const auto at = [&](int frame, const SurfacePoint& on_cloth) -> const Values* {
     const auto found = seen.find(frame);
@@ -35,19 +57,19 @@ void AddCourses(const Sightings<Values>& seen, std::vector<std::vector<Course>>*
   for (const auto& [frame, sighting] : seen) {
     const auto& [on_cloth, end] = sighting;
     const Values zero = Values::Zero();
-    const Values* begin = at(frame - 1, on_cloth);
+    const Values* begin = at(frame - step, on_cloth);
     if (begin == nullptr) {
       (*courses)[frame].push_back({on_cloth, {end, zero, zero, zero}, false});
       continue;
     }
-    const Values *earlier = at(frame - 2, on_cloth), *later = at(frame + 1, on_cloth);
+    const Values *earlier = at(frame - 2 * step, on_cloth), *later = at(frame + step, on_cloth);
     const Values across = end - *begin;
     const Values first = earlier != nullptr ? Values(0.5 * (end - *earlier)) : across;
     const Values last = later != nullptr ? Values(0.5 * (*later - *begin)) : across;
-    (*courses)[frame].push_back(
-        {on_cloth,
-         {*begin, first, 3.0 * across - 2.0 * first - last, first + last - 2.0 * across},
-         true});
+    const std::array<Values, 4> whole = {*begin, first, 3.0 * across - 2.0 * first - last,
+                                         first + last - 2.0 * across};
+    for (int piece = 0; piece < step; ++piece)
+      (*courses)[frame - step + 1 + piece].push_back({on_cloth, PieceOf(whole, piece, step), true});
   }
 }
 
@@ -78,7 +100,8 @@ AttractionCourses::AttractionCourses(const Scene& scene)
     if (scene.is_fitted[static_cast<std::size_t>(marker.frame)])
       markers[marker.id].insert({marker.frame, {marker.on_cloth, marker.position}});
   }
-  for (const auto& [id, seen] : markers) AddCourses(seen, &points_);
+  const int step = FramesBetween(scene);
+  for (const auto& [id, seen] : markers) AddCourses(seen, step, &points_);
   std::map<std::pair<int, int>, Sightings<Eigen::Matrix<double, 6, 1>>> tracks;
   for (const TrackObservation& track : scene.tracks) {
     if (!scene.IsFitted(track) || !track.ray) continue;
@@ -86,7 +109,7 @@ AttractionCourses::AttractionCourses(const Scene& scene)
     ray << track.ray->direction, track.ray->moment;
     tracks[{track.camera, track.id}].insert({track.frame, {track.on_cloth, ray}});
   }
-  for (const auto& [camera_and_id, seen] : tracks) AddCourses(seen, &rays_);
+  for (const auto& [camera_and_id, seen] : tracks) AddCourses(seen, step, &rays_);
 }
 
 void AttractionCourses::Approach(int frame, const Eigen::VectorXd& x) {

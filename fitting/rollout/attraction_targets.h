@@ -22,7 +22,8 @@ void AddAttractionTargets(const Scene& scene, int frame, StepInputs* inputs);
 // The same targets at any time, on their courses between the frames: Catmull-Rom splines through
 // what was observed, so that the cloth is drawn to where a target is by then, and the motion
 // relative to it can be damped. What was not seen at the same point of the cloth in the frame
-// before stands still where it is in the coming frame, and damps nothing.
+// before stands still where it is in the coming frame, and damps nothing. Where one frame in so
+// many is fitted, the frame before is the fitted one, and courses lead through those between.
 class AttractionCourses {
  public:
   // The scene must outlive it.

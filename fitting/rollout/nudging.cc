@@ -28,7 +28,9 @@ std::optional<FitConfig> NudgedConfig(FitConfig config, const Scene& scene, doub
   }
   const double pulling = static_cast<double>(markers + tracks) + static_cast<double>(points);
   if (pulling == 0.0) return {};
-  const double per_frame = pulling / (scene.last_fitted_frame + 1);
+  const auto last = scene.is_fitted.begin() + scene.last_fitted_frame + 1;
+  const double per_frame =
+      pulling / static_cast<double>(std::count(scene.is_fitted.begin(), last, true));
   const double mass =
       config.parameters.at("cloth.areal_density").value * scene.recording.cloth.size.prod();
   // Each point as a mass on a spring that moves.

@@ -25,9 +25,10 @@ SyntheticOptions Swinging() {
   return options;
 }
 
-Scene SceneOf(const Recording& recording) {
+Scene SceneOf(const Recording& recording, int every = 1) {
   FitConfig config = DefaultConfig(recording);
   config.attract = true;  // gives tracks their rays
+  config.every = every;
   return MakeScene(recording, config);
 }
 
@@ -90,6 +91,35 @@ TEST(AttractionCourses, MoveAtTheirRates) {
         EXPECT_LT((moved / (2.0 * kStep) - now.rays[i].rates->moment).norm(), 1e-6);
         EXPECT_NEAR(now.rays[i].direction.norm(), 1.0, 1e-12);
       }
+    }
+  }
+}
+
+// Where every second frame is fitted, the targets of those between are near what was seen there,
+// and go on evenly from piece to piece.
+TEST(AttractionCourses, LeadThroughFramesThatAreLeftOut) {
+  const Recording recording = SeenByMarkersAndTracks();
+  const Scene all = SceneOf(recording), thinned = SceneOf(recording, 2);
+  const AttractionCourses courses(thinned);
+  constexpr double kStep = 1e-5;  // s
+  for (int frame = 1; frame <= thinned.last_fitted_frame; ++frame) {
+    StepInputs seen, before, now, after;
+    AddAttractionTargets(all, frame, &seen);
+    const double time = all.FrameTime(frame);
+    courses.AddTargets(time - kStep, &before);
+    courses.AddTargets(time, &now);
+    ASSERT_EQ(now.points.size(), seen.points.size());
+    ASSERT_EQ(now.rays.size(), seen.rays.size());
+    for (const PointTarget& point : seen.points) {
+      EXPECT_TRUE(std::any_of(now.points.begin(), now.points.end(), [&](const auto& p) {
+        return (p.position - point.position).norm() < (frame % 2 == 0 ? 1e-12 : 0.02);
+      }));
+    }
+    if (frame == thinned.last_fitted_frame) continue;
+    courses.AddTargets(time + kStep, &after);
+    for (std::size_t i = 0; i < now.points.size(); ++i) {
+      const Eigen::Vector3d moved = after.points[i].position - before.points[i].position;
+      EXPECT_LT((moved / (2.0 * kStep) - now.points[i].velocity.value()).norm(), 1e-3);
     }
   }
 }
