@@ -87,8 +87,8 @@ class CLOTHFIT_API Run {
 
 // Fits a simulated cloth to a recording. A recording of pictures alone is tracked first, by
 // Recording::Track. Where the config has no cloth.resolution the fit begins with the recording's
-// and may choose a finer one, up to cloth.finest; the run's config names it. Throws InputError, and std::runtime_error where the simulation fails already
-// at the start.
+// and may choose a finer one, up to cloth.finest; the run's config names it. Throws InputError, and
+// std::runtime_error where the simulation fails already at the start.
 CLOTHFIT_API Run Fit(const Recording& recording, const Config& config,
                      const FitOptions& options = {});
 
