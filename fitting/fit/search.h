@@ -86,7 +86,8 @@ struct FitOnMesh {
 // FitByStrategy, and then again on finer and finer meshes (FinerSide), each fit from where the one
 // before ended, until no more of the discretisation error is in the residuals than half the noise,
 // or the mesh is the finest that the config allows. Only where the config gives no resolution, the
-// cloth is a grid, and the fit has come to rest and has a misfit; the result says so.
+// cloth is a grid, and the fit has come to rest and has a misfit; the result says so. No
+// checkpoints are told of.
 FitOnMesh FitOnChosenMesh(const Scene& scene, const FitConfig& config,
                           const FitCallbacks& callbacks = {});
 

@@ -183,15 +183,17 @@ bool Refine(const Scene& scene, int side, const FitCallbacks& callbacks, FitOnMe
       GoOnFitting(*finer.scene, finer.config, fit->result.theta,
                   OfPart(callbacks, GridAsText(*finer.scene) + " particles, ", 0.0, 1.0));
   const bool is_better =
-      finer.result.status == FitStatus::kInterrupted ||
-      (finer.result.misfit && finer.result.misfit->chi_square < fit->result.misfit->chi_square);
+      finer.result.misfit && finer.result.misfit->chi_square < fit->result.misfit->chi_square;
   if (is_better) {
     Add(fit->result, &finer.result);
     *fit = std::move(finer);
     return true;
   }
   AddWork(finer.result, &fit->result);
-  fit->result.statements.push_back(SayNoFinerMesh(*finer.scene));
+  if (finer.result.status == FitStatus::kInterrupted)
+    fit->result.status = FitStatus::kInterrupted;
+  else
+    fit->result.statements.push_back(SayNoFinerMesh(*finer.scene));
   return false;
 }
 

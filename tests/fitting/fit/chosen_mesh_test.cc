@@ -104,7 +104,13 @@ TEST(ChosenMesh, IsTheSameAfterAnInterruption) {
   callbacks.journal = &first;
   const FitOnMesh stopped = FitTo(recording, config, callbacks);
   EXPECT_EQ(stopped.result.status, FitStatus::kInterrupted);
-  EXPECT_TRUE(stopped.scene);
+  const FitOnMesh first_mesh = [&] {
+    FitConfig kept = config;
+    kept.finest = 0;
+    return FitTo(recording, kept);
+  }();
+  ASSERT_TRUE(stopped.result.misfit && first_mesh.result.misfit);
+  EXPECT_LE(stopped.result.misfit->chi_square, first_mesh.result.misfit->chi_square);
   stop = false;
   callbacks.progress = {};
   EvaluationJournal second(folder.path() / "journal");
