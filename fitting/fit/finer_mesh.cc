@@ -30,7 +30,7 @@ std::optional<MeshRows> EvaluateFiner(const Scene& scene, FitConfig config,
                                       const Eigen::VectorXd& theta) {
   if (!scene.mesh.is_grid()) return std::nullopt;
   const std::array<int, 2> grid = scene.mesh.grid;
-  config.resolution = GridWithSide(grid, FinerSide(std::max(grid[0], grid[1])));
+  config.resolution = GridWithSide(grid, FinerSide(LongerSide(grid)));
   config.max_step = 0.5 * scene.step;
   Scene finer = MakeScene(scene.recording, config, &scene);
   finer.is_fitted = scene.is_fitted;

@@ -36,7 +36,7 @@ namespace {
 // and stiffness and damping are the material's, not the mesh's.
 std::optional<FitConfig> Coarser(const Scene& scene, const FitConfig& config) {
   const std::array<int, 2> grid = scene.mesh.grid;
-  const int longer = std::max(grid[0], grid[1]);
+  const int longer = LongerSide(grid);
   const int coarse =
       FitsWindows(scene, config) ? config.window_resolution : config.coarse_resolution;
   const bool is_of_use = scene.mesh.is_grid() && coarse >= 2 && 3 * coarse <= 2 * longer;

@@ -124,11 +124,9 @@ FitResult FitBySearch(const Scene& scene, const FitConfig& config, const FitCall
   return result;
 }
 
-int LongerSide(const Scene& scene) { return std::max(scene.mesh.grid[0], scene.mesh.grid[1]); }
-
 bool MayBeRefined(const Scene& scene, const FitConfig& config) {
   const bool is_given = !config.refined && config.resolution != std::array<int, 2>{0, 0};
-  return !is_given && scene.mesh.is_grid() && LongerSide(scene) < config.finest &&
+  return !is_given && scene.mesh.is_grid() && LongerSide(scene.mesh.grid) < config.finest &&
          config.loops == Strategy::kJoint && config.optimiser == "lm";
 }
 
@@ -151,7 +149,7 @@ bool AsksForFinerMesh(const FitResult& fit) {
 
 // On which mesh, by an error of second order, no more than that should be left.
 int NextSide(const Scene& scene, const FitOnMesh& fit) {
-  const int side = LongerSide(scene);
+  const int side = LongerSide(scene.mesh.grid);
   const double ratio = std::sqrt(MeshInResiduals(*fit.result.misfit) / kNegligibleMesh);
   const int enough = 1 + static_cast<int>(std::ceil(ratio * (side - 1)));
   return std::min(fit.config.finest, std::max(FinerSide(side), enough));
@@ -161,7 +159,7 @@ int NextSide(const Scene& scene, const FitOnMesh& fit) {
 std::string SayMesh(const Scene& first, const Scene& chosen, const FitOnMesh& fit) {
   const std::string refined = fmt::format("the mesh was refined from {} to {} particles",
                                           GridAsText(first), GridAsText(chosen));
-  const bool is_finest = LongerSide(chosen) >= fit.config.finest;
+  const bool is_finest = LongerSide(chosen.mesh.grid) >= fit.config.finest;
   if (!is_finest || !AsksForFinerMesh(fit.result)) return refined;
   return fmt::format("{}, the finest that may be chosen (--finest)", refined);
 }
@@ -209,14 +207,12 @@ FitOnMesh FitOnChosenMesh(const Scene& scene, const FitConfig& config,
     left -= share;
     return OfPart(callbacks, "", 1.0 - left - share, share);
   };
-  const Scene* now = &scene;
+  const auto now = [&]() -> const Scene& { return fit.scene ? *fit.scene : scene; };
   fit.result = FitByStrategy(scene, config, part(!MayBeRefined(scene, config)));
   bool is_finer = true;
-  while (is_finer && MayBeRefined(*now, fit.config) && AsksForFinerMesh(fit.result)) {
-    const std::shared_ptr<const Scene> kept = fit.scene;  // `now` may be within
-    const int side = NextSide(*now, fit);
-    is_finer = Refine(*now, side, part(side >= fit.config.finest), &fit);
-    if (fit.scene) now = fit.scene.get();
+  while (is_finer && MayBeRefined(now(), fit.config) && AsksForFinerMesh(fit.result)) {
+    const int side = NextSide(now(), fit);
+    is_finer = Refine(now(), side, part(side >= fit.config.finest), &fit);
   }
   if (fit.scene) fit.result.statements.push_back(SayMesh(scene, *fit.scene, fit));
   return fit;

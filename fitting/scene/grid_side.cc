@@ -7,10 +7,12 @@
 
 namespace clothfit {
 
+int LongerSide(const std::array<int, 2>& grid) { return std::max(grid[0], grid[1]); }
+
 int FinerSide(int side) { return 1 + static_cast<int>(std::lround(kFiner * (side - 1))); }
 
 std::array<int, 2> GridWithSide(const std::array<int, 2>& grid, int longest_side) {
-  const int longer = std::max(grid[0], grid[1]);
+  const int longer = LongerSide(grid);
   std::array<int, 2> other = grid;
   for (int& n : other) {
     const double share = static_cast<double>(longest_side - 1) / (longer - 1);

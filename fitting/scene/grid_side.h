@@ -8,6 +8,9 @@
 
 namespace clothfit {
 
+// Particles along it.
+int LongerSide(const std::array<int, 2>& grid);
+
 // A grid of the same shape with this many particles along its longer side.
 std::array<int, 2> GridWithSide(const std::array<int, 2>& grid, int longest_side);
 

@@ -17,6 +17,7 @@
 #include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/fit/forecast_fit.h"
+#include "fitting/scene/grid_side.h"
 
 namespace clothfit {
 namespace {
@@ -37,7 +38,7 @@ constexpr double kAlike = 0.5;  // of the share of the first, and of obstacles b
 
 // The coarse mesh: forecasts are short, so that it is right about what is far behind.
 std::array<int, 2> ScreeningGrid(const ClothMesh& mesh) {
-  return GridWithSide(mesh.grid, std::min(kCoarseSide, std::max(mesh.grid[0], mesh.grid[1])));
+  return GridWithSide(mesh.grid, std::min(kCoarseSide, LongerSide(mesh.grid)));
 }
 
 // A contact is nothing like its derivative where there is none yet: an obstacle begins at the

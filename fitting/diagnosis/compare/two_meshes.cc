@@ -9,6 +9,7 @@
 #include "fitting/diagnosis/fitted/refit.h"
 #include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/fit/discretisation.h"
+#include "fitting/scene/grid_side.h"
 
 namespace clothfit {
 namespace {
@@ -54,8 +55,8 @@ double CorrelationOfOutlines(const FittedScene& fitted) {
 
 int DecidingSide(const Recording& recording, const FitConfig& config, int finest_side) {
   const std::array<int, 2>& told = config.resolution;
-  const int side = told[0] > 0 ? std::max(told[0], told[1])
-                               : std::max(kCoarseSide, recording.cloth.resolution.maxCoeff());
+  const int side =
+      told[0] > 0 ? LongerSide(told) : std::max(kCoarseSide, recording.cloth.resolution.maxCoeff());
   return std::min(side, finest_side);
 }
 

@@ -11,6 +11,7 @@
 #include "fitting/diagnosis/fitted/named_parameter.h"
 #include "fitting/fit/forecast_fit.h"
 #include "fitting/rollout/shooting_windows.h"
+#include "fitting/scene/grid_side.h"
 
 namespace clothfit {
 namespace {
@@ -56,7 +57,7 @@ void BeginFrom(const FitResult& fit, FitConfig* config) {
 }
 
 FitConfig OnNudgedMesh(FitConfig config, const ClothMesh& mesh) {
-  if (mesh.is_grid() && std::max(mesh.grid[0], mesh.grid[1]) > kNudgedSide)
+  if (mesh.is_grid() && LongerSide(mesh.grid) > kNudgedSide)
     config.resolution = GridWithSide(mesh.grid, kNudgedSide);
   return config;
 }

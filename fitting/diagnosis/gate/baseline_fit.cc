@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fitting/diagnosis/fitted/refit.h"
+#include "fitting/scene/grid_side.h"
 
 namespace clothfit {
 namespace {
@@ -16,7 +17,7 @@ std::array<int, 2> WorkingResolution(const Recording& recording, const FitConfig
                                      int finest_side) {
   std::array<int, 2> grid = config.resolution;
   if (grid[0] == 0) grid = {recording.cloth.resolution.x(), recording.cloth.resolution.y()};
-  if (std::max(grid[0], grid[1]) <= finest_side) return config.resolution;
+  if (LongerSide(grid) <= finest_side) return config.resolution;
   return GridWithSide(grid, finest_side);
 }
 

@@ -10,6 +10,7 @@
 
 #include "autodiff_sim/base/normal_numbers.h"
 #include "autodiff_sim/terms/parameter_table.h"
+#include "fitting/scene/grid_side.h"
 
 namespace clothfit {
 namespace {
@@ -23,7 +24,7 @@ constexpr int kErrorDraws = 2;        // of parameters, at which the numerical e
 
 FittedScene Coarse(const FittedScene& fitted) {
   const std::array<int, 2>& grid = fitted.scene.mesh.grid;
-  if (!fitted.scene.mesh.is_grid() || std::max(grid[0], grid[1]) <= kLongestSide) return fitted;
+  if (!fitted.scene.mesh.is_grid() || LongerSide(grid) <= kLongestSide) return fitted;
   return WithOtherSteps(fitted, GridWithSide(grid, kLongestSide), fitted.config.max_step);
 }
 
