@@ -32,14 +32,29 @@ double EdgeLength(const ClothMesh& mesh, const Edge& edge) {
   return (mesh.uv[edge.second] - mesh.uv[edge.first]).norm();
 }
 
+// Of a cell of a grid.
+bool IsDiagonal(const ClothMesh& mesh, const Edge& edge) {
+  const int apart = edge.second - edge.first;
+  return apart != 1 && apart != mesh.grid[0];
+}
+
 Hinge MakeHinge(const ClothMesh& mesh, const Edge& edge, const std::vector<int>& opposite) {
   Hinge hinge;
-  hinge.edge = EdgeLength(mesh, edge);
+  hinge.width = EdgeLength(mesh, edge);
   double normals = 0.0;  // |N| is twice the triangle's area
   for (const int particle : opposite) {
     normals += 2.0 * std::abs(SignedArea(mesh, {edge.first, edge.second, particle}));
   }
-  hinge.shape = hinge.edge * hinge.edge / normals;
+  hinge.shape = hinge.width * hinge.width / normals;
+  if (mesh.is_grid()) {
+    constexpr double kLongest =
+        0.6;  // of squared shapes: of a side 1.55 times as long as the other
+    const double square = hinge.shape * hinge.shape;
+    const double share = IsDiagonal(mesh, edge) ? 2.0 / (3.0 * square)
+                                                : 8.0 / (9.0 - 12.0 * std::min(square, kLongest));
+    hinge.shape *= share;
+    hinge.width *= 0.75 * share;
+  }
   // The first wing lies to the left of the edge, so that all hinges bend to the same side.
   const bool first_left = SignedArea(mesh, {edge.first, edge.second, opposite[0]}) > 0.0;
   hinge.nodes = {opposite[first_left ? 0 : 1], opposite[first_left ? 1 : 0], edge.first,

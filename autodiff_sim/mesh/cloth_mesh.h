@@ -64,8 +64,8 @@ struct Spring {
 // nodes[3] the edge's, in the order of Bridson, Marino and Fedkiw 2003, fig. 1.
 struct Hinge {
   std::array<int, 4> nodes;
-  double shape;  // |E|^2 / (|N1| + |N2|) at rest, no unit
-  double edge;   // |E| at rest, m
+  double shape;  // share |E|^2 / (|N1| + |N2|) at rest, no unit
+  double width;  // |E|, on a grid 3/4 share |E|, m: of the cloth that bends at it
 };
 
 // What the force terms read off the mesh, found once.
@@ -83,6 +83,12 @@ struct ClothTopology {
 // shear stiffness to the membrane's and couple warp and weft by as much. On any other mesh every
 // edge is a spring weighted by its area (Van Gelder 1998) and shared between structural and shear
 // by cos^2 and sin^2 of twice its angle to the warp.
+//
+// A hinge's share is 1, but on a grid, with s = |E|^2 / (|N1| + |N2|), it is 8 / (9 - 12 s^2) for
+// the sides of cells and 2 / (3 s^2) for diagonals: 4/3 and 2/3 on square cells. Then a grid is an
+// isotropic plate, with bending.stiffness four times its bending stiffness, after the particles at
+// which diagonals end have moved against the others by what bending makes of them. Isotropic are
+// cells whose sides are as 1 to 1.5 or nearer (docs/adr/0036-a-grid-is-an-isotropic-plate.md).
 ClothTopology BuildTopology(const ClothMesh& mesh);
 
 }  // namespace clothfit

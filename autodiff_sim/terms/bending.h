@@ -3,11 +3,13 @@
 //
 // Bending between two triangles that share an edge, Bridson, Marino and Fedkiw 2003, sec. 4: the
 // mode u of four particles that changes the dihedral angle theta and nothing else,
-//   f_i = (-k_e |E|^2 / (|N1| + |N2|) sin(theta / 2) - k_d |E| dtheta/dt) dtheta/dx_i,
+//   f_i = -|E|^2 / (|N1| + |N2|) (k_e sin(theta / 2) + k_d / 2 dtheta/dt) dtheta/dx_i,
 // their u_i being the angle's gradient with the sign of their theta. The factors of E and N are the
 // rest shape's, so that the elastic part has an energy, 2 k_e |E|^2 / (|N1| + |N2|) (1 - cos(theta
-// / 2)). On a grid k_e relates to the bending stiffness B of a plate, N m, by k_e = 4 B for bending
-// along the warp or the weft, and k_e = 8/3 B along the bias of square cells.
+// / 2)). Hinges of a grid count by shares (mesh/cloth_mesh.h), so that k_e is four times the
+// bending stiffness B of a plate, N m, in every direction. Their damping, k_d |E| dtheta/dt with
+// k_d in N s, makes a fold's retardation time go with the mesh's spacing. This one is k_d / k_e on
+// every mesh, as that of stretch and of shear.
 #pragma once
 
 #include "autodiff_sim/term/fold_angle.h"
@@ -28,7 +30,7 @@ struct Bending : TermDefaults {
   static constexpr std::array<Parameter, 2> kParameters = {{
       Free({"stiffness", "N m", "k_e of the four-particle bending mode", 2e-5, 0.0, 1e-8, 1e-1,
             Scale::kLog, 10.0}),
-      Free({"damping", "N s", "k_d of the four-particle bending mode", 3e-4, 0.0, 1e-10, 1e-2,
+      Free({"damping", "N m s", "k_d of the four-particle bending mode", 5e-5, 0.0, 1e-11, 1e-3,
             Scale::kLog, 10.0}),
   }};
   using Element = Hinge;
@@ -46,8 +48,8 @@ struct Bending : TermDefaults {
     for (int k = 0; k < 3; ++k) {
       for (int i = 0; i < 4; ++i) rate += u[i][k] * in.v[i][k];
     }
-    const T moment = in.parameter[0] * element.shape * HalveAngle<T>(fold).sine -
-                     in.parameter[1] * element.edge * rate;
+    const T moment =
+        element.shape * (in.parameter[0] * HalveAngle<T>(fold).sine - 0.5 * in.parameter[1] * rate);
     AddFlatteningMoment<T>(moment, u, &out->force);
   }
 
@@ -62,7 +64,7 @@ struct Bending : TermDefaults {
     const FoldJacobian jacobian(fold, u);
     const HalfAngle<double> half = HalveAngle<double>(fold);
     const double elastic = in.parameter[0] * element.shape;
-    const double viscous = in.parameter[1] * element.edge;
+    const double viscous = 0.5 * in.parameter[1] * element.shape;
     FoldJacobian::Vectors fall = jacobian.DerivativeOfRate(in.v);  // -dm/dx, weighted
     double rate = 0.0;
     for (int i = 0; i < 4; ++i) {

@@ -26,7 +26,6 @@ constexpr const char* kBlenderScript =
 # - drag along the normal, which is quadratic in the fit (@DRAG_NORMAL@ kg/m^3): air_damping is linear, the
 #   same in all directions, and takes as much energy over the run's motion;
 # - lighter particles at the edges: each vertex has the same mass, and all together that of the cloth;
-# - damping of bending goes with the mesh;
 # - the velocity at frame 0: the cloth begins at rest.
 # Left out:
 @LEFT_OUT@

@@ -24,7 +24,7 @@ constexpr const char* kNewtonScript =
 # - shearing is @SHEAR@ N/m in the fit, and half the stretching, @HALF@ N/m, here. --springs keeps both;
 # - damping of shearing (@SHEAR_DAMPING@ N s/m) is that of stretching. --springs keeps both.
 # Not kept at all:
-# - bending across diagonals is 1.41 times too soft; across warp and weft it is right;
+# - bending across diagonals is 1.41 times too stiff; across warp and weft it is right;
 # - drag along the normal, which is quadratic in the fit (@DRAG_NORMAL@ kg/m^3): here a linear one that takes as
 #   much energy over the run's motion, the same in all directions;
 # - contact with the ground (friction @FRICTION@ in the fit), which is not in this script.
@@ -170,8 +170,11 @@ NewtonCloth ClothForNewton(const RunCloth& cloth) {
   newton.density = material.density;
   newton.tri_ke = 0.5 * material.stretch;  // 4 mu (mu + lambda) / (2 mu + lambda) = K, lambda = 0
   newton.tri_kd = 0.25 * material.stretch_damping;  // acts on the rate of F^T F, twice the strain's
-  newton.edge_ke = material.bending / cloth.spacing;  // 1/2 edge_ke h angle^2 = 1/2 B angle^2
-  newton.edge_kd = cloth.bending_damping_edge;        // as in clothfit: per length of the edge
+  // A moment per length of the edge and angle, or angular speed, as of the sides of clothfit's
+  // cells.
+  const double share = cloth.motion.mesh.is_grid() ? 4.0 / 3.0 : 1.0;
+  newton.edge_ke = share * material.bending / cloth.spacing;
+  newton.edge_kd = share * material.bending_damping / cloth.spacing;
   return newton;
 }
 

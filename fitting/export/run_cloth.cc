@@ -112,7 +112,7 @@ ClothMaterial MaterialOf(const RunCloth& cloth, const NamedValues& values) {
           shear,
           shear_damping,
           bending / 4.0,  // terms/bending.h
-          bending_damping * cloth.spacing,
+          bending_damping / 4.0,
           normal,
           LinearDrag(cloth.motion, normal, saturation, tangential)};
 }
@@ -168,7 +168,6 @@ RunCloth ReadRunCloth(const RunFolder& run) {
   cloth.ground_friction = friction;
   cloth.ground_distance = distance;
   cloth.pins = PinsOf(scene, cloth.motion);
-  cloth.bending_damping_edge = values.Of<Bending>()[1];
   cloth.material = MaterialOf(cloth, values);
   cloth.left_out = LeftOut(scene, config, cloth, values);
   return cloth;

@@ -40,7 +40,6 @@ struct PinnedParticle {
 struct RunCloth {
   RunMotion motion;
   ClothMaterial material;
-  double bending_damping_edge = 0.0;            // N s, bending.damping
   double spacing = 0.0;                         // m, mean length of the springs along warp and weft
   std::vector<Eigen::Vector3d> rest;            // m, flat, shrunk as the fit has it
   ClothTopology topology;                       // springs, hinges, areas

@@ -99,7 +99,7 @@ SyntheticOptions DemoRecording() {
   options.seed = 2;
   options.parameters = {
       {"stretch.stiffness", 400.0}, {"stretch.damping", 0.4},     {"shear.stiffness", 8.0},
-      {"shear.damping", 0.2},       {"bending.stiffness", 5e-5},  {"bending.damping", 2e-5},
+      {"shear.damping", 0.2},       {"bending.stiffness", 5e-5},  {"bending.damping", 4e-6},
       {"air_drag.normal", 0.3},     {"air_drag.saturation", 1.0}, {"air_drag.tangential", 0.05}};
   return options;
 }

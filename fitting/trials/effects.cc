@@ -64,15 +64,15 @@ std::map<std::string, double> TypicalParameters(Fabric fabric) {
   switch (fabric) {
     case Fabric::kWoven:
       typical = ValuesOf<StretchSpring, Shear, Bending, AirDrag>({400.0, 0.6}, {8.0, 0.2},
-                                                                 {4e-5, 2e-5}, {0.5, 1.0, 0.04});
+                                                                 {4e-5, 3e-6}, {0.5, 1.0, 0.04});
       break;
     case Fabric::kKnit:
       typical = ValuesOf<StretchSpring, Shear, Bending, AirDrag>({40.0, 0.6}, {12.0, 0.3},
-                                                                 {3e-5, 2e-5}, {0.4, 1.0, 0.04});
+                                                                 {3e-5, 3e-6}, {0.4, 1.0, 0.04});
       break;
     case Fabric::kStiff:
       typical = ValuesOf<StretchSpring, Shear, Bending, AirDrag>({600.0, 1.0}, {20.0, 0.4},
-                                                                 {5e-4, 5e-5}, {0.5, 1.0, 0.04});
+                                                                 {5e-4, 8e-6}, {0.5, 1.0, 0.04});
       break;
   }
   typical["cloth.areal_density"] = fabric == Fabric::kWoven ? 0.15 : 0.2;

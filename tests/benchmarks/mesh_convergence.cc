@@ -73,7 +73,7 @@ Course Follow(ClothScene scene, bool buckles) {
   set("shear.stiffness", 60.0);
   set("shear.damping", 0.3);
   set("bending.stiffness", 1.4e-3);
-  set("bending.damping", 2e-5);
+  set("bending.damping", 4e-6);
   set("air_drag.normal", 0.7);
   set("air_drag.saturation", 0.1);
   set("air_drag.tangential", 0.02);

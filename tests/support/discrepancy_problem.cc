@@ -56,7 +56,7 @@ SyntheticOptions Scenery(const DiscrepancyProblemOptions& options) {
   SyntheticOptions synthetic;
   synthetic.parameters = {
       {"stretch.stiffness", 400.0}, {"stretch.damping", 0.4},     {"shear.stiffness", 8.0},
-      {"shear.damping", 0.2},       {"bending.stiffness", 5e-5},  {"bending.damping", 2e-5},
+      {"shear.damping", 0.2},       {"bending.stiffness", 5e-5},  {"bending.damping", 5e-6},
       {"air_drag.normal", 0.3},     {"air_drag.saturation", 1.0}, {"air_drag.tangential", 0.05}};
   synthetic.size = {kSide, kSide};
   synthetic.resolution = {options.particles, options.particles};

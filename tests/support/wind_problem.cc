@@ -90,7 +90,7 @@ struct NamedValue {
 constexpr NamedValue kTruth[] = {
     {"cloth.areal_density", 0.2}, {"gravity.scale", 1.0},    {"stretch.stiffness", 300.0},
     {"stretch.damping", 0.5},     {"shear.stiffness", 20.0}, {"shear.damping", 0.2},
-    {"bending.stiffness", 5e-5},  {"bending.damping", 5e-5}, {"wind.strength", 1.5},
+    {"bending.stiffness", 5e-5},  {"bending.damping", 2e-5}, {"wind.strength", 1.5},
     {"wind.azimuth", 0.4},        {"wind.elevation", 0.3},   {"wind.frequency", 1.4},
     {"wind.phase", -0.8},
 };

@@ -27,7 +27,7 @@ SyntheticOptions ImageOptions() {
   options.parameters = {{"cloth.areal_density", 0.18}, {"stretch.stiffness", 1500.0},
                         {"stretch.damping", 5.0},      {"shear.stiffness", 60.0},
                         {"shear.damping", 4.0},        {"bending.stiffness", 1e-4},
-                        {"bending.damping", 1e-3},     {"air_drag.normal", 1.0},
+                        {"bending.damping", 1e-4},     {"air_drag.normal", 1.0},
                         {"air_drag.tangential", 0.03}, {"ground.friction", 0.5}};
   return options;
 }

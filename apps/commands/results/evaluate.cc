@@ -28,7 +28,7 @@ struct EvaluateOptions {
   bool force = false;
 };
 
-// "9 of 10 intervals hold the truth; not: bending.damping (0.0002 .. 0.0006, truth 0.001)" of the
+// "9 of 10 intervals hold the truth; not: bending.damping (2e-05 .. 6e-05, truth 1e-04)" of the
 // free parameters that the data determine; empty where the truth of none is known.
 std::string IntervalsAgainstTruth(const RunFolder& run, const std::filesystem::path& recording) {
   const std::filesystem::path file = run.path() / "summary.json";

@@ -29,11 +29,6 @@ std::vector<FemHandle> HandlesOf(const SyntheticMotion& motion, const FemMesh& m
   return handles;
 }
 
-// m, between the particles of a fit.
-double SpacingOf(const SyntheticOptions& options) {
-  return options.size.x() / (options.resolution.x() - 1);
-}
-
 FemCloth MakeCloth(const SyntheticOptions& options, const SyntheticMotion& motion,
                    const FemParameters& parameters) {
   const Eigen::Vector2i cells = options.refinement * (options.resolution.array() - 1).matrix();
@@ -46,7 +41,7 @@ FemCloth MakeCloth(const SyntheticOptions& options, const SyntheticMotion& motio
                        parameters.at("ground.distance"), parameters.at("ground.friction"),
                        parameters.at("ground.slip_speed")};
   }
-  FemLaws laws = MakeFemLaws(mesh, options.size, parameters, SpacingOf(options));
+  FemLaws laws = MakeFemLaws(mesh, options.size, parameters);
   std::vector<FemHandle> handles = HandlesOf(motion, mesh);
   return FemCloth(std::move(mesh), std::move(laws), std::move(handles), ground, std::move(x));
 }
@@ -63,8 +58,8 @@ SyntheticGenerator FiniteElementGenerator(const std::map<std::string, double>& u
                                       const std::map<std::string, double>& parameters,
                                       const SyntheticProgress& progress) {
     FemCloth cloth = MakeCloth(options, motion, parameters);
-    const FemLaws without = MakeFemLaws(cloth.mesh(), options.size, WithoutTerms(parameters, terms),
-                                        SpacingOf(options));
+    const FemLaws without =
+        MakeFemLaws(cloth.mesh(), options.size, WithoutTerms(parameters, terms));
     ForceMeter meter(VertexAreas(cloth.mesh()), options.frame_count);
     const double interval = 1.0 / options.frame_rate;
     const int steps = static_cast<int>(std::ceil(interval / cloth.StableStep()));

@@ -198,7 +198,7 @@ std::vector<FemLaws::Outside> OutsideLaws(const Values& p) {
   return laws;
 }
 
-FemLaws LawsOf(const Values& p, const FemMesh& mesh, const Vector2d& size, double spacing) {
+FemLaws LawsOf(const Values& p, const FemMesh& mesh, const Vector2d& size) {
   FemLaws laws;
   laws.air = AirLaws(p);
   laws.outside = OutsideLaws(p);
@@ -216,9 +216,7 @@ FemLaws LawsOf(const Values& p, const FemMesh& mesh, const Vector2d& size, doubl
     laws.plates.push_back(plate * StiffAt(p, "bending", mesh.uv[laplacian.vertex], middle));
   laws.stretch_viscosity = p("stretch.damping");
   laws.shear_viscosity = p("shear.damping");
-  // Retardation of the fold's mode on a grid of that spacing.
-  if (plate > 0.0)
-    laws.bending_delay = 4.0 * spacing * p("bending.damping") / p("bending.stiffness");
+  if (plate > 0.0) laws.bending_delay = p("bending.damping") / p("bending.stiffness");
   laws.cubic = p("stretch_stiffening.cubic");
   laws.cubic_onset = p("stretch_stiffening.onset");
   laws.stretch_share = p("stretch_relaxation.share");
@@ -246,15 +244,14 @@ bool FemKnows(const std::string& term) {
     const FemParameters nothing;
     const Values values(nothing);
     const Vector2d size(1.0, 1.0);
-    LawsOf(values, MakeFemMesh(size, {4, 4}, 1), size, 1.0);
+    LawsOf(values, MakeFemMesh(size, {4, 4}, 1), size);
     return values.asked_terms();
   }();
   return known.count(term) > 0;
 }
 
-FemLaws MakeFemLaws(const FemMesh& mesh, const Vector2d& size, const FemParameters& parameters,
-                    double spacing) {
-  return LawsOf(Values(parameters), mesh, size, spacing);
+FemLaws MakeFemLaws(const FemMesh& mesh, const Vector2d& size, const FemParameters& parameters) {
+  return LawsOf(Values(parameters), mesh, size);
 }
 
 FemParameters WithoutTerms(const FemParameters& parameters, const std::vector<std::string>& terms) {

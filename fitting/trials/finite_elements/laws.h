@@ -57,9 +57,8 @@ struct FemLaws {
   std::vector<Outside> outside;
 };
 
-// spacing (m): of the fit's particles, by which bending's damping goes.
 FemLaws MakeFemLaws(const FemMesh& mesh, const Eigen::Vector2d& size,
-                    const FemParameters& parameters, double spacing);
+                    const FemParameters& parameters);
 
 // The same without the terms' effects.
 FemParameters WithoutTerms(const FemParameters& parameters, const std::vector<std::string>& terms);

@@ -61,7 +61,7 @@ TEST(ObstacleContact, ClothDrawnOverABarStaysClear) {
 }
 
 TEST(ObstacleContact, BoxThatRunsIntoTheClothStaysOutside) {
-  const StepReport report = ExpectClearOfObstacles(BoxIntoCloth(11, 0.4), 90, true);
+  const StepReport report = ExpectClearOfObstacles(BoxIntoCloth(13, 0.4), 90, true);
   EXPECT_GT(report.most_obstacle_contacts, 10);
   EXPECT_GT(report.limited_iterates, 0);
 }
@@ -256,7 +256,7 @@ void ExpectRolloutDerivatives(const TestScene& scene, int steps, bool is_fast, i
 }
 
 TEST(ObstacleContact, DerivativesOnABall) {
-  ExpectRolloutDerivatives(ClothOverBall(6, 0.3), 14, true);
+  ExpectRolloutDerivatives(ClothOverBall(7, 0.3), 14, true);
 }
 
 TEST(ObstacleContact, DerivativesWithABallOnTheMove) {

@@ -23,7 +23,7 @@ TEST(ClosedForm, TerminalVelocityOfAFallingPlate) {
     UseSuppleCloth(&simulation);
     // Alone with its drag every triangle's corner falls as its own mass and area say: keep it flat.
     Set("bending.stiffness", 0.1, &simulation);
-    Set("bending.damping", 1e-3, &simulation);
+    Set("bending.damping", 4e-4, &simulation);
     Set("air_drag.normal", 2.0, &simulation);
     Set("air_drag.saturation", saturation, &simulation);
     State state = simulation.MakeState(

@@ -42,7 +42,6 @@ RunCloth MakeCloth() {
   }
   cloth.velocity = Eigen::VectorXd::Zero(45);
   cloth.material = {0.2, 800.0, 2.0, 30.0, 1.0, 2e-5, 1e-6, 0.5, 0.04};
-  cloth.bending_damping_edge = 1e-5;
   cloth.ground_height = 0.0;
   cloth.ground_friction = 0.45;
   cloth.pins = {{4, "<left>", 3}};
@@ -152,9 +151,10 @@ TEST(Newton, HasTheFittedMaterialInItsOwnUnits) {
   const double mu = newton.tri_ke, lambda = newton.tri_ka;
   EXPECT_DOUBLE_EQ(4.0 * mu * (mu + lambda) / (2.0 * mu + lambda), 800.0);
   EXPECT_DOUBLE_EQ(4.0 * newton.tri_kd, 2.0);
-  // 1/2 edge_ke length angle^2 is the energy of a plate, 1/2 B (angle / h)^2, over length x h.
-  EXPECT_DOUBLE_EQ(newton.edge_ke * 0.1, 2e-5);
-  EXPECT_DOUBLE_EQ(newton.edge_kd, 1e-5);
+  // 1/2 edge_ke length angle^2 is the energy of a plate, 1/2 B (angle / h)^2, over length x h,
+  // times the share of a grid's side.
+  EXPECT_DOUBLE_EQ(newton.edge_ke * 0.1, 4.0 / 3.0 * 2e-5);
+  EXPECT_DOUBLE_EQ(newton.edge_kd * 0.1, 4.0 / 3.0 * 1e-6);
   const std::string text = ClothAsNewtonScript(cloth);
   const std::string springs = text.substr(text.find("\nSPRINGS = ["));
   EXPECT_EQ(Count(springs.substr(0, springs.find(")]")), "("),

@@ -24,6 +24,7 @@ Recording SwungCloth(int refinement) {
   options.resolution = {7, 7};
   options.refinement = refinement;
   options.markers = {7, 7};
+  options.marker_sigma = 0.001;
   options.frame_count = 24;
   return MakeSyntheticRecording(options).recording;
 }

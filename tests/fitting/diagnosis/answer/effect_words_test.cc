@@ -53,8 +53,8 @@ TEST(EffectWords, TellInBriefHowMuchOrWhere) {
             "heavy patch of 0.3 (0.2 to 0.4) mass at its middle beside the cloth's own, over that");
   EXPECT_EQ(InBrief("obstacle_sphere", all), "unseen ball, its middle at (-0.52, 0.10, 0.70) m");
   EXPECT_EQ(InBrief("hem", all), "hem");  // nothing is known of it
-  EXPECT_EQ(InBrief("bending.damping", {{"bending.damping", "N s", 0.001, 0.0005, 0.002}}),
-            "bending damping of 0.001 N s (0.0005 to 0.002)");
+  EXPECT_EQ(InBrief("bending.damping", {{"bending.damping", "N m s", 0.001, 0.0005, 0.002}}),
+            "bending damping of 0.001 N m s (0.0005 to 0.002)");
 }
 
 TEST(EffectWords, TellInBriefHowFarAFaultIs) {

@@ -19,7 +19,7 @@ Recording StiffCloth() {
   options.frame_count = 30;
   options.steps_per_frame = 4;
   options.parameters = {{"bending.stiffness", 2e-3},
-                        {"bending.damping", 2e-5},
+                        {"bending.damping", 8e-6},
                         {"stretch.stiffness", 300.0},
                         {"stretch.damping", 0.5},
                         {"shear.damping", 0.2}};

@@ -28,7 +28,7 @@ SyntheticOptions Lively(int num_frames = 36) {
   options.steps_per_frame = 5;
   options.parameters = {{"stretch.stiffness", 370.0}, {"stretch.damping", 0.8},
                         {"shear.stiffness", 6.2},     {"shear.damping", 0.18},
-                        {"bending.stiffness", 4e-5},  {"bending.damping", 2.4e-5},
+                        {"bending.stiffness", 4e-5},  {"bending.damping", 6e-6},
                         {"added_mass.normal", 0.26}};
   return options;
 }
