@@ -132,15 +132,25 @@ void FemCloth::AddMembranes(const FemLaws& laws, VectorXd* force) const {
   }
 }
 
+// Damping acts on the rate of the curvature's size: a bent cloth that turns as a whole is not held
+// back. Where the cloth is nearly flat the curvature is that along the normal.
 void FemCloth::AddPlates(const FemLaws& laws, VectorXd* force) const {
+  constexpr double kFlat = 1.0;  // 1/m
+  const Eigen::Matrix3Xd normals = VertexNormals();
   for (std::size_t p = 0; p < laplacians_.size(); ++p) {
     const FemLaplacian& laplacian = laplacians_[p];
-    Vector3d bent = Vector3d::Zero();
+    Vector3d bent = Vector3d::Zero(), rate = Vector3d::Zero();
+    for (const auto& [vertex, weight] : laplacian.weights) {
+      bent += weight * x_.segment<3>(3 * vertex);
+      rate += weight * v_.segment<3>(3 * vertex);
+    }
+    const Vector3d normal = normals.col(laplacian.vertex);
+    const double flat = kFlat * laplacian.area;
+    const Vector3d along = (bent + (bent.dot(normal) < 0.0 ? -flat : flat) * normal).normalized();
+    const Vector3d resisted =
+        laws.plates[p] / laplacian.area * (bent + laws.bending_delay * rate.dot(along) * along);
     for (const auto& [vertex, weight] : laplacian.weights)
-      bent += weight * (x_.segment<3>(3 * vertex) + laws.bending_delay * v_.segment<3>(3 * vertex));
-    bent *= laws.plates[p] / laplacian.area;
-    for (const auto& [vertex, weight] : laplacian.weights)
-      force->segment<3>(3 * vertex) -= weight * bent;
+      force->segment<3>(3 * vertex) -= weight * resisted;
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -55,6 +56,8 @@ class FemCloth {
   double time() const { return time_; }
   const Eigen::VectorXd& positions() const { return x_; }
   const Eigen::VectorXd& velocities() const { return v_; }
+  // 3N, m/s; at rest before.
+  void SetVelocities(Eigen::VectorXd velocities) { v_ = std::move(velocities); }
   // 3N, N, of everything but inertia and what holds the handles; of the present state.
   Eigen::VectorXd Forces() const { return ForcesOf(laws_); }
 
