@@ -22,7 +22,7 @@ struct RecoveryOptions {
   int num_seeds = 20;
   int num_threads = 2;  // seeds fitted at the same time; has no influence on the result
   int max_iterations = 60;
-  int finest = 0;  // FitConfig::finest
+  int finest = FitConfig().finest;
 };
 
 // One free parameter of one fit.

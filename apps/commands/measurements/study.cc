@@ -31,7 +31,7 @@ namespace {
 struct RecoveryStudyOptions {
   RecoveryOptions recovery;
   std::string output;
-  int elements = 2;  // along a spacing of the recording's particles
+  int elements = 4;  // along a spacing of the recording's particles
   bool force = false, finite_elements = false;
 };
 
@@ -94,7 +94,8 @@ void AddRecoveryStudy(CLI::App* study, Action* action) {
       "make them with triangular finite elements on a finer mesh, which share no code with a fit");
   recovery
       ->add_option("--elements", options->elements,
-                   "of these along a spacing of the recording's particles; 4 take 8 times as long")
+                   "of these along a spacing of the recording's particles; twice as many take 8 "
+                   "times the time")
       ->type_name("N")
       ->check(WholeNumber(1, 10))
       ->needs(finite_elements)
