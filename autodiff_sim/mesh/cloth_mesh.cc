@@ -34,8 +34,8 @@ double EdgeLength(const ClothMesh& mesh, const Edge& edge) {
 
 // Of a cell of a grid.
 bool IsDiagonal(const ClothMesh& mesh, const Edge& edge) {
-  const int apart = edge.second - edge.first;
-  return apart != 1 && apart != mesh.grid[0];
+  const int nu = mesh.grid[0];
+  return edge.first / nu != edge.second / nu && edge.first % nu != edge.second % nu;
 }
 
 Hinge MakeHinge(const ClothMesh& mesh, const Edge& edge, const std::vector<int>& opposite) {
@@ -47,8 +47,7 @@ Hinge MakeHinge(const ClothMesh& mesh, const Edge& edge, const std::vector<int>&
   }
   hinge.shape = hinge.width * hinge.width / normals;
   if (mesh.is_grid()) {
-    constexpr double kLongest =
-        0.6;  // of squared shapes: of a side 1.55 times as long as the other
+    constexpr double kLongest = 0.6;  // of squares: of a side 1.55 times as long as the other
     const double square = hinge.shape * hinge.shape;
     const double share = IsDiagonal(mesh, edge) ? 2.0 / (3.0 * square)
                                                 : 8.0 / (9.0 - 12.0 * std::min(square, kLongest));

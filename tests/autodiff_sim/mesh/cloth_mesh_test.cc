@@ -232,6 +232,14 @@ TEST(ClothMesh, OneHingeAnInnerEdge) {
   }
 }
 
+// Two columns: the ends of every other diagonal are neighbours in the list of particles.
+TEST(ClothMesh, DiagonalsOfANarrowStripAreDiagonals) {
+  const ClothTopology topology = BuildTopology(MakeGrid({0.1, 0.4}, {2, 5}));
+  EXPECT_EQ(topology.hinges.size(), 7u);
+  for (const Hinge& hinge : topology.hinges)  // sides and diagonals of square cells
+    EXPECT_NEAR(hinge.shape, 2.0 / 3.0, 1e-12);
+}
+
 TEST(ClothMesh, SpringsKnowNotWhichWayAMeshIsListed) {
   const ClothMesh mesh = AsTriangles(MakeGrid({0.3, 0.3}, {4, 4}));
   ClothMesh turned = mesh;
