@@ -38,7 +38,8 @@ FitConfig ConfigOfPoints(const FitConfig& config) {
 std::size_t ThinningOf(const Scene& scene) {
   constexpr Eigen::Index kMostRows = 50000;
   Eigen::Index rows = 0;
-  for (const auto& [first, count] : OutlineRows(scene)) rows += count + scene.mesh.num_particles();
+  for (const auto& [first, count, frame] : OutlineRows(scene))
+    rows += count + scene.mesh.num_particles();
   return static_cast<std::size_t>(1 + rows / kMostRows);
 }
 
@@ -53,68 +54,103 @@ double RootMeanSquare(const Eigen::VectorXd& values) {
   return values.norm() / std::sqrt(std::max<double>(1.0, static_cast<double>(values.size())));
 }
 
-// How much of the error is there, 0 or more: the amount found of its visible part (`squares`: of
-// its rows), which no entry makes up for, or the amount of it that explains the residual beyond
-// noise, whichever is larger. Of the other part nothing is seen, so that it is taken to be as much;
-// where residuals are more than noise, something between none of it and all that Richardson's
-// estimate says: the visible part of a motion that is chaotic is out of step and seems less.
-double Amplitude(const Misfit& misfit, double squares, double found) {
-  if (!(squares > 0.0)) return 1.0;
-  const double beyond_noise = std::max(0.0, misfit.chi_square - misfit.limit);
-  return std::max(std::abs(found), std::sqrt(beyond_noise * misfit.observed / squares));
+// By how much the residuals are off, by the step and by the mesh.
+struct DiscretisationError {
+  Eigen::VectorXd of_step, of_mesh;
+
+  Eigen::VectorXd Sum() const { return of_step + of_mesh; }
+};
+
+std::optional<DiscretisationError> ErrorOf(const MeshRows& own,
+                                           const std::optional<MeshRows>& half_step,
+                                           const std::optional<MeshRows>& finer) {
+  constexpr double kOfStep = 1.0 / (1.0 - 1.0 / 4.0);
+  constexpr double kOfMesh = 1.0 / (1.0 - 1.0 / (kFiner * kFiner));
+  const auto fits = [&own](const std::optional<MeshRows>& rows) {
+    return rows && rows->residuals.size() == own.residuals.size();
+  };
+  if (!fits(half_step) || !fits(finer)) return {};
+  return DiscretisationError{kOfStep * (own.residuals - half_step->residuals),
+                             kOfMesh * (half_step->residuals - finer->residuals)};
 }
 
-void AddDiscretisation(const MeshRows& own, const MeshRows& finer,
-                       const Eigen::MatrixXd& prior_jacobian, PointFit* fit) {
-  constexpr double kOfDifference = 1.0 / (1.0 - 1.0 / (kFiner * kFiner));
-  const Eigen::VectorXd error = kOfDifference * (own.residuals - finer.residuals);
+// What the gradient J' r may be by residuals that last: the sum of the products of the frames'
+// gradients with those of frames before and after, with weights that fall to zero at an eighth of
+// the frames (Bartlett's, as in Newey and West 1987). frames: of each row.
+Eigen::MatrixXd LastingGradient(const std::vector<int>& frames, const RowMajorMatrix& jacobian,
+                                const Eigen::VectorXd& residuals) {
+  const int count = frames.empty() ? 0 : 1 + *std::max_element(frames.begin(), frames.end());
+  Eigen::MatrixXd gradients = Eigen::MatrixXd::Zero(jacobian.cols(), count);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    gradients.col(frames[i]) += residuals[row] * jacobian.row(row).transpose();
+  }
+  const int reach = std::max(1, count / 8);
+  Eigen::MatrixXd lasting = gradients * gradients.transpose();
+  for (int lag = 1; lag < reach; ++lag) {
+    const Eigen::MatrixXd products =
+        gradients.leftCols(count - lag) * gradients.rightCols(count - lag).transpose();
+    lasting += (1.0 - static_cast<double>(lag) / reach) * (products + products.transpose());
+  }
+  return lasting;
+}
+
+// A fit's rows, and the frame of each.
+struct FittedRows {
+  const MeshRows& own;
+  const std::vector<int>& frames;
+  Eigen::MatrixXd prior_jacobian;
+};
+
+// What residuals and error tell of how many times the error is there. Its visible part is that
+// which no entry makes up for. Where it is there and in step, the residuals follow it, as many
+// times as `found`. Of a motion that is chaotic it is out of step, and seen in the chi-square
+// alone: what is left may be errors of this size of either sign in each part of the recording, of
+// mesh and step each, as many times as explain the chi-square, give or take a standard error of it.
+void AddDiscretisation(const FittedRows& rows, const DiscretisationError& error, PointFit* fit) {
+  const MeshRows& own = rows.own;
+  const Eigen::VectorXd sum = error.Sum();
   Misfit& misfit = fit->misfit;
-  misfit.discretisation = RootMeanSquare(error);
-  const Eigen::MatrixXd information =
-      own.jacobian.transpose() * own.jacobian + prior_jacobian.transpose() * prior_jacobian;
+  ModelErrors& errors = fit->errors;
+  misfit.discretisation = RootMeanSquare(sum);
+  const Eigen::MatrixXd information = own.jacobian.transpose() * own.jacobian +
+                                      rows.prior_jacobian.transpose() * rows.prior_jacobian;
   const auto factor = TrySemidefinite(information);
   if (!factor) return;
-  fit->errors.shift = factor->solve(own.jacobian.transpose() * error);
-  const Eigen::VectorXd visible = error - own.jacobian * fit->errors.shift;
+  errors.shift = factor->solve(own.jacobian.transpose() * sum);
+  const Eigen::VectorXd visible = sum - own.jacobian * errors.shift;
   const double squares = visible.squaredNorm();
-  const double found = squares > 0.0 ? visible.dot(own.residuals) / squares : 0.0;
-  misfit.amplitude = fit->errors.amplitude = Amplitude(misfit, squares, found);
-  if (!misfit.IsNoise()) {
-    fit->errors.mean = 0.5;
-    fit->errors.amplitude = std::max(0.5, fit->errors.amplitude);
+  const double found = squares > 0.0 ? visible.dot(own.residuals) / squares : 1.0;
+  const auto explaining = [&](double chi_square) {
+    if (!(squares > 0.0)) return 1.0;
+    return std::sqrt(std::max(0.0, chi_square) * misfit.observed / squares);
+  };
+  misfit.amplitude = std::max(std::abs(found), explaining(misfit.chi_square - misfit.limit));
+  errors.mean = std::clamp(found, 0.0, 1.0);
+  errors.amplitude =
+      std::max(std::abs(found), explaining(misfit.chi_square - 1.0 + misfit.standard_error()));
+  if (errors.lasting.size() == 0) errors.lasting.setZero(own.jacobian.cols(), own.jacobian.cols());
+  for (const Eigen::VectorXd& one : {error.of_step, error.of_mesh}) {
+    errors.lasting +=
+        errors.amplitude * errors.amplitude * LastingGradient(rows.frames, own.jacobian, one);
   }
   misfit.without_discretisation =
       (own.residuals - found * visible).squaredNorm() /
       std::max(1, misfit.observed - static_cast<int>(information.rows()));
 }
 
-// ModelErrors::lasting: with weights that fall to zero at an eighth of the frames (Bartlett's).
-Eigen::MatrixXd LastingGradients(const std::vector<SeenResidual>& seen, const MeshRows& rows) {
-  int frames = 0;
-  for (const SeenResidual& one : seen) frames = std::max(frames, one.frame + 1);
-  Eigen::MatrixXd gradients = Eigen::MatrixXd::Zero(rows.jacobian.cols(), frames);
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    gradients.col(seen[i].frame) += rows.residuals[row] * rows.jacobian.row(row).transpose();
-  }
-  const int reach = std::max(1, frames / 8);
-  Eigen::MatrixXd lasting = gradients * gradients.transpose();
-  for (int lag = 1; lag < reach; ++lag) {
-    const Eigen::MatrixXd products =
-        gradients.leftCols(frames - lag) * gradients.rightCols(frames - lag).transpose();
-    lasting += (1.0 - static_cast<double>(lag) / reach) * (products + products.transpose());
-  }
-  return lasting;
-}
-
 PointFit PointFitOf(const std::vector<SeenResidual>& seen, const FreeVector& free,
-                    const MeshRows& own, const std::optional<MeshRows>& finer) {
+                    const MeshRows& own, const std::optional<MeshRows>& half_step,
+                    const std::optional<MeshRows>& finer) {
   PointFit fit;
   fit.misfit = MeasureMisfit(seen, free.size());
   fit.errors.correlation = fit.misfit.correlation;
-  if (!fit.misfit.IsNoise()) fit.errors.lasting = LastingGradients(seen, own);
-  if (finer && finer->residuals.size() == own.residuals.size())
-    AddDiscretisation(own, *finer, free.prior_jacobian(), &fit);
+  std::vector<int> frames;
+  for (const SeenResidual& one : seen) frames.push_back(one.frame);
+  if (!fit.misfit.IsNoise())
+    fit.errors.lasting = LastingGradient(frames, own.jacobian, own.residuals);
+  if (const auto error = ErrorOf(own, half_step, finer))
+    AddDiscretisation({own, frames, free.prior_jacobian()}, *error, &fit);
   return fit;
 }
 
@@ -135,22 +171,23 @@ std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes,
                                            const Eigen::VectorXd& theta) {
   std::vector<SceneOnMeshes> points;
   for (std::size_t i = 0; i < scenes.size(); ++i)
-    points.push_back({PointsOf(scenes[i].scene), ConfigOfPoints(scenes[i].config), 1.0, {}, {}});
+    points.push_back({PointsOf(scenes[i].scene), ConfigOfPoints(scenes[i].config)});
   std::vector<NamedScene> named;
   for (std::size_t i = 0; i < points.size(); ++i)
     named.push_back({scenes.named(i).name, &points[i].scene, &points[i].config});
   const JointScenes of_points(std::move(named));
   if (of_points.NumResiduals() == 0) return {};
-  EvaluateBoth(scenes.free(), theta, &points);
+  EvaluateOnMeshes(scenes.free(), theta, &points);
   const auto own = Stack(scenes.free(), points, &SceneOnMeshes::own);
   if (!own) return {};
   JointPointFit fit;
   fit.all = PointFitOf(SeenResiduals(of_points, own->residuals), scenes.free(), *own,
+                       Stack(scenes.free(), points, &SceneOnMeshes::half_step),
                        Stack(scenes.free(), points, &SceneOnMeshes::finer));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SceneOnMeshes& one = points[i];
     fit.of_each.push_back(PointFitOf(SeenResiduals(one.scene, one.own->residuals), scenes[i].free,
-                                     *one.own, one.finer));
+                                     *one.own, one.half_step, one.finer));
   }
   return fit;
 }
@@ -167,18 +204,19 @@ std::optional<ModelErrors> MeasureOutlines(const JointScenes& scenes,
     const auto& [scene, config, free, observations] = scenes[i];
     if (!SeesOutlinesAlone(scene)) return {};
     const std::size_t every = ThinningOf(scene);
-    outlines.push_back({EveryFitted(scene, every), config, static_cast<double>(every), {}, {}});
+    outlines.push_back({EveryFitted(scene, every), config, static_cast<double>(every)});
   }
-  EvaluateBoth(scenes.free(), theta, &outlines);
+  EvaluateOnMeshes(scenes.free(), theta, &outlines);
   const auto own = Stack(scenes.free(), outlines, &SceneOnMeshes::own);
   if (!own) return {};
-  const std::optional<MeshRows> finer = Stack(scenes.free(), outlines, &SceneOnMeshes::finer);
   std::vector<std::vector<double>> residuals;
+  std::vector<int> frames;
   double frame_rate = 0.0, observed = 0.0;
   const double* next = own->residuals.data();
   for (const SceneOnMeshes& one : outlines) {
-    for (const auto& [first, count] : OutlineRows(one.scene)) {
+    for (const auto& [first, count, frame] : OutlineRows(one.scene)) {
       residuals.emplace_back(next, next + count);
+      frames.insert(frames.end(), static_cast<std::size_t>(count), frame);
       next += count;
     }
     frame_rate = std::max(frame_rate, one.scene.recording.frame_rate);
@@ -191,8 +229,9 @@ std::optional<ModelErrors> MeasureOutlines(const JointScenes& scenes,
   fit.misfit.correlation = OutlineCorrelation(residuals, frame_rate);
   fit.misfit.limit = ChiSquareLimit(observed / fit.misfit.correlation);
   fit.errors.correlation = fit.misfit.correlation;
-  if (finer && finer->residuals.size() == own->residuals.size())
-    AddDiscretisation(*own, *finer, scenes.free().prior_jacobian(), &fit);
+  const auto error = ErrorOf(*own, Stack(scenes.free(), outlines, &SceneOnMeshes::half_step),
+                             Stack(scenes.free(), outlines, &SceneOnMeshes::finer));
+  if (error) AddDiscretisation({*own, frames, scenes.free().prior_jacobian()}, *error, &fit);
   return fit.errors;
 }
 

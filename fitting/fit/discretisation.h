@@ -32,13 +32,14 @@ std::optional<Misfit> MisfitOfPoints(const Scene& scene, const FitConfig& config
 // Of the fitted markers and tracks at theta; empty where there are none, or they cannot be
 // simulated.
 //
-// The discretisation error is estimated from one simulation on the finer mesh (FinerSide) with
-// half the step, as if both errors were of second order (Richardson): the converged simulation lies
-// 1 / (1 - 1 / kFiner^2) times as far off as the finer one, a little more than that of the step.
-// Where a mesh is no grid or a finer simulation fails it is not known. Recordings that are
-// simulated alike err alike: there is one amount of all their errors.
+// The discretisation error is estimated from a simulation with half the step and from one on the
+// finer mesh (FinerSide) besides, as if both errors were of second order (Richardson): the
+// converged simulation lies 4/3 times as far off as that with half the step, and from there 1 / (1
+// - 1 / kFiner^2) times as far as the finer mesh. Where a mesh is no grid or a simulation fails it
+// is not known. Recordings that are simulated alike err alike: there is one amount of all their
+// errors.
 //
-// Two simulations of each, one of them with derivatives, side by side.
+// Three simulations of each, one of them with derivatives, side by side.
 std::optional<JointPointFit> MeasurePoints(const JointScenes& scenes, const Eigen::VectorXd& theta);
 
 // Of outlines where they are all that is observed, what their intervals have to hold beyond noise,

@@ -14,9 +14,9 @@
 namespace clothfit {
 namespace {
 
-void KeepRows(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& kept, MeshRows* rows) {
+void KeepRows(const std::vector<RowsOfOutline>& kept, MeshRows* rows) {
   Eigen::Index to = 0;
-  for (const auto& [first, count] : kept) {
+  for (const auto& [first, count, frame] : kept) {
     rows->residuals.segment(to, count) = rows->residuals.segment(first, count).eval();
     if (rows->jacobian.cols() > 0)
       rows->jacobian.middleRows(to, count) = rows->jacobian.middleRows(first, count).eval();
@@ -26,15 +26,14 @@ void KeepRows(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& kept, Me
   if (rows->jacobian.cols() > 0) rows->jacobian.conservativeResize(to, Eigen::NoChange);
 }
 
-std::optional<MeshRows> EvaluateFiner(const Scene& scene, FitConfig config,
-                                      const Eigen::VectorXd& theta) {
-  if (!scene.mesh.is_grid()) return std::nullopt;
-  const std::array<int, 2> grid = scene.mesh.grid;
-  config.resolution = GridWithSide(grid, FinerSide(LongerSide(grid)));
+// On a grid with so many particles along its longer side, with half the step.
+std::optional<MeshRows> EvaluateWithHalfStep(const Scene& scene, FitConfig config, int side,
+                                             const Eigen::VectorXd& theta) {
+  config.resolution = GridWithSide(scene.mesh.grid, side);
   config.max_step = 0.5 * scene.step;
-  Scene finer = MakeScene(scene.recording, config, &scene);
-  finer.is_fitted = scene.is_fitted;
-  return EvaluateRows(finer, config, theta, false);
+  Scene other = MakeScene(scene.recording, config, &scene);
+  other.is_fitted = scene.is_fitted;
+  return EvaluateRows(other, config, theta, false);
 }
 
 }  // namespace
@@ -43,15 +42,15 @@ bool SeesOutlinesAlone(const Scene& scene) {
   return scene.silhouettes && !scene.clouds && !HasPoints(scene);
 }
 
-std::vector<std::pair<Eigen::Index, Eigen::Index>> OutlineRows(const Scene& scene) {
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> rows;
+std::vector<RowsOfOutline> OutlineRows(const Scene& scene) {
+  std::vector<RowsOfOutline> rows;
   Eigen::Index row = 0;
   for (const SilhouetteObservation& s : scene.silhouettes->observations) {
     const bool is_seen = s.field && s.frame <= scene.last_fitted_frame &&
                          scene.is_fitted[static_cast<std::size_t>(s.frame)];
     if (!is_seen) continue;
     const auto count = static_cast<Eigen::Index>(s.outline.size());
-    rows.emplace_back(row, count);
+    rows.push_back({row, count, s.frame});
     row += count + scene.mesh.num_particles();
   }
   return rows;
@@ -71,14 +70,18 @@ std::optional<MeshRows> EvaluateRows(const Scene& scene, const FitConfig& config
   return rows;
 }
 
-void EvaluateBoth(const JointVector& free, const Eigen::VectorXd& theta,
-                  std::vector<SceneOnMeshes>* scenes) {
-  ParallelFor(2 * static_cast<int>(scenes->size()), NumThreads(0), [&](int piece, int) {
-    const auto i = static_cast<std::size_t>(piece / 2);
+void EvaluateOnMeshes(const JointVector& free, const Eigen::VectorXd& theta,
+                      std::vector<SceneOnMeshes>* scenes) {
+  constexpr int kPieces = 3;  // the longest first
+  ParallelFor(kPieces * static_cast<int>(scenes->size()), NumThreads(0), [&](int k, int) {
+    const auto i = static_cast<std::size_t>(k / kPieces);
     const Eigen::VectorXd own = free.Of(i, theta);
     SceneOnMeshes& one = (*scenes)[i];
-    if (piece % 2 == 0) one.finer = EvaluateFiner(one.scene, one.config, own);
-    if (piece % 2 == 1) one.own = EvaluateRows(one.scene, one.config, own, true);
+    const int piece = k % kPieces, side = LongerSide(one.scene.mesh.grid);
+    if (piece == 1) one.own = EvaluateRows(one.scene, one.config, own, true);
+    if (piece == 1 || !one.scene.mesh.is_grid()) return;
+    std::optional<MeshRows>& rows = piece == 0 ? one.finer : one.half_step;
+    rows = EvaluateWithHalfStep(one.scene, one.config, piece == 0 ? FinerSide(side) : side, own);
   });
 }
 

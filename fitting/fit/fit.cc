@@ -89,6 +89,14 @@ FitCallbacks OfCoarseFit(const FitCallbacks& callbacks, const Scene& scene, doub
 
 }  // namespace
 
+void AddWork(const FitResult& other, FitResult* result) {
+  result->iterations += other.iterations;
+  result->simulated_frames += other.simulated_frames;
+  result->differentiated_frames += other.differentiated_frames;
+  result->simulations += other.simulations;
+  result->seconds += other.seconds;
+}
+
 FitCallbacks OfPart(const FitCallbacks& callbacks, const std::string& name, double from,
                     double share) {
   FitCallbacks part;

@@ -108,6 +108,9 @@ struct FitResult {
   std::vector<FitResult> recordings;
 };
 
+// Iterations, simulations and seconds of another fit, which it took as well.
+void AddWork(const FitResult& other, FitResult* result);
+
 // Those of a part of a fit, without checkpoints: from there on, of this share of the whole. `name`
 // goes before what it tells.
 FitCallbacks OfPart(const FitCallbacks& callbacks, const std::string& name, double from,

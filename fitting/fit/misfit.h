@@ -26,10 +26,11 @@ struct Misfit {
   // correlations of one residual with all others.
   double correlation = 1.0;
   // Root mean square of the discretisation error (fitting/fit/discretisation.h); how many times it
-  // is in the residuals, by their estimate; and the chi-square of the residuals without so much of
-  // it. Empty where they are not known.
+  // is surely in the residuals, by their estimate; and the chi-square of the residuals without so
+  // much of it. Empty where they are not known.
   std::optional<double> discretisation, amplitude, without_discretisation;
 
+  double standard_error() const { return (limit - 1.0) / 3.0; }  // of chi_square
   bool IsNoise() const { return chi_square <= limit; }
   // No more than noise and discretisation error.
   bool IsNoiseAndMesh() const {

@@ -70,9 +70,9 @@ struct SearchResult {
 // along a path's control points. Throws InputError where the optimiser does not suit the strategy.
 SearchResult Search(const Scene& scene, const FitConfig& config, const SearchOptions& options);
 
-// A whole fit with report and intervals, by whatever the config asks for: RunFit's, followed where
-// it stalls by a search of the fabric on the hard error; or Search. Of markers and tracks it tells
-// noise from the discretisation error (MeasurePoints).
+// A whole fit with report and intervals, by whatever the config asks for: that of
+// FitFromTwoStarts, followed where it stalls by a search of the fabric on the hard error; or
+// Search. Of markers and tracks it tells noise from the discretisation error (MeasurePoints).
 FitResult FitByStrategy(const Scene& scene, const FitConfig& config,
                         const FitCallbacks& callbacks = {});
 

@@ -15,6 +15,7 @@
 #include "fitting/fit/fitter.h"
 #include "fitting/fit/rugged_cost.h"
 #include "fitting/fit/search.h"
+#include "fitting/fit/two_starts.h"
 #include "fitting/scene/grid_side.h"
 
 namespace clothfit {
@@ -46,14 +47,6 @@ void Add(const SearchResult& search, const Scene& scene, FitResult* result) {
   result->simulated_frames += search.simulations * std::max(1, scene.last_fitted_frame);
   result->simulations += static_cast<int>(std::ceil(search.simulations));
   result->seconds += search.seconds;
-}
-
-void AddWork(const FitResult& other, FitResult* result) {
-  result->iterations += other.iterations;
-  result->simulated_frames += other.simulated_frames;
-  result->differentiated_frames += other.differentiated_frames;
-  result->simulations += other.simulations;
-  result->seconds += other.seconds;
 }
 
 void Add(const FitResult& before, FitResult* result) {
@@ -222,7 +215,7 @@ FitResult FitByStrategy(const Scene& scene, const FitConfig& config,
                         const FitCallbacks& callbacks) {
   if (config.loops != Strategy::kJoint || config.optimiser != "lm")
     return FitBySearch(scene, config, callbacks);
-  FitResult result = RunFit(scene, config, callbacks, nullptr, true);
+  FitResult result = FitFromTwoStarts(scene, config, callbacks);
   const bool stalls = result.status == FitStatus::kNotConverged && config.polish_hard &&
                       config.FitsSilhouettes() && scene.silhouettes && NumFabric(scene, config) > 0;
   return stalls ? PolishOnHardError(scene, config, callbacks, std::move(result)) : result;

@@ -15,9 +15,8 @@ namespace clothfit {
 // Errors beyond independent noise that the intervals have to hold.
 struct ModelErrors {
   double correlation = 1.0;  // residuals that say as much as one: variances grow by it
-  // Sum of the products of the frames' gradients J' r with those of frames before and after, less
-  // the farther apart they are: what the gradient may be by errors that last. Empty where residuals
-  // are noise.
+  // What the gradient J' r may be by errors that last over frames (its covariance): of what
+  // residuals are beyond noise, and of the discretisation error. Empty where there is none.
   Eigen::MatrixXd lasting;
   // How far the discretisation error e moves the free entries. It is one more unknown how many
   // times it is there: `mean`, give or take `amplitude`. Empty where e is not known.

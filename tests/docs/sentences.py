@@ -22,6 +22,7 @@ SOURCES = (
     ("fitting/fit/fitter_result.cc", None, None),
     ("fitting/fit/rugged_cost.cc", None, None),
     ("fitting/fit/strategy_fit.cc", "std::string SayMesh(", "// A finer mesh, from where"),
+    ("fitting/fit/two_starts.cc", "std::string SaySecondStart(", "// Of two fits"),
     ("fitting/fit/uncertainty.cc", None, None),
     ("fitting/scene/silhouettes.cc", None, None),
     ("fitting/scene/clouds.cc", None, None),

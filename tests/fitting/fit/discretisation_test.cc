@@ -151,7 +151,7 @@ TEST(Outlines, HaveTheSameRowsOnEveryMesh) {
   finer.resolution = {10, 10};
   const auto count = [](const Scene& scene) {
     Eigen::Index rows = 0;
-    for (const auto& [first, of_one] : OutlineRows(scene)) rows += of_one;
+    for (const RowsOfOutline& outline : OutlineRows(scene)) rows += outline.count;
     return rows;
   };
   const Eigen::Index rows = count(known.scene);
@@ -170,9 +170,9 @@ TEST(Outlines, HaveIntervalsWithMeshAndCorrelation) {
   ASSERT_TRUE(errors);
   EXPECT_GT(errors->correlation, 2.0);
   EXPECT_GT(errors->amplitude, 0.0);
-  const SceneOnMeshes one{known.scene, known.config, 1.0, {}, {}};
+  const SceneOnMeshes one{known.scene, known.config};
   std::vector<SceneOnMeshes> both = {one};
-  EvaluateBoth(scenes.free(), at, &both);
+  EvaluateOnMeshes(scenes.free(), at, &both);
   ASSERT_TRUE(both[0].own && both[0].finer);
   EXPECT_EQ(both[0].own->residuals.size(), both[0].finer->residuals.size());
   const MeshRows& own = *both[0].own;

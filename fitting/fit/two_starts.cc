@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The clothfit authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/fit/two_starts.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "autodiff_sim/base/parallel.h"
+#include "fitting/rollout/nudging.h"
+
+namespace clothfit {
+namespace {
+
+// Empty where there is nothing else to begin from.
+std::optional<FitConfig> LessDamped(const Scene& scene, const FitConfig& config) {
+  constexpr double kLess = 0.1;
+  constexpr std::array<const char*, 3> kDampings = {"stretch.damping", "shear.damping",
+                                                    "bending.damping"};
+  if (!HasPoints(scene) || !config.polish) return {};
+  FitConfig other = config;
+  bool is_another = false;
+  for (const char* name : kDampings) {
+    const auto found = other.parameters.find(name);
+    if (found == other.parameters.end() || !found->second.free) continue;
+    ParameterSetting& setting = found->second;
+    const double less = std::max(setting.lower, kLess * setting.value);
+    is_another = is_another || less < setting.value;
+    setting.value = less;
+  }
+  return is_another ? std::make_optional(std::move(other)) : std::nullopt;
+}
+
+bool AsksForAnother(const FitResult& fit) {
+  return fit.status != FitStatus::kInterrupted && fit.misfit && !fit.misfit->IsNoise();
+}
+
+// A core to spare, and seconds to gain by it.
+bool HasRoomBeside(const Scene& scene) {
+  constexpr int kWorthIt = 20000;  // positions of particles in fitted frames
+  return NumThreads(0) > 1 && scene.mesh.num_particles() * (scene.last_fitted_frame + 1) > kWorthIt;
+}
+
+// A fit that is ended where nothing waits for it.
+class Beside {
+ public:
+  Beside(const Scene& scene, const FitConfig& config)
+      : callbacks_{{}, {}, {}, &end_, nullptr, {}},
+        fit_(std::async(std::launch::async, [&scene, config, this] {
+          const InsideParallelWork inside;
+          return RunFit(scene, config, callbacks_, nullptr, true);
+        })) {}
+  ~Beside() { end_ = true; }
+  Beside(const Beside&) = delete;
+  Beside& operator=(const Beside&) = delete;
+
+  FitResult Get(const std::atomic<bool>* stop) {
+    constexpr auto kLook = std::chrono::milliseconds(50);
+    while (fit_.wait_for(kLook) != std::future_status::ready)
+      if (stop != nullptr && *stop) end_ = true;
+    return fit_.get();
+  }
+
+ private:
+  std::atomic<bool> end_ = false;
+  FitCallbacks callbacks_;
+  std::future<FitResult> fit_;  // the last member, whose destructor waits
+};
+
+std::string SaySecondStart(double kept, double other, bool agree) {
+  if (agree) return "begun again with a tenth of the damping, the fit ends at the same cost";
+  return fmt::format(
+      "begun again with a tenth of the damping, the fit ends elsewhere: of the costs {:.6g} and "
+      "{:.6g} the lower is kept",
+      kept, other);
+}
+
+// Of two fits from different starts, told as if both had begun at the first one's.
+FitResult LowerOf(FitResult first, FitResult second) {
+  constexpr double kAlike = 1e-3;  // of the cost
+  const bool is_lower = second.cost_after < first.cost_after;
+  const double apart = std::abs(second.cost_after - first.cost_after);
+  const bool agree = apart <= kAlike * std::min(first.cost_after, second.cost_after);
+  if (is_lower) {
+    second.before = first.before;
+    second.cost_before = first.cost_before;
+    for (std::size_t i = 0; i < second.estimates.size() && i < first.estimates.size(); ++i)
+      second.estimates[i].start = first.estimates[i].start;
+    std::swap(first, second);
+  }
+  AddWork(second, &first);
+  if (second.status == FitStatus::kInterrupted) first.status = FitStatus::kInterrupted;
+  if (std::isfinite(second.cost_after))
+    first.statements.push_back(SaySecondStart(first.cost_after, second.cost_after, agree));
+  return first;
+}
+
+}  // namespace
+
+FitResult FitFromTwoStarts(const Scene& scene, const FitConfig& config,
+                           const FitCallbacks& callbacks) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::optional<FitConfig> other = LessDamped(scene, config);
+  if (!other) return RunFit(scene, config, callbacks, nullptr, true);
+  std::optional<Beside> beside;
+  const bool has_room = HasRoomBeside(scene);
+  if (has_room) beside.emplace(scene, *other);
+  FitCallbacks of_first = callbacks;
+  if (!has_room) of_first.progress = OfPart(callbacks, "", 0.0, 0.5).progress;
+  FitResult first = RunFit(scene, config, of_first, nullptr, true);
+  if (!AsksForAnother(first)) return first;
+  if (callbacks.log)
+    callbacks.log("more than noise is left: begun again with a tenth of the damping");
+  FitCallbacks of_second = OfPart(callbacks, "with less damping, ", 0.5, 0.5);
+  of_second.journal = nullptr;
+  FitResult second =
+      has_room ? beside->Get(callbacks.stop) : RunFit(scene, *other, of_second, nullptr, true);
+  FitResult result = LowerOf(std::move(first), std::move(second));
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace clothfit
