@@ -106,7 +106,7 @@ struct FittedRows {
 // which no entry makes up for. Where it is there and in step, the residuals follow it, as many
 // times as `found`. Of a motion that is chaotic it is out of step, and seen in the chi-square
 // alone: what is left may be errors of this size of either sign in each part of the recording, of
-// mesh and step each, as many times as explain the chi-square, give or take a standard error of it.
+// mesh and step each, as many times as explain the chi-square.
 void AddDiscretisation(const FittedRows& rows, const DiscretisationError& error, PointFit* fit) {
   const MeshRows& own = rows.own;
   const Eigen::VectorXd sum = error.Sum();
@@ -127,8 +127,7 @@ void AddDiscretisation(const FittedRows& rows, const DiscretisationError& error,
   };
   misfit.amplitude = std::max(std::abs(found), explaining(misfit.chi_square - misfit.limit));
   errors.mean = std::clamp(found, 0.0, 1.0);
-  errors.amplitude =
-      std::max(std::abs(found), explaining(misfit.chi_square - 1.0 + misfit.standard_error()));
+  errors.amplitude = std::max(std::abs(found), explaining(misfit.chi_square - 1.0));
   if (errors.lasting.size() == 0) errors.lasting.setZero(own.jacobian.cols(), own.jacobian.cols());
   for (const Eigen::VectorXd& one : {error.of_step, error.of_mesh}) {
     errors.lasting +=

@@ -30,7 +30,6 @@ struct Misfit {
   // much of it. Empty where they are not known.
   std::optional<double> discretisation, amplitude, without_discretisation;
 
-  double standard_error() const { return (limit - 1.0) / 3.0; }  // of chi_square
   bool IsNoise() const { return chi_square <= limit; }
   // No more than noise and discretisation error.
   bool IsNoiseAndMesh() const {
