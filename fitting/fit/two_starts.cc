@@ -3,7 +3,6 @@
 #include "fitting/fit/two_starts.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -11,24 +10,34 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
+#include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/rollout/nudging.h"
 
 namespace clothfit {
 namespace {
 
+std::vector<std::string> DampingsOfTheCloth() {
+  std::vector<std::string> names;
+  for (const TermInfo& term : AllTerms()) {
+    for (const Parameter& parameter : term.parameters)
+      if (term.internal && parameter.name == std::string("damping"))
+        names.push_back(term.name + "." + parameter.name);
+  }
+  return names;
+}
+
 // Empty where there is nothing else to begin from.
 std::optional<FitConfig> LessDamped(const Scene& scene, const FitConfig& config) {
   constexpr double kLess = 0.1;
-  constexpr std::array<const char*, 3> kDampings = {"stretch.damping", "shear.damping",
-                                                    "bending.damping"};
   if (!HasPoints(scene) || !config.polish) return {};
   FitConfig other = config;
   bool is_another = false;
-  for (const char* name : kDampings) {
+  for (const std::string& name : DampingsOfTheCloth()) {
     const auto found = other.parameters.find(name);
     if (found == other.parameters.end() || !found->second.free) continue;
     ParameterSetting& setting = found->second;
