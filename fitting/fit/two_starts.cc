@@ -95,6 +95,7 @@ std::string SaySecondStart(double kept, double other, bool agree) {
 // Of two fits from different starts, told as if both had begun at the first one's.
 FitResult LowerOf(FitResult first, FitResult second) {
   constexpr double kAlike = 1e-3;  // of the cost
+  const bool was_interrupted = second.status == FitStatus::kInterrupted;
   const bool is_lower = second.cost_after < first.cost_after;
   const double apart = std::abs(second.cost_after - first.cost_after);
   const bool agree = apart <= kAlike * std::min(first.cost_after, second.cost_after);
@@ -106,8 +107,9 @@ FitResult LowerOf(FitResult first, FitResult second) {
     std::swap(first, second);
   }
   AddWork(second, &first);
-  if (second.status == FitStatus::kInterrupted) first.status = FitStatus::kInterrupted;
-  if (std::isfinite(second.cost_after))
+  if (was_interrupted)
+    first.status = FitStatus::kInterrupted;
+  else if (std::isfinite(second.cost_after))
     first.statements.push_back(SaySecondStart(first.cost_after, second.cost_after, agree));
   return first;
 }
