@@ -102,6 +102,8 @@ FitCallbacks OfPart(const FitCallbacks& callbacks, const std::string& name, doub
   FitCallbacks part;
   part.stop = callbacks.stop;
   part.journal = callbacks.journal;
+  part.checkpoint = callbacks.checkpoint;
+  part.stands = callbacks.stands;
   if (callbacks.log)
     part.log = [&callbacks, name](const std::string& line) { callbacks.log(name + line); };
   if (callbacks.progress) {

@@ -50,6 +50,7 @@ struct FitProgress {
 };
 
 class EvaluationJournal;  // fitting/files/evaluation_journal.h
+struct FitResult;
 
 struct FitCallbacks {
   std::function<void(const FitProgress&)> progress;
@@ -60,6 +61,8 @@ struct FitCallbacks {
   // kept.
   EvaluationJournal* journal = nullptr;
   std::function<void(const std::string&)> note;  // lines for who waits, of fits into a run
+  // A whole fit, while it is tried whether another start or mesh explains more.
+  std::function<void(const Scene&, const FitConfig&, const FitResult&)> stands;
 };
 
 // How well one simulation of all frames explains the observations. Open loop: only the handles
@@ -110,6 +113,11 @@ struct FitResult {
 
 // Iterations, simulations and seconds of another fit, which it took as well.
 void AddWork(const FitResult& other, FitResult* result);
+
+// Every physical parameter at theta, then the other free entries. Their intervals are not known:
+// NaN.
+std::vector<ParameterEstimate> EstimatesAt(const FreeParameters& free,
+                                           const Eigen::VectorXd& theta);
 
 // Those of a part of a fit, without checkpoints: from there on, of this share of the whole. `name`
 // goes before what it tells.

@@ -155,42 +155,53 @@ void Fitter::FinishEach(const Uncertainty& uncertainty, const std::optional<Join
   result->estimates = JointEstimates(scenes_, result->recordings);
 }
 
-void Fitter::FillEstimates(std::size_t recording, const Uncertainty& uncertainty,
-                           FitResult* result) const {
-  const std::vector<NamedParameter> table = MakeParameterTable();
-  const FreeParameters& free = scenes_[recording].free;
-  const std::vector<int>& entries = free_.EntriesOf(recording);
-  const Eigen::VectorXd start_values = free.Values(free.start());
-  result->parameters = free.Values(result->theta);
-  std::vector<ParameterEstimate> others;
+std::vector<ParameterEstimate> EstimatesAt(const FreeParameters& free,
+                                           const Eigen::VectorXd& theta) {
+  const std::vector<NamedParameter>& table = MakeParameterTable();
+  const Eigen::VectorXd values = free.Values(theta), start_values = free.Values(free.start());
+  std::vector<ParameterEstimate> estimates, others;
   for (std::size_t i = 0; i < table.size(); ++i) {
     ParameterEstimate estimate;
     estimate.name = table[i].name;
     estimate.unit = table[i].parameter.unit;
-    estimate.value = estimate.lower95 = estimate.upper95 =
-        result->parameters[static_cast<Eigen::Index>(i)];
+    estimate.value = estimate.lower95 = estimate.upper95 = values[static_cast<Eigen::Index>(i)];
     estimate.start = start_values[static_cast<Eigen::Index>(i)];
-    result->estimates.push_back(estimate);
+    estimates.push_back(estimate);
   }
+  for (int i = 0; i < free.size(); ++i) {
+    const FreeEntry& entry = free.entries()[static_cast<std::size_t>(i)];
+    const bool physical = entry.kind == FreeEntry::Kind::kParameter;
+    ParameterEstimate& estimate = physical ? estimates[entry.index] : others.emplace_back();
+    estimate.name = entry.name;
+    estimate.unit = entry.unit;
+    estimate.free = true;
+    estimate.value = free.UnitValue(i, theta[i]);
+    estimate.start = free.UnitValue(i, free.start()[i]);
+    estimate.lower95 = estimate.upper95 = std::numeric_limits<double>::quiet_NaN();
+    const double margin = 1e-6 * (entry.upper - entry.lower);
+    estimate.at_bound = std::isfinite(margin) &&
+                        (theta[i] <= entry.lower + margin || theta[i] >= entry.upper - margin);
+  }
+  estimates.insert(estimates.end(), others.begin(), others.end());
+  return estimates;
+}
+
+void Fitter::FillEstimates(std::size_t recording, const Uncertainty& uncertainty,
+                           FitResult* result) const {
+  const FreeParameters& free = scenes_[recording].free;
+  const std::vector<int>& entries = free_.EntriesOf(recording);
+  result->parameters = free.Values(result->theta);
+  result->estimates = EstimatesAt(free, result->theta);
+  std::size_t other = MakeParameterTable().size();
   for (int i = 0; i < free.size(); ++i) {
     const FreeEntry& entry = free.entries()[static_cast<std::size_t>(i)];
     const int known = entries[static_cast<std::size_t>(i)];
     const bool physical = entry.kind == FreeEntry::Kind::kParameter;
-    ParameterEstimate& estimate = physical ? result->estimates[entry.index] : others.emplace_back();
-    const double theta = result->theta[i];
-    estimate.name = entry.name;
-    estimate.unit = entry.unit;
-    estimate.free = true;
-    estimate.value = free.UnitValue(i, theta);
-    estimate.start = free.UnitValue(i, free.start()[i]);
-    estimate.lower95 = free.UnitValue(i, theta + uncertainty.lower95[known]);
-    estimate.upper95 = free.UnitValue(i, theta + uncertainty.upper95[known]);
+    ParameterEstimate& estimate = result->estimates[physical ? entry.index : other++];
+    estimate.lower95 = free.UnitValue(i, result->theta[i] + uncertainty.lower95[known]);
+    estimate.upper95 = free.UnitValue(i, result->theta[i] + uncertainty.upper95[known]);
     estimate.determined = uncertainty.determined[static_cast<std::size_t>(known)];
-    const double margin = 1e-6 * (entry.upper - entry.lower);
-    estimate.at_bound =
-        std::isfinite(margin) && (theta <= entry.lower + margin || theta >= entry.upper - margin);
   }
-  result->estimates.insert(result->estimates.end(), others.begin(), others.end());
 }
 
 }  // namespace clothfit

@@ -204,6 +204,7 @@ FitOnMesh FitOnChosenMesh(const Scene& scene, const FitConfig& config,
   fit.result = FitByStrategy(scene, config, part(!MayBeRefined(scene, config)));
   bool is_finer = true;
   while (is_finer && MayBeRefined(now(), fit.config) && AsksForFinerMesh(fit.result)) {
+    if (callbacks.stands) callbacks.stands(now(), fit.config, fit.result);
     const int side = NextSide(now(), fit);
     is_finer = Refine(now(), side, part(side >= fit.config.finest), &fit);
   }

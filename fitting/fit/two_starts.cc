@@ -62,7 +62,7 @@ bool HasRoomBeside(const Scene& scene) {
 class Beside {
  public:
   Beside(const Scene& scene, const FitConfig& config)
-      : callbacks_{{}, {}, {}, &end_, nullptr, {}},
+      : callbacks_{{}, {}, {}, &end_, nullptr, {}, {}},
         fit_(std::async(std::launch::async, [&scene, config, this] {
           const InsideParallelWork inside;
           return RunFit(scene, config, callbacks_, nullptr, true);
@@ -128,10 +128,12 @@ FitResult FitFromTwoStarts(const Scene& scene, const FitConfig& config,
   if (!has_room) of_first.progress = OfPart(callbacks, "", 0.0, 0.5).progress;
   FitResult first = RunFit(scene, config, of_first, nullptr, true);
   if (!AsksForAnother(first)) return first;
+  if (callbacks.stands) callbacks.stands(scene, config, first);
   if (callbacks.log)
     callbacks.log("more than noise is left: begun again with a tenth of the damping");
   FitCallbacks of_second = OfPart(callbacks, "with less damping, ", 0.5, 0.5);
   of_second.journal = nullptr;
+  of_second.checkpoint = {};
   FitResult second =
       has_room ? beside->Get(callbacks.stop) : RunFit(scene, *other, of_second, nullptr, true);
   FitResult result = LowerOf(std::move(first), std::move(second));

@@ -69,6 +69,18 @@ void LogContact(const Scene& scene, const FitConfig& config, const StepReport& s
   if (!line.empty()) run.AppendLog(line);
 }
 
+// Returns what the steps of the trajectory took.
+StepReport WriteResults(const Scene& scene, const FitConfig& config, const FitResult& result,
+                        const RunFolder& run) {
+  const FreeParameters free(config, scene, MakeParameterTable());
+  run.WriteParameters(result);
+  StepReport steps;
+  run.WriteTrajectory(scene, SimulatePositions(scene, config, free, result.theta,
+                                               scene.recording.frame_count - 1, &steps));
+  run.WriteSummary(scene, config, result);
+  return steps;
+}
+
 // `time` is told where it is not null.
 FitCallbacks WithRun(const FitCallbacks& callbacks, const RunFolder& run, ExpectedTime* time) {
   FitCallbacks all = callbacks;
@@ -177,13 +189,7 @@ void RequireSameConfig(const RunFolder& run, const Recording& recording, const F
 
 void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& result,
               const RunFolder& run) {
-  const FreeParameters free(config, scene, MakeParameterTable());
-  run.WriteParameters(result);
-  StepReport steps;
-  run.WriteTrajectory(scene, SimulatePositions(scene, config, free, result.theta,
-                                               scene.recording.frame_count - 1, &steps));
-  LogContact(scene, config, steps, run);
-  run.WriteSummary(scene, config, result);
+  LogContact(scene, config, WriteResults(scene, config, result, run), run);
   run.AppendLog("status: " + ToString(result.status));
 }
 
@@ -214,17 +220,36 @@ FitOnMesh FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
   run.WriteConfig(config);
   FitConfig unchecked = config;
   unchecked.check_intersections = false;  // only the result is worth it
+  const auto checked = [&](FitConfig chosen) {
+    chosen.check_intersections = config.check_intersections;
+    return chosen;
+  };
+  // Who interrupts a long fit does not wait for its last simulations.
+  const FreeParameters free(config, scene, MakeParameterTable());
+  bool stands = false;
+  FitCallbacks keeping = callbacks;
+  keeping.checkpoint = [&](const FitCheckpoint& best) {
+    if (stands || best.theta.size() != free.size()) return;
+    FitResult so_far;
+    so_far.estimates = EstimatesAt(free, best.theta);
+    run.WriteParameters(so_far);
+  };
+  keeping.stands = [&](const Scene& fitted, const FitConfig& chosen, const FitResult& result) {
+    stands = true;
+    if (&fitted != &scene) run.WriteConfig(checked(chosen));
+    WriteResults(fitted, checked(chosen), result, run);
+  };
   FitOnMesh fit;
   fit.result = FitWithCheckpoint(
-      run, callbacks, resume,
+      run, keeping, resume,
       [&](const FitCallbacks& with_run) {
         fit = FitOnChosenMesh(scene, unchecked, with_run);
         return fit.result;
       },
       [&](const FitResult& result) {
-        fit.config.check_intersections = config.check_intersections;
-        if (fit.scene) run.WriteConfig(fit.config);
-        WriteFit(fit.scene ? *fit.scene : scene, fit.config, result, run);
+        const FitConfig chosen = checked(fit.config);
+        if (fit.scene) run.WriteConfig(chosen);
+        WriteFit(fit.scene ? *fit.scene : scene, chosen, result, run);
       });
   return fit;
 }
