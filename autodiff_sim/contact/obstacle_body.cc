@@ -31,12 +31,13 @@ Obstacle MakeBar(double radius, double half_length) {
   return bar;
 }
 
-Obstacle MakeBoxObstacle(const Eigen::Vector3d& half_sides) {
+Obstacle MakeBoxObstacle(const Eigen::Vector3d& half_sides, double below) {
   Eigen::VectorXd points(24);
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d sign((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0,
                                (i & 4) != 0 ? 1.0 : -1.0);
     points.segment<3>(3 * i) = half_sides.cwiseProduct(sign);
+    if (sign.z() < 0.0) points[3 * i + 2] -= below;
   }
   Obstacle box = MakeMeshObstacle(points, {{0, 2, 1},
                                            {1, 2, 3},

@@ -24,7 +24,7 @@ struct Obstacle {
   // without area.
   MeshFeatures features;
   double radius = 0.0;                          // m; 0 for a mesh
-  Eigen::Vector3d half_sides{0.0, 0.0, 0.0};    // m, of a box about the body's origin; else 0
+  Eigen::Vector3d half_sides{0.0, 0.0, 0.0};    // m, of a box; else 0
   std::vector<RigidPose> path = {RigidPose()};  // one pose a frame, or one for ever
   double frame_rate = 0.0;                      // Hz, of the path
 
@@ -35,7 +35,8 @@ struct Obstacle {
 
 Obstacle MakeBall(double radius);                             // about the body's origin
 Obstacle MakeBar(double radius, double half_length);          // along the body's z axis
-Obstacle MakeBoxObstacle(const Eigen::Vector3d& half_sides);  // about the body's origin
+// About the body's origin; its sides go on along -z by `below` (m).
+Obstacle MakeBoxObstacle(const Eigen::Vector3d& half_sides, double below = 0.0);
 Obstacle MakeMeshObstacle(const Eigen::VectorXd& points,
                           const std::vector<std::array<int, 3>>& triangles);
 

@@ -99,8 +99,8 @@ class InputBytes {
     PutAll(radius, length);
   }
   void Put(const BoxShape& box) {
-    const auto& [size] = box;
-    Put(size);
+    const auto& [size, below] = box;
+    PutAll(size, below);
   }
   void Put(const MeshShape& mesh) {
     [[maybe_unused]] const auto& [file] = mesh;  // it is the scene's obstacle

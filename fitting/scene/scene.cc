@@ -45,7 +45,7 @@ Obstacle MakeObstacle(const ObstacleDescription& description, double frame_rate)
   } else if (const auto* bar = std::get_if<BarShape>(&description.shape)) {
     obstacle = MakeBar(bar->radius, 0.5 * bar->length);
   } else if (const auto* box = std::get_if<BoxShape>(&description.shape)) {
-    obstacle = MakeBoxObstacle(0.5 * box->size);
+    obstacle = MakeBoxObstacle(0.5 * box->size, box->below);
   } else {
     const ObjSurface surface = ReadObjSurface(std::get<MeshShape>(description.shape).file.string());
     Eigen::VectorXd points(3 * static_cast<Eigen::Index>(surface.positions.size()));

@@ -83,6 +83,7 @@ struct BarShape {
 };
 struct BoxShape {
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  // m
+  double below = 0.0;  // m, by which its sides go on along -z: what stands under a table's top
 };
 struct MeshShape {
   std::filesystem::path file;  // OBJ, m; as it can be opened, not relative to the recording

@@ -97,7 +97,7 @@ void AddClothOptions(CLI::App* command, MarkersOptions* options) {
   command
       ->add_option("--obstacle", take.obstacles,
                    "what a rigid body stands for: none, capsule[:radius=M,length=M] or "
-                   "box[:thickness=M,margin=M]; else as its markers suggest")
+                   "box[:thickness=M,margin=M,below=M]; else as its markers suggest")
       ->type_name("BODY=SHAPE")
       ->allow_extra_args(false);
   command->add_option("--ground", take.ground_height, "height of a ground, m; else there is none")

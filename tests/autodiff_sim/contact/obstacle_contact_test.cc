@@ -222,6 +222,13 @@ TEST(ObstacleContact, RefusesToStartInside) {
   scene.world.ground_height.reset();
   scene.world.obstacles = {std::make_shared<Obstacle>(MakeBoxObstacle({2.0, 2.0, 2.0}))};
   EXPECT_THAT(message(scene), testing::HasSubstr("the cloth is in it"));
+  // Under a board, and within what stands under it.
+  for (const double below : {0.0, 3.0}) {
+    auto table = std::make_shared<Obstacle>(MakeBoxObstacle({2.0, 2.0, 0.05}, below));
+    table->path[0].origin_in_world.z() = 1.0;
+    scene.world.obstacles = {table};
+    EXPECT_EQ(message(scene) == "none", below == 0.0);
+  }
 }
 
 SimulationOptions PreciseOptions() {

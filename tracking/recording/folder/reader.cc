@@ -93,8 +93,10 @@ ObstacleDescription ReadObstacle(const YamlValue& value, const Recording& record
         BarShape{capsule->Require("radius").Number(), capsule->Require("length").Number()};
   }
   if (const auto box = value.Find("box"); box && ++shapes > 0) {
-    box->AllowKeys({"size"});
-    obstacle.shape = BoxShape{box->Require("size").Vector3()};
+    box->AllowKeys({"size", "below"});
+    BoxShape shape{box->Require("size").Vector3()};
+    if (const auto below = box->Find("below")) shape.below = below->Number();
+    obstacle.shape = shape;
   }
   if (const auto mesh = value.Find("mesh"); mesh && ++shapes > 0)
     obstacle.shape = MeshShape{FileNamed(*mesh, recording)};

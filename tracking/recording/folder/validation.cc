@@ -254,6 +254,7 @@ void CheckObstacles(const Recording& recording) {
     } else if (const auto* box = std::get_if<BoxShape>(&obstacle.shape)) {
       for (int k = 0; k < 3; ++k)
         CheckWithin(box->size[k], kLength, place + fmt::format(".box.size[{}]", k));
+      if (box->below != 0.0) CheckWithin(box->below, kLength, place + ".box.below");
     } else if (const auto& file = std::get<MeshShape>(obstacle.shape).file; !IsThere(file)) {
       throw InputError(place + ".mesh", fmt::format("no such file: {}", file.string()));
     }

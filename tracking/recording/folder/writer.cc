@@ -72,7 +72,8 @@ std::string ShapeAsYaml(const BarShape& bar) {
   return fmt::format("    capsule: {{radius: {}, length: {}}}\n", bar.radius, bar.length);
 }
 std::string ShapeAsYaml(const BoxShape& box) {
-  return fmt::format("    box: {{size: {}}}\n", List(box.size));
+  const std::string below = box.below == 0.0 ? "" : fmt::format(", below: {}", box.below);
+  return fmt::format("    box: {{size: {}{}}}\n", List(box.size), below);
 }
 std::string ShapeAsYaml(const MeshShape& mesh) {
   return fmt::format("    mesh: {}\n", YamlText(mesh.file.filename().string()));

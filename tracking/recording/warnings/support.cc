@@ -19,7 +19,7 @@ struct BoundingSphere {
 // m, how far a shape extends from its origin; of a mesh only its file knows.
 double ReachOf(const BallShape& ball) { return ball.radius; }
 double ReachOf(const BarShape& bar) { return bar.radius + 0.5 * bar.length; }
-double ReachOf(const BoxShape& box) { return 0.5 * box.size.norm(); }
+double ReachOf(const BoxShape& box) { return 0.5 * box.size.norm() + box.below; }
 double ReachOf(const MeshShape&) { return std::numeric_limits<double>::infinity(); }
 
 // Of the corners, which a fold or a wave hardly leaves.

@@ -234,6 +234,7 @@ TEST_F(FitKeyTest, IsAnotherForWhateverIsInTheWay) {
   ChangeRecording("ball", [&](Recording* r) { shape_of(r, 0) = BallShape{0.1 + 1e-9}; });
   ChangeRecording("bar", [&](Recording* r) { shape_of(r, 1) = BarShape{0.1, 0.3 + 1e-9}; });
   ChangeRecording("box", [&](Recording* r) { shape_of(r, 2) = BoxShape{{0.1, 0.2, 0.4}}; });
+  ChangeRecording("table", [&](Recording* r) { shape_of(r, 2) = BoxShape{{0.1, 0.2, 0.3}, 0.5}; });
   ChangeRecording("place", [](Recording* r) { r->obstacles[2].path[0].position.x() += 1e-9; });
   ChangeRecording("fewer", [](Recording* r) { r->obstacles.pop_back(); });
   ExpectAnother(KeyOf(AboveObstacles(folder_, 0.6)), "mesh");

@@ -76,6 +76,7 @@ TEST(TakeObstacles, ATableLiesBelowItsMarkers) {
   EXPECT_NEAR(box.size.x(), 0.8, 2e-3);
   EXPECT_NEAR(box.size.y(), 0.6, 2e-3);
   EXPECT_EQ(box.size.z(), 0.02);
+  EXPECT_EQ(box.below, 0.5);
   const Eigen::Isometry3d pose = PoseOf(obstacle.path[0]);
   EXPECT_GT(pose.linear()(2, 2), 0.99);
   EXPECT_NEAR(pose.translation().z(), 0.49, 2e-3);
@@ -85,8 +86,9 @@ TEST(TakeObstacles, AreWhatTheUserSays) {
   const auto bar = ObstacleOf(TakeWith(kTable, AtRest), {"Thing=capsule:radius=0.3,length=1"});
   EXPECT_EQ(std::get<BarShape>(bar.shape).radius, 0.3);
   EXPECT_EQ(std::get<BarShape>(bar.shape).length, 1.0);
-  const auto box = ObstacleOf(TakeWith(kTable, AtRest), {"Thing=box:thickness=0.1,margin=0.05"});
+  const auto box = ObstacleOf(TakeWith(kTable, AtRest), {"Thing=box:thickness=0.1,margin=0.05,below=0"});
   EXPECT_NEAR(std::get<BoxShape>(box.shape).size.x(), 0.9, 2e-3);
+  EXPECT_EQ(std::get<BoxShape>(box.shape).below, 0.0);
   EXPECT_NEAR(PoseOf(box.path[0]).translation().z(), 0.45, 2e-3);
   std::vector<std::string> notes;
   EXPECT_TRUE(MakeObstacles(TakeWith(kTable, AtRest), {"Thing=none"}, &notes).empty());

@@ -110,6 +110,7 @@ void ExpectSameShape(const ObstacleDescription& a, const ObstacleDescription& b)
     EXPECT_EQ(bar->length, std::get<BarShape>(b.shape).length);
   } else if (const auto* box = std::get_if<BoxShape>(&a.shape)) {
     EXPECT_EQ(box->size, std::get<BoxShape>(b.shape).size);
+    EXPECT_EQ(box->below, std::get<BoxShape>(b.shape).below);
   } else {
     EXPECT_EQ(std::get<MeshShape>(a.shape).file.filename(),
               std::get<MeshShape>(b.shape).file.filename());
@@ -122,7 +123,7 @@ TEST(WriteRecording, RoundTripsObstacles) {
   recording.obstacles.resize(4);
   recording.obstacles[0] = {"a ball", BallShape{1.0 / 3.0}, {{{0.1, 1e-17, 3.0}, {0, 0, 0}}}};
   recording.obstacles[1] = {"bar", BarShape{0.01, 2.0 / 7.0}, {{{1, 2, 3}, {0, 1.0 / 7.0, 1}}}};
-  recording.obstacles[2] = {"box", BoxShape{{0.1, 0.2, 1.0 / 3.0}}, {}};
+  recording.obstacles[2] = {"box", BoxShape{{0.1, 0.2, 1.0 / 3.0}, 0.7}, {}};
   for (int frame = 0; frame < recording.frame_count; ++frame)
     recording.obstacles[2].path.push_back({{frame / 3.0, 0, 1}, {0, frame / 7.0, 0}});
   const auto mesh = folder.Write("bust.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
