@@ -37,9 +37,10 @@ void RequireSameConfig(const RunFolder& run, const Recording& recording, const F
 void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& result,
               const RunFolder& run);
 
-// FitOnChosenMesh with everything written into the run: config and log at once, the checkpoint
-// after every accepted step, the results at the end. The checkpoint stays behind where more can be
-// had: after an interruption, or when the iterations were used up. `callbacks` are called too.
+// FitOnChosenMesh with everything written into the run: config and log at once, the checkpoint and
+// the parameters (without intervals) after every accepted step, a whole run before another start or
+// a finer mesh is tried, the results at the end. The checkpoint stays behind where more can be had:
+// after an interruption, or when the iterations were used up. `callbacks` are called too.
 // `resume` goes on from the run's own checkpoint, or from the beginning where it has none yet.
 FitOnMesh FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
                      const FitCallbacks& callbacks, bool resume);
