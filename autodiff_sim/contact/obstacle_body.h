@@ -33,8 +33,8 @@ struct Obstacle {
   RigidPose PoseAt(double time) const;
 };
 
-Obstacle MakeBall(double radius);                             // about the body's origin
-Obstacle MakeBar(double radius, double half_length);          // along the body's z axis
+Obstacle MakeBall(double radius);                     // about the body's origin
+Obstacle MakeBar(double radius, double half_length);  // along the body's z axis
 // About the body's origin; its sides go on along -z by `below` (m).
 Obstacle MakeBoxObstacle(const Eigen::Vector3d& half_sides, double below = 0.0);
 Obstacle MakeMeshObstacle(const Eigen::VectorXd& points,

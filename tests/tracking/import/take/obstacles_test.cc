@@ -86,7 +86,8 @@ TEST(TakeObstacles, AreWhatTheUserSays) {
   const auto bar = ObstacleOf(TakeWith(kTable, AtRest), {"Thing=capsule:radius=0.3,length=1"});
   EXPECT_EQ(std::get<BarShape>(bar.shape).radius, 0.3);
   EXPECT_EQ(std::get<BarShape>(bar.shape).length, 1.0);
-  const auto box = ObstacleOf(TakeWith(kTable, AtRest), {"Thing=box:thickness=0.1,margin=0.05,below=0"});
+  const auto box =
+      ObstacleOf(TakeWith(kTable, AtRest), {"Thing=box:thickness=0.1,margin=0.05,below=0"});
   EXPECT_NEAR(std::get<BoxShape>(box.shape).size.x(), 0.9, 2e-3);
   EXPECT_EQ(std::get<BoxShape>(box.shape).below, 0.0);
   EXPECT_NEAR(PoseOf(box.path[0]).translation().z(), 0.45, 2e-3);
