@@ -119,7 +119,7 @@ void AddWork(const FitResult& other, FitResult* result);
 std::vector<ParameterEstimate> EstimatesAt(const FreeParameters& free,
                                            const Eigen::VectorXd& theta);
 
-// Those of a part of a fit, without checkpoints: from there on, of this share of the whole. `name`
+// Those of a part of a fit, without notes: from there on, of this share of the whole. `name`
 // goes before what it tells.
 FitCallbacks OfPart(const FitCallbacks& callbacks, const std::string& name, double from,
                     double share);

@@ -224,9 +224,10 @@ FitOnMesh FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
     chosen.check_intersections = config.check_intersections;
     return chosen;
   };
-  // Who interrupts a long fit does not wait for its last simulations.
+  // Who interrupts a long fit does not wait for its last simulations. What a fit left that is done
+  // again is further than where it begins.
   const FreeParameters free(config, scene, MakeParameterTable());
-  bool stands = false;
+  bool stands = resume && run.HasParameters();
   FitCallbacks keeping = callbacks;
   keeping.checkpoint = [&](const FitCheckpoint& best) {
     if (stands || best.theta.size() != free.size()) return;

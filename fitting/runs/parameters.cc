@@ -14,6 +14,8 @@
 namespace clothfit {
 namespace {
 
+constexpr const char* kParameters = "parameters.yaml";
+
 // .inf and .nan are YAML's own.
 std::string YamlNumber(double value) {
   if (std::isnan(value)) return ".nan";
@@ -39,11 +41,13 @@ void RunFolder::WriteParameters(const FitResult& result) const {
   std::string text =
       "# What the fit found. interval: 95 %. determined: by the data, rather than by the prior.\n";
   for (const ParameterEstimate& estimate : result.estimates) text += EstimateAsYaml(estimate);
-  WriteWholeFile(path_ / "parameters.yaml", text);
+  WriteWholeFile(path_ / kParameters, text);
 }
 
+bool RunFolder::HasParameters() const { return IsThere(path_ / kParameters); }
+
 Eigen::VectorXd RunFolder::ReadParameters(const FreeParameters& free) const {
-  const YamlValue top = YamlValue::Load(path_ / "parameters.yaml");
+  const YamlValue top = YamlValue::Load(path_ / kParameters);
   Eigen::VectorXd theta = free.start();
   for (int i = 0; i < free.size(); ++i) {
     const FreeEntry& entry = free.entries()[static_cast<size_t>(i)];

@@ -63,6 +63,7 @@ class RunFolder {
   void RemoveCheckpoint() const;
   std::filesystem::path CheckpointFile() const { return path_ / "checkpoint.bin"; }
   std::filesystem::path ConfigFile() const { return path_ / "config.yaml"; }
+  bool HasParameters() const;
   // The free vector of a run's parameters.yaml, in the order of `free`.
   Eigen::VectorXd ReadParameters(const FreeParameters& free) const;
 

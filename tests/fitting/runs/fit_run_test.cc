@@ -5,6 +5,7 @@
 // is ended.
 #include "fitting/runs/fit_run.h"
 
+#include <atomic>
 #include <filesystem>
 #include <string>
 
@@ -26,7 +27,8 @@ class FitRun : public testing::Test {
   static Recording MakeRecording() {
     SyntheticOptions options = DemoRecording();
     options.seed = 1;
-    options.resolution = {7, 7};
+    options.resolution = {5, 5};
+    options.frame_count = 40;
     options.markers = {5, 5};
     return MakeSyntheticRecording(options).recording;
   }
@@ -60,6 +62,25 @@ TEST_F(FitRun, HasParametersFromTheFirstSteps) {
   ASSERT_GT(steps, 1);
   ASSERT_EQ(found.size(), 2);
   EXPECT_TRUE(found.allFinite());
+}
+
+TEST_F(FitRun, KeepsWhatItHadWhileItIsDoneAgain) {
+  std::atomic<bool> stop = false;
+  FitCallbacks callbacks;
+  callbacks.stop = &stop;
+  callbacks.progress = [&](const FitProgress& progress) { stop = progress.iteration == 3; };
+  EXPECT_EQ(FitIntoRun(scene, config, run, callbacks, false).result.status,
+            FitStatus::kInterrupted);
+  const std::string kept = ReadTextFile(run.path() / "parameters.yaml");
+  stop = false;
+  int steps = 0;
+  callbacks.progress = [&](const FitProgress&) {
+    if (++steps > 3) return;
+    EXPECT_EQ(ReadTextFile(run.path() / "parameters.yaml"), kept);
+  };
+  FitIntoRun(scene, config, run, callbacks, true);
+  EXPECT_GT(steps, 3);
+  EXPECT_NE(ReadTextFile(run.path() / "parameters.yaml"), kept);
 }
 
 TEST_F(FitRun, IsWholeWhileItBeginsAgain) {
