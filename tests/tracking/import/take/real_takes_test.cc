@@ -60,6 +60,7 @@ void ExpectTableBelow(const std::vector<Eigen::Vector3d>& markers,
   const auto& box = std::get<BoxShape>(obstacle.shape);
   const Eigen::Isometry3d pose = RestingPose(obstacle);
   EXPECT_GT(pose.linear()(2, 2), 0.99);
+  EXPECT_GT(box.below, 0.0);
   for (const Eigen::Vector3d& marker : markers) {
     const Eigen::Vector3d local = pose.inverse() * marker;
     EXPECT_NEAR(local.z(), 0.5 * box.size.z(), kNear);
