@@ -238,7 +238,7 @@ FitOnMesh FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
   keeping.stands = [&](const Scene& fitted, const FitConfig& chosen, const FitResult& result) {
     stands = true;
     if (&fitted != &scene) run.WriteConfig(checked(chosen));
-    WriteResults(fitted, checked(chosen), result, run);
+    WriteResults(fitted, chosen, result, run);
   };
   FitOnMesh fit;
   fit.result = FitWithCheckpoint(
@@ -248,9 +248,9 @@ FitOnMesh FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
         return fit.result;
       },
       [&](const FitResult& result) {
-        const FitConfig chosen = checked(fit.config);
-        if (fit.scene) run.WriteConfig(chosen);
-        WriteFit(fit.scene ? *fit.scene : scene, chosen, result, run);
+        fit.config = checked(fit.config);
+        if (fit.scene) run.WriteConfig(fit.config);
+        WriteFit(fit.scene ? *fit.scene : scene, fit.config, result, run);
       });
   return fit;
 }

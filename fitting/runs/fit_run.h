@@ -40,7 +40,8 @@ void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& resu
 // FitOnChosenMesh with everything written into the run: config and log at once, the checkpoint and
 // the parameters (without intervals) after every accepted step, a whole run before another start or
 // a finer mesh is tried, the results at the end. The checkpoint stays behind where more can be had:
-// after an interruption, or when the iterations were used up. `callbacks` are called too.
+// after an interruption, or when the iterations were used up. `callbacks` are called too, but
+// for those that keep what there is.
 // `resume` goes on from the run's own checkpoint, or from the beginning where it has none yet.
 FitOnMesh FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolder& run,
                      const FitCallbacks& callbacks, bool resume);
