@@ -193,6 +193,13 @@ void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& resu
   run.AppendLog("status: " + ToString(result.status));
 }
 
+void WriteParametersSoFar(const FreeParameters& free, const Eigen::VectorXd& theta,
+                          const RunFolder& run) {
+  FitResult so_far;
+  so_far.estimates = EstimatesAt(free, theta);
+  run.WriteParameters(so_far);
+}
+
 FitResult FitWithCheckpoint(const RunFolder& run, const FitCallbacks& callbacks, bool resume,
                             const std::function<FitResult(const FitCallbacks&)>& fit,
                             const std::function<void(const FitResult&)>& write) {
@@ -230,10 +237,7 @@ FitOnMesh FitIntoRun(const Scene& scene, const FitConfig& config, const RunFolde
   bool stands = resume && run.HasParameters();
   FitCallbacks keeping = callbacks;
   keeping.checkpoint = [&](const FitCheckpoint& best) {
-    if (stands || best.theta.size() != free.size()) return;
-    FitResult so_far;
-    so_far.estimates = EstimatesAt(free, best.theta);
-    run.WriteParameters(so_far);
+    if (!stands && best.theta.size() == free.size()) WriteParametersSoFar(free, best.theta, run);
   };
   keeping.stands = [&](const Scene& fitted, const FitConfig& chosen, const FitResult& result) {
     stands = true;

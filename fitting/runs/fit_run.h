@@ -37,6 +37,10 @@ void RequireSameConfig(const RunFolder& run, const Recording& recording, const F
 void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& result,
               const RunFolder& run);
 
+// The parameters of a fit that goes on into its run: intervals are not known yet.
+void WriteParametersSoFar(const FreeParameters& free, const Eigen::VectorXd& theta,
+                          const RunFolder& run);
+
 // FitOnChosenMesh with everything written into the run: config and log at once, the checkpoint and
 // the parameters (without intervals) after every accepted step, a whole run before another start or
 // a finer mesh is tried, the results at the end. The checkpoint stays behind where more can be had:

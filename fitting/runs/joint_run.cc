@@ -90,8 +90,20 @@ FitResult FitIntoJointRun(const std::vector<JointRecording>& recordings, const R
     runs.back().WriteConfig(one.config);
     one.config.check_intersections = false;  // only the result is worth it
   }
+  std::vector<const RunFolder*> of_fitted;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (!recordings[i].config.hold_out) of_fitted.push_back(&runs[i]);
+  // As FitIntoRun keeps them.
+  const JointScenes scenes(FittedOf(unchecked));
+  const bool stands = resume && of_fitted.front()->HasParameters();
+  FitCallbacks keeping = callbacks;
+  keeping.checkpoint = [&](const FitCheckpoint& best) {
+    if (stands || best.theta.size() != scenes.free().size()) return;
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      WriteParametersSoFar(scenes[i].free, scenes.free().Of(i, best.theta), *of_fitted[i]);
+  };
   return FitWithCheckpoint(
-      run, callbacks, resume,
+      run, keeping, resume,
       [&](const FitCallbacks& with_run) {
         FitResult all = RunJointFit(FittedOf(unchecked), with_run, nullptr, true);
         all.recordings = ResultsOfEach(unchecked, all);

@@ -25,8 +25,9 @@ struct JointRecording {
 void CheckFittableTogether(const std::vector<JointRecording>& recordings);
 
 // RunJointFit with everything written, as FitIntoRun does: the checkpoint, log and summary into the
-// run, the config, trajectory and all else of each recording into its own. Those that are held out
-// are predicted. FitResult::recordings has all of them, in their order.
+// run, the config, trajectory and all else of each recording into its own, parameters of those that
+// are fitted after every accepted step. Those that are held out are predicted.
+// FitResult::recordings has all of them, in their order.
 FitResult FitIntoJointRun(const std::vector<JointRecording>& recordings, const RunFolder& run,
                           const FitCallbacks& callbacks, bool resume);
 

@@ -80,6 +80,23 @@ TEST_F(JointRun, IsAFolderOfRuns) {
               HasSubstr("expected the run of one"));
 }
 
+TEST_F(JointRun, HasParametersOfWhatIsFittedFromTheFirstSteps) {
+  HoldOutTheSecond();
+  const RunFolder run = Folder("run", Existing::kRefuse);
+  int steps = 0;
+  FitCallbacks callbacks;
+  callbacks.progress = [&](const FitProgress& progress) {
+    if (progress.iteration == 0 || ++steps > 1) return;
+    const RunFolder one = RunFolder::Open(run.path() / RunFolder::PlaceOf("16"));
+    const FittedRun fitted = ReadFittedRun(one);
+    const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
+    EXPECT_TRUE(one.ReadParameters(free).allFinite());
+    EXPECT_FALSE(fs::exists(run.path() / "summary.json"));
+  };
+  FitIntoJointRun(recordings_, run, callbacks, false);
+  EXPECT_GT(steps, 1);
+}
+
 TEST_F(JointRun, TellsInWhichRecordingNothingHoldsTheCloth) {
   Recording falling = recordings_[1].scene.recording;
   falling.handles.clear();
