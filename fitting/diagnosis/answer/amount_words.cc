@@ -118,8 +118,11 @@ std::string ShapesOfTerm(const std::vector<EffectParameter>& shapes) {
     };
     words += fmt::format("{} at ({:.3f}, {:.3f}, {:.3f}) m", doc, shapes[i].value,
                          shapes[i + 1].value, shapes[i + 2].value);
-    if (std::isfinite(error(0) + error(1) + error(2)))
-      words += fmt::format(" within ({:.2g}, {:.2g}, {:.2g}) m", error(0), error(1), error(2));
+    std::string errors;
+    for (std::size_t k = 0; k < 3; ++k)
+      errors += (k > 0 ? ", " : "") +
+                (std::isfinite(error(k)) ? fmt::format("{:.2g}", error(k)) : std::string("any"));
+    if (errors != "any, any, any") words += fmt::format(" within ({}) m", errors);
     i += 2;
   }
   return words;

@@ -16,6 +16,7 @@ std::vector<EffectParameter> EstimatesOf(const FitResult& fit, const FitConfig& 
     if (std::find(names.begin(), names.end(), estimate.name) == names.end()) continue;
     const ParameterSetting& bounds = config.parameters.at(estimate.name);
     const auto end = [&](double of95) {
+      if (!estimate.free) return std::numeric_limits<double>::quiet_NaN();
       return std::clamp(estimate.value + narrower * (of95 - estimate.value), bounds.lower,
                         bounds.upper);
     };

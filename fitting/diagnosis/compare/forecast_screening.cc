@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -31,6 +32,7 @@ constexpr double kMayCome = 0.25;  // of what the best gains in forecasts of hal
 constexpr int kScreeningIterations = 5, kIterations = 8;  // on the coarse mesh, of each length
 constexpr int kFirstLengths = 1;        // of forecasts, by which most models are put aside
 constexpr std::size_t kMostStarts = 2;  // of a model
+constexpr double kAlikeStarts = 0.9;    // of what the better of its starts gains in the same
 // Candidates that are fitted whatever their share: a score is linear, and misses most of what an
 // effect does that changes the motion by much. Nor does it tell those apart whose scores are alike.
 constexpr int kAlwaysFitted = 2;
@@ -73,6 +75,16 @@ std::optional<FittedScene> InForecasts(FittedScene fitted) {
   if (windows.empty()) return {};
   fitted.forecasts = std::make_shared<const std::vector<LaidWindow>>(std::move(windows));
   return fitted;
+}
+
+std::string AmountsIn(const FittedScene& model, const RankedCandidate& candidate) {
+  std::string words;
+  const auto say = [&](const std::string& name) {
+    words += fmt::format(" {} {:.3g}", name, model.values.parameters.at(name).value);
+  };
+  for (const std::string& name : candidate.names) say(name);
+  for (const auto& [name, value] : candidate.probe) say(name);
+  return words.empty() ? words : ":" + words;
 }
 
 }  // namespace
@@ -125,74 +137,103 @@ std::vector<RankedCandidate> ForecastScreening::CandidatesToFit(
   return candidates;
 }
 
-// From either sign of its amount, where both are likely; of more starts from the cheapest ones.
-std::optional<FittedScene> ForecastScreening::FitPhysics(const FittedScene& base,
+// Both signs of its amount, where both are likely; of more starts the cheapest that differ in
+// shape.
+std::vector<RankedCandidate> ForecastScreening::StartsOf(const FittedScene& base,
                                                          const Ranking& ranking,
-                                                         const RankedCandidate& candidate,
-                                                         int last_length) const {
+                                                         const RankedCandidate& candidate) const {
   std::vector<RankedCandidate> starts = {candidate};
   for (const RankedCandidate::Start& other : candidate.other_starts) {
     starts.push_back(candidate);
     starts.back().probe = other.probe;
     starts.back().amounts = other.amounts;
   }
-  const auto fit = [&](const RankedCandidate& start, int iterations) {
-    return FitToForecasts(SwitchOn(base, start, ranking.faults), base.scene.mesh.grid,
-                          {0, last_length, iterations}, runner_, &base);
-  };
-  if (starts.size() > kMostStarts) {
-    std::vector<std::pair<double, std::size_t>> costs;
-    for (std::size_t i = 0; i < starts.size() && !Stopped(); ++i) {
-      const std::optional<FittedScene> as_it_is = fit(starts[i], 0);
-      if (as_it_is) costs.push_back({as_it_is->fit.cost_after, i});
-    }
-    std::sort(costs.begin(), costs.end());
-    std::vector<RankedCandidate> cheapest;
-    for (std::size_t k = 0; k < costs.size() && k < kMostStarts; ++k)
-      cheapest.push_back(starts[costs[k].second]);
-    starts = std::move(cheapest);
+  if (starts.size() <= kMostStarts) return starts;
+  std::vector<std::pair<double, std::size_t>> costs;
+  for (std::size_t i = 0; i < starts.size() && !Stopped(); ++i) {
+    const std::optional<FittedScene> as_it_is = FitFirstLengths(base, ranking, starts[i], 0);
+    if (as_it_is) costs.push_back({as_it_is->fit.cost_after, i});
   }
-  std::optional<FittedScene> best;
-  for (const RankedCandidate& start : starts) {
-    if (Stopped()) break;
-    best = Cheaper(std::move(best), fit(start, kScreeningIterations));
+  std::sort(costs.begin(), costs.end());
+  std::vector<RankedCandidate> cheapest;
+  for (const auto& [cost, i] : costs) {
+    const bool is_new = std::none_of(
+        cheapest.begin(), cheapest.end(),
+        [&, k = i](const RankedCandidate& other) { return other.probe == starts[k].probe; });
+    if (is_new && cheapest.size() < kMostStarts) cheapest.push_back(starts[i]);
   }
-  return best;
+  return cheapest;
+}
+
+std::optional<FittedScene> ForecastScreening::FitFirstLengths(const FittedScene& base,
+                                                              const Ranking& ranking,
+                                                              const RankedCandidate& start,
+                                                              int most_iterations) const {
+  return FitToForecasts(SwitchOn(base, start, ranking.faults), base.scene.mesh.grid,
+                        {0, kFirstLengths, most_iterations}, runner_, &base);
 }
 
 // Few points of a cloth do not tell a bar from a ball by the force that they lack, but forecasts
-// do: a bar begins where the ball has ended, too, if that explains more.
+// do: a bar begins through the ball, too, if that explains more.
 void ForecastScreening::AddBarThroughBall(const FittedScene& base, const Ranking& ranking,
-                                          int last_length, std::vector<RankedCandidate>* candidates,
-                                          std::vector<std::optional<FittedScene>>* fits) const {
-  const auto find = [&](const std::string& term) {
-    const auto found =
-        std::find_if(candidates->begin(), candidates->end(),
-                     [&](const auto& candidate) { return candidate.term.name == term; });
-    return static_cast<std::size_t>(found - candidates->begin());
+                                          std::vector<Attempt>* attempts) const {
+  const auto best_of = [&](const std::string& term) {
+    const Attempt* best = nullptr;
+    for (const Attempt& one : *attempts) {
+      if (!one.fit || one.candidate.term.name != term) continue;
+      if (!best || one.fit->fit.cost_after < best->fit->fit.cost_after) best = &one;
+    }
+    return best;
   };
-  const std::size_t ball = find("obstacle_sphere"), bar = find("obstacle_capsule");
-  if (ball == candidates->size() || bar == candidates->size() || Stopped()) return;
-  const std::optional<FittedScene>&of_ball = (*fits)[ball], &of_bar = (*fits)[bar];
-  if (!of_ball || (of_bar && of_bar->fit.cost_after <= of_ball->fit.cost_after)) return;
+  const std::string bar_term = "obstacle_capsule";
+  const auto is_bar = [&](const Attempt& one) { return one.candidate.term.name == bar_term; };
+  const Attempt* const ball = best_of("obstacle_sphere");
+  const auto bar = std::find_if(attempts->begin(), attempts->end(), is_bar);
+  if (ball == nullptr || bar == attempts->end() || Stopped()) return;
+  const Attempt* const best_bar = best_of(bar_term);
+  if (best_bar && best_bar->fit->fit.cost_after <= ball->fit->fit.cost_after) return;
   const auto fitted = [&](const std::string& name) {
-    return of_ball->values.parameters.at(name).value;
+    return ball->fit->values.parameters.at(name).value;
   };
-  Probe shape = (*candidates)[ball].probe;
+  Probe shape = ball->candidate.probe;
   for (auto& [name, value] : shape) value = fitted(name);
-  RankedCandidate through = (*candidates)[bar];
+  RankedCandidate through = bar->candidate;
   const Eigen::VectorXd stiffness =
       Eigen::VectorXd::Constant(1, fitted("obstacle_sphere.stiffness"));
   through.other_starts.clear();
-  for (const Probe& probe : BarsThroughBall(shape, base.scene.world.gravity))
+  const double reach = base.scene.recording.cloth.size.maxCoeff();
+  for (const Probe& probe : BarsThroughBall(shape, base.scene.world.gravity, reach))
     through.other_starts.push_back({probe, stiffness});
   through.probe = through.other_starts.back().probe;
   through.amounts = stiffness;
   through.other_starts.pop_back();
-  std::optional<FittedScene> fit = FitPhysics(base, ranking, through, last_length);
-  if (!fit || (of_bar && of_bar->fit.cost_after <= fit->fit.cost_after)) return;
-  (*candidates)[bar] = std::move(through);
-  (*fits)[bar] = std::move(fit);
+  const std::size_t group = bar->group;
+  for (const RankedCandidate& start : StartsOf(base, ranking, through))
+    attempts->push_back(
+        {start, group, FitFirstLengths(base, ranking, start, kScreeningIterations)});
+}
+
+// Those that go on to longer forecasts: of each candidate the cheapest, and another start where
+// first forecasts do not tell the two apart.
+std::vector<ForecastScreening::Attempt> ForecastScreening::GoingOn(std::vector<Attempt> attempts,
+                                                                   double nothing) const {
+  double least = nothing;
+  std::map<std::size_t, double> least_of;  // by group
+  for (const Attempt& one : attempts) {
+    if (!one.fit) continue;
+    const double cost = one.fit->fit.cost_after;
+    least = std::min(least, cost);
+    const auto [found, is_first] = least_of.emplace(one.group, cost);
+    if (!is_first) found->second = std::min(found->second, cost);
+  }
+  const auto ends = [&](const Attempt& one) {
+    if (!one.fit) return true;
+    const double gain = nothing - one.fit->fit.cost_after;
+    return gain < kMayCome * (nothing - least) ||
+           gain < kAlikeStarts * (nothing - least_of.at(one.group));
+  };
+  attempts.erase(std::remove_if(attempts.begin(), attempts.end(), ends), attempts.end());
+  return attempts;
 }
 
 bool ForecastScreening::Decide(const FittedScene& current, const FittedScene& base,
@@ -232,14 +273,12 @@ std::optional<ForecastRound> ForecastScreening::Run(const FittedScene& current,
   const bool is_off = HasLargeResidual(current.scene, current.config, current.fit);
   const ModelStart start = is_off ? WithMaterialOf(baseline_, GoOn(current)) : GoOn(current);
   const std::array<int, 2> grid = ScreeningGrid(current.scene.mesh);
-  const int first_lengths =
-      std::min(kFirstLengths, NumForecastLengths(current.scene, start.config));
   const auto go_on = [&](const FittedScene& fitted) {
-    return FitToForecasts(GoOn(fitted), grid, {first_lengths, kAllLengths, kIterations}, runner_,
+    return FitToForecasts(GoOn(fitted), grid, {kFirstLengths, kAllLengths, kIterations}, runner_,
                           &fitted);
   };
   const std::optional<FittedScene> first =
-      FitToForecasts(start, grid, {0, first_lengths, kIterations}, runner_, &current);
+      FitToForecasts(start, grid, {0, kFirstLengths, kIterations}, runner_, &current);
   if (!first || Stopped()) return {};
   const std::optional<FittedScene> base = go_on(*first);
   if (!base || Stopped()) return {};
@@ -256,48 +295,55 @@ std::optional<ForecastRound> ForecastScreening::Run(const FittedScene& current,
   Log(fmt::format("forecasts leave {:.3g} sigmas; looked at: {}", round.ranking.residual_rms,
                   fmt::join(names, ", ")));
   Say("fitting forecasts with what could be missing", 0.55);
-  const std::size_t count = candidates.size() + faults.size();
   const auto for_all = [&](std::size_t some, const std::function<void(std::size_t)>& work) {
     ParallelFor(static_cast<int>(some), NumThreads(0), [&](int i, int) {
       if (!Stopped()) work(static_cast<std::size_t>(i));
     });
   };
+  std::vector<std::vector<RankedCandidate>> starts(candidates.size());
+  for_all(starts.size(),
+          [&](std::size_t k) { starts[k] = StartsOf(*base, round.ranking, candidates[k]); });
+  std::vector<Attempt> attempts;
+  for (std::size_t k = 0; k < starts.size(); ++k)
+    for (RankedCandidate& one : starts[k]) attempts.push_back({std::move(one), k, {}});
+  const std::size_t of_physics = attempts.size();
+  for (const FittedModel& fault : faults)
+    attempts.push_back({fault.candidate, candidates.size() + attempts.size(), {}});
   // And the baseline once more: all begin where its longest forecasts have ended.
-  std::vector<std::optional<FittedScene>> fits(count + 1);
-  for_all(fits.size(), [&](std::size_t k) {
-    if (k < candidates.size()) {
-      fits[k] = FitPhysics(*base, round.ranking, candidates[k], first_lengths);
-    } else {
-      ModelStart without = GoOn(*base);
-      if (k < count) without.recording = faults[k - candidates.size()].scene.scene.recording;
-      fits[k] =
-          FitToForecasts(without, grid, {0, first_lengths, kScreeningIterations}, runner_, &*base);
+  std::optional<FittedScene> once_more;
+  for_all(attempts.size() + 1, [&](std::size_t k) {
+    if (k < of_physics) {
+      attempts[k].fit =
+          FitFirstLengths(*base, round.ranking, attempts[k].candidate, kScreeningIterations);
+      return;
     }
+    ModelStart without = GoOn(*base);
+    if (k < attempts.size()) without.recording = faults[k - of_physics].scene.scene.recording;
+    (k < attempts.size() ? attempts[k].fit : once_more) =
+        FitToForecasts(without, grid, {0, kFirstLengths, kScreeningIterations}, runner_, &*base);
   });
-  AddBarThroughBall(*base, round.ranking, first_lengths, &candidates, &fits);
-  const double nothing = fits.back() ? fits.back()->fit.cost_after : first->fit.cost_after;
-  double least = nothing;
-  for (const auto& fit : fits)
-    if (fit) least = std::min(least, fit->fit.cost_after);
-  const double most = nothing - kMayCome * (nothing - least);
-  for_all(count, [&](std::size_t k) {
-    if (!fits[k]) return;
-    const bool may_come = fits[k]->fit.cost_after <= most;
-    fits[k] = may_come ? go_on(*fits[k]) : std::nullopt;
-  });
-  std::vector<FittedModel> models;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!fits[k]) continue;
-    models.push_back(
-        {k < candidates.size() ? candidates[k] : faults[k - candidates.size()].candidate,
-         std::move(*fits[k])});
+  AddBarThroughBall(*base, round.ranking, &attempts);
+  attempts = GoingOn(std::move(attempts), (once_more ? *once_more : *first).fit.cost_after);
+  for_all(attempts.size(), [&](std::size_t k) { attempts[k].fit = go_on(*attempts[k].fit); });
+  std::map<std::size_t, FittedModel> cheapest;  // by group
+  for (Attempt& one : attempts) {
+    if (!one.fit) continue;
+    FittedModel model = {std::move(one.candidate), *std::move(one.fit)};
+    const auto found = cheapest.find(one.group);
+    if (found == cheapest.end()) {
+      cheapest.emplace(one.group, std::move(model));
+    } else if (IsCheaper(model, found->second)) {
+      found->second = std::move(model);
+    }
   }
+  std::vector<FittedModel> models;
+  for (auto& [group, model] : cheapest) models.push_back(std::move(model));
   if (Stopped()) return {};
   std::stable_sort(models.begin(), models.end(), IsCheaper);
   for (const FittedModel& model : models) {
-    Log(fmt::format("with {}: forecasts cost {:.6g} -> {:.6g} on {} particles",
+    Log(fmt::format("with {}: forecasts cost {:.6g} -> {:.6g} on {} particles{}",
                     model.candidate.summary.name, base->fit.cost_after, model.scene.fit.cost_after,
-                    base->scene.mesh.num_particles()));
+                    base->scene.mesh.num_particles(), AmountsIn(model.scene, model.candidate)));
   }
   const double share = models.empty() ? 0.0 : ShareOfForecasts(*base, models.front().scene);
   if (share < kOnCoarse * least_share) {

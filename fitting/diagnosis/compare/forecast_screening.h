@@ -46,12 +46,21 @@ class ForecastScreening {
  private:
   std::vector<RankedCandidate> CandidatesToFit(const FittedScene& base, const Ranking& ranking,
                                                const std::vector<ContactShape>& contacts) const;
-  std::optional<FittedScene> FitPhysics(const FittedScene& base, const Ranking& ranking,
-                                        const RankedCandidate& candidate, int last_length) const;
-  // fits: of the candidates, in their order.
-  void AddBarThroughBall(const FittedScene& base, const Ranking& ranking, int last_length,
-                         std::vector<RankedCandidate>* candidates,
-                         std::vector<std::optional<FittedScene>>* fits) const;
+  // A candidate at one of its starts; those of one candidate are of one group.
+  struct Attempt {
+    RankedCandidate candidate;
+    std::size_t group;
+    std::optional<FittedScene> fit;
+  };
+  std::vector<RankedCandidate> StartsOf(const FittedScene& base, const Ranking& ranking,
+                                        const RankedCandidate& candidate) const;
+  std::optional<FittedScene> FitFirstLengths(const FittedScene& base, const Ranking& ranking,
+                                             const RankedCandidate& start,
+                                             int most_iterations) const;
+  void AddBarThroughBall(const FittedScene& base, const Ranking& ranking,
+                         std::vector<Attempt>* attempts) const;
+  // nothing: the cost of the baseline in the same forecasts.
+  std::vector<Attempt> GoingOn(std::vector<Attempt> attempts, double nothing) const;
   // Fits the baseline and the models that may come first on the deciding mesh; they are in order.
   // False where the baseline's fit fails.
   bool Decide(const FittedScene& current, const FittedScene& base,

@@ -221,6 +221,27 @@ std::vector<Probe> ProbesNear(const CandidateTerm& candidate, const Probe& probe
   return near;
 }
 
+std::vector<std::string> EndsOfLine(const Probe& probe) {
+  if (probe.empty()) return {};
+  const std::string first = probe.begin()->first;
+  const std::string term = first.substr(0, first.find('.') + 1);
+  const auto find = [&](const std::string& name) { return probe.find(term + name); };
+  double longest = 0.0, squares = 0.0;
+  std::vector<std::string> ends;
+  for (const char axis : {'x', 'y', 'z'}) {
+    const auto one = find(std::string(1, axis) + "1"), other = find(std::string(1, axis) + "2");
+    if (one == probe.end() || other == probe.end()) return {};
+    const double apart = std::abs(other->second - one->second);
+    squares += apart * apart;
+    if (apart <= longest) continue;
+    longest = apart;
+    ends = {one->first, other->first};
+  }
+  const auto radius = find("radius");
+  const bool is_thick = radius != probe.end() && std::sqrt(squares) <= 2.0 * radius->second;
+  return is_thick ? std::vector<std::string>() : ends;
+}
+
 FitConfig WithProbes(const FitConfig& values,
                      const std::vector<std::pair<const CandidateTerm*, Probe>>& probes) {
   FitConfig config = values;

@@ -47,6 +47,12 @@ std::vector<CandidateTerm> ListCandidates(const FitConfig& values, const Scene& 
 std::vector<Probe> ProbesNear(const CandidateTerm& candidate, const Probe& probe,
                               const Extent& extent, double step);
 
+// Of a shape along a line between two places, the edge of a table or a bar that is longer than
+// thick: those coordinates of both, by full name, that say how far it goes on, as far as one axis
+// of the world can. It ends beyond the cloth, where nothing of that is seen, so that a fit which
+// may move them takes the line out from under the cloth. Empty of other shapes.
+std::vector<std::string> EndsOfLine(const Probe& probe);
+
 // The config with candidates' switches free at their off values, by amounts where these are 0, and
 // their shapes as the probes have them.
 FitConfig WithProbes(const FitConfig& values,

@@ -350,7 +350,8 @@ class ContactSearch {
 
 }  // namespace
 
-std::vector<Probe> BarsThroughBall(const Probe& ball, const Eigen::Vector3d& gravity) {
+std::vector<Probe> BarsThroughBall(const Probe& ball, const Eigen::Vector3d& gravity,
+                                   double reach) {
   constexpr int kDirections = 4;
   const DownFrame frame = MakeDownFrame(gravity);
   const auto of_ball = [&](int index) { return ball.at(FullName<ObstacleSphere>(index)); };
@@ -360,7 +361,7 @@ std::vector<Probe> BarsThroughBall(const Probe& ball, const Eigen::Vector3d& gra
   for (int i = 0; i < kDirections; ++i) {
     const double angle = M_PI * i / kDirections;
     const Eigen::Vector3d half =
-        0.5 * radius * (std::cos(angle) * frame.axis_1 + std::sin(angle) * frame.axis_2);
+        reach * (std::cos(angle) * frame.axis_1 + std::sin(angle) * frame.axis_2);
     bars.push_back(CapsuleShape(middle - half, middle + half, radius));
   }
   return bars;

@@ -37,8 +37,8 @@ struct ContactShape {
 std::vector<ContactShape> FindContactShapes(const ClothMesh& mesh, const Eigen::Vector3d& gravity,
                                             const MissingForce& missing);
 
-// obstacle_capsule with its middle where a ball's is and as thick, level, as long as the radius, in
-// four directions: a ball is a bar of no length, which a fit lengthens.
-std::vector<Probe> BarsThroughBall(const Probe& ball, const Eigen::Vector3d& gravity);
+// obstacle_capsule with its middle where a ball's is and as thick, level, in four directions;
+// reach: how far it goes on either way, m.
+std::vector<Probe> BarsThroughBall(const Probe& ball, const Eigen::Vector3d& gravity, double reach);
 
 }  // namespace clothfit

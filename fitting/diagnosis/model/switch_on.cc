@@ -26,6 +26,7 @@ void FreeShapes(const Probe& probe, FitConfig* config) {
     setting.value = setting.prior = Inside(value, setting);
     setting.free = true;
   }
+  for (const std::string& name : EndsOfLine(probe)) config->parameters.at(name).free = false;
 }
 
 double LeastStiffness(const RankedCandidate& candidate, const FittedScene& fitted) {

@@ -41,7 +41,7 @@ struct RankedCandidate {
     return limit > 0.0 && amounts.norm() >= detection_limits * limit;
   }
 
-  std::size_t NumUnknowns() const { return names.size() + probe.size(); }
+  std::size_t NumUnknowns() const { return names.size() + probe.size() - EndsOfLine(probe).size(); }
 
   std::vector<std::string> Effects() const {
     return parts.empty() ? std::vector<std::string>{summary.name} : parts;

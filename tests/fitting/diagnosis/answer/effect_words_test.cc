@@ -113,6 +113,18 @@ TEST(EffectWords, TellAPlaceInTheWorldByItsThreeNumbers) {
       "0.100, 0.703) m within (0.01, 0.05, 0.02) m, radius 0.022 m (0.02 to 0.024).");
 }
 
+TEST(EffectWords, TellWhichWayAPlaceMayBeAnywhere) {
+  const std::string words =
+      AmountsInWords({"obstacle_capsule"}, {{"obstacle_capsule.stiffness", "Pa/m", 5e4, 4e4, 6e4},
+                                            {"obstacle_capsule.x1", "m", -0.519, -0.529, -0.509},
+                                            {"obstacle_capsule.y1", "m", 0.1, kUnknown, kUnknown},
+                                            {"obstacle_capsule.z1", "m", 0.703, 0.683, 0.723}});
+  EXPECT_NE(
+      words.find("one end of its axis at (-0.519, 0.100, 0.703) m within (0.01, any, 0.02) m"),
+      std::string::npos)
+      << words;
+}
+
 TEST(EffectWords, TellThePlaneThatIsTiltedByOneAngle) {
   const double degree = M_PI / 180.0;
   EXPECT_EQ(

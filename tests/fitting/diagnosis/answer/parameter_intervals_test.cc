@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/diagnosis/answer/parameter_intervals.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace clothfit {
@@ -27,6 +29,19 @@ TEST(ParameterIntervals, AreThoseOfTheFitAt90PercentWithinItsBounds) {
   EXPECT_NEAR(parameters[0].upper90, 1.0 + 0.5 * 1.645, 1e-9);
   EXPECT_EQ(parameters[1].lower90, 0.0);
   EXPECT_EQ(parameters[1].upper90, 0.1);
+}
+
+TEST(ParameterIntervals, AreNotThereOfWhatIsHeld) {
+  FitResult fit;
+  fit.estimates = {{"obstacle_capsule.y1", "m", 0.4, 0.4, false, 0.4, 0.4}};
+  FitConfig config;
+  config.parameters["obstacle_capsule.y1"].lower = -10.0;
+  config.parameters["obstacle_capsule.y1"].upper = 10.0;
+  const std::vector<EffectParameter> parameters = EstimatesOf(fit, config, {"obstacle_capsule.y1"});
+  ASSERT_EQ(parameters.size(), 1u);
+  EXPECT_EQ(parameters[0].value, 0.4);
+  EXPECT_TRUE(std::isnan(parameters[0].lower90));
+  EXPECT_TRUE(std::isnan(parameters[0].upper90));
 }
 
 }  // namespace

@@ -78,6 +78,39 @@ TEST(WithProbes, KeepsTheScaleOfWhatIsOffAboveNothing) {
   EXPECT_GT(linear, 0);
 }
 
+TEST(EndsOfLine, AreWhereABarGoesOnBeyondTheCloth) {
+  Probe bar;
+  for (const std::string name : {"x1", "y1", "z1", "x2", "y2", "z2"})
+    bar["obstacle_capsule." + name] = 0.0;
+  bar["obstacle_capsule.radius"] = 0.03;
+  bar["obstacle_capsule.y1"] = 0.3;
+  bar["obstacle_capsule.y2"] = -0.4;
+  bar["obstacle_capsule.z2"] = 0.2;
+  const std::vector<std::string> along_y = {"obstacle_capsule.y1", "obstacle_capsule.y2"};
+  EXPECT_EQ(EndsOfLine(bar), along_y);
+  Probe edge;
+  for (const auto& [name, value] : bar)
+    if (name != "obstacle_capsule.radius") edge["obstacle_table" + name.substr(16)] = value;
+  const std::vector<std::string> of_edge = {"obstacle_table.y1", "obstacle_table.y2"};
+  EXPECT_EQ(EndsOfLine(edge), of_edge);
+}
+
+// A bar that is as short as thick may be a ball: how long it is has to be found.
+TEST(EndsOfLine, AreFoundOfWhatIsShort) {
+  const Probe ball = {{"obstacle_sphere.x", 0.1},
+                      {"obstacle_sphere.y", 0.2},
+                      {"obstacle_sphere.z", 0.3},
+                      {"obstacle_sphere.radius", 0.05}};
+  EXPECT_TRUE(EndsOfLine(ball).empty());
+  EXPECT_TRUE(EndsOfLine({}).empty());
+  EXPECT_TRUE(EndsOfLine({{"crease.angle", 0.1}, {"crease.offset", 0.2}}).empty());
+  const Probe bar = {{"obstacle_capsule.x1", 0.08},    {"obstacle_capsule.y1", 0.2},
+                     {"obstacle_capsule.z1", 0.3},     {"obstacle_capsule.x2", 0.12},
+                     {"obstacle_capsule.y2", 0.2},     {"obstacle_capsule.z2", 0.3},
+                     {"obstacle_capsule.radius", 0.05}};
+  EXPECT_TRUE(EndsOfLine(bar).empty());
+}
+
 TEST(FreeParameters, RefusesALogarithmOfNothing) {
   const Recording recording = LyingCloth();
   FitConfig config = NothingFree(recording);
