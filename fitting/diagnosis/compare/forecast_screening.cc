@@ -77,8 +77,10 @@ std::optional<FittedScene> InForecasts(FittedScene fitted) {
   return fitted;
 }
 
+// Of physics, as fitted.
 std::string AmountsIn(const FittedScene& model, const RankedCandidate& candidate) {
   std::string words;
+  if (candidate.summary.kind != CandidateKind::kPhysics) return words;
   const auto say = [&](const std::string& name) {
     words += fmt::format(" {} {:.3g}", name, model.values.parameters.at(name).value);
   };
