@@ -118,11 +118,11 @@ std::string ShapesOfTerm(const std::vector<EffectParameter>& shapes) {
     };
     words += fmt::format("{} at ({:.3f}, {:.3f}, {:.3f}) m", doc, shapes[i].value,
                          shapes[i + 1].value, shapes[i + 2].value);
-    std::string errors;
-    for (std::size_t k = 0; k < 3; ++k)
-      errors += (k > 0 ? ", " : "") +
-                (std::isfinite(error(k)) ? fmt::format("{:.2g}", error(k)) : std::string("any"));
-    if (errors != "any, any, any") words += fmt::format(" within ({}) m", errors);
+    const auto within = [&](std::size_t k) {
+      return std::isfinite(error(k)) ? fmt::format("{:.2g}", error(k)) : std::string("any");
+    };
+    if (std::isfinite(error(0)) || std::isfinite(error(1)) || std::isfinite(error(2)))
+      words += fmt::format(" within ({}, {}, {}) m", within(0), within(1), within(2));
     i += 2;
   }
   return words;

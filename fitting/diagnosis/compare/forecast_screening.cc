@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -327,21 +328,17 @@ std::optional<ForecastRound> ForecastScreening::Run(const FittedScene& current,
   AddBarThroughBall(*base, round.ranking, &attempts);
   attempts = GoingOn(std::move(attempts), (once_more ? *once_more : *first).fit.cost_after);
   for_all(attempts.size(), [&](std::size_t k) { attempts[k].fit = go_on(*attempts[k].fit); });
-  std::map<std::size_t, FittedModel> cheapest;  // by group
-  for (Attempt& one : attempts) {
-    if (!one.fit) continue;
-    FittedModel model = {std::move(one.candidate), *std::move(one.fit)};
-    const auto found = cheapest.find(one.group);
-    if (found == cheapest.end()) {
-      cheapest.emplace(one.group, std::move(model));
-    } else if (IsCheaper(model, found->second)) {
-      found->second = std::move(model);
-    }
-  }
-  std::vector<FittedModel> models;
-  for (auto& [group, model] : cheapest) models.push_back(std::move(model));
   if (Stopped()) return {};
-  std::stable_sort(models.begin(), models.end(), IsCheaper);
+  const auto is_cheaper = [](const Attempt& a, const Attempt& b) {
+    return a.fit && (!b.fit || a.fit->fit.cost_after < b.fit->fit.cost_after);
+  };
+  std::stable_sort(attempts.begin(), attempts.end(), is_cheaper);
+  std::vector<FittedModel> models;
+  std::set<std::size_t> groups;  // of which the cheapest is among them
+  for (Attempt& one : attempts) {
+    if (one.fit && groups.insert(one.group).second)
+      models.push_back({std::move(one.candidate), *std::move(one.fit)});
+  }
   for (const FittedModel& model : models) {
     Log(fmt::format("with {}: forecasts cost {:.6g} -> {:.6g} on {} particles{}",
                     model.candidate.summary.name, base->fit.cost_after, model.scene.fit.cost_after,
