@@ -169,7 +169,7 @@ bool Diagnoser::IsExplained(const Ranking& ranking) const {
 // The coarse mesh is looked at while the deciding one is fitted and held to its noise: a
 // simulation does not fill two cores. The look ends where nothing turns out to be missing.
 std::optional<Diagnoser::CoarseLook> Diagnoser::LookForMissing() {
-  const bool is_first = kept_.empty();
+  const bool is_first = !has_looked_;
   const FittedScene coarse = now_.coarse;
   std::atomic<bool> is_enough = false;
   DiagnosisOptions of_look = options_;
@@ -179,14 +179,13 @@ std::optional<Diagnoser::CoarseLook> Diagnoser::LookForMissing() {
   if (!is_baseline_fitted_) now_ = FitBaselineOnBoth(coarse);
   is_baseline_fitted_ = true;
   if (!Stopped() && !quality_) quality_ = AppraiseQuality(now_.fine);
-  if (!Stopped() && is_first) TellOfBaseline();
+  if (!Stopped() && kept_.empty()) TellOfBaseline();
   is_enough = Stopped() || quality_->is_explained;
   if (is_enough) return {};
   return looking.get();
 }
 
 bool Diagnoser::AddEffect() {
-  const bool is_first = kept_.empty();
   if (HasPhysics() && forecasts_left_ < options_.least_share * forecasts_lack_) {
     Log(fmt::format("forecasts still lack {:.2g} % of what they lacked: no second effect",
                     100.0 * forecasts_left_ / forecasts_lack_));
@@ -194,7 +193,10 @@ bool Diagnoser::AddEffect() {
   }
   std::optional<CoarseLook> look = LookForMissing();
   Spend("test of fit, looking at the coarse mesh");
+  if (AddContradiction()) return true;
   if (!look || Stopped()) return false;
+  const bool is_first = !has_looked_;
+  has_looked_ = true;
   Ranking& ranking = look->ranking;
   Log(
       fmt::format("residuals of {:.3g} sigmas on {} particles; on {} of {:.3g}, of which mesh and "

@@ -75,6 +75,10 @@ class Diagnoser {
   // Where an obstacle would stand that pushes as the missing force does.
   void FindContacts(const LocatedForce& found);
   void ForgetContacts(const RankedCandidate& kept);
+  // A fault by which cameras and markers contradict each other, put right. False where there is
+  // none.
+  bool AddContradiction();
+  std::optional<JudgedModel> PutRight(RankedCandidate fault, const Ranking& ranking) const;
   // A round by forecasts; empty where there are none.
   std::optional<bool> AddByForecasts(const Ranking& ranking);
   bool AddByWholeFits(Ranking ranking, const std::vector<FittedModel>& models);
@@ -164,6 +168,7 @@ class Diagnoser {
   std::optional<FitQuality> baseline_quality_, quality_;  // of the baseline and of now_
   int restarts_ = 0, rounds_left_ = 0;
   bool is_baseline_fitted_ = false;  // on the deciding mesh
+  bool has_looked_ = false;          // for what is missing, beyond contradictions
   // What forecasts leave beyond noise, as costs: without physics, and with what was kept last.
   double forecasts_lack_ = 0.0, forecasts_left_ = 0.0;
   std::optional<MissingForce> missing_;

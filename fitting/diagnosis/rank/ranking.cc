@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 
+#include "fitting/diagnosis/rank/fault_score.h"
 #include "fitting/diagnosis/rank/short_list.h"
 
 namespace clothfit {
@@ -57,9 +57,6 @@ class Ranker {
   // Of one amount of either sign that acts at a place: the best probe with the other sign, where it
   // scores half as much. What draws to one side may be what pushes from the other.
   void AddOtherSign(const Projection& projection, RankedCandidate* ranked) const;
-  RankedCandidate Observation(const std::string& group, const Projection& raw) const;
-  void Judge(const Projection& projection, const std::vector<double>& null_scores,
-             RankedCandidate* candidate) const;
   double ExplainedTogether(const Projection& projection,
                            const std::vector<Eigen::VectorXd>& nulls) const;
   void DrawTheNulls();
@@ -180,20 +177,14 @@ std::vector<Nuisance> Ranker::Nuisances(const std::string& fault_group) const {
   const bool is_only = !fault_group.empty() && HasPoints(fitted_.scene);
   std::vector<Nuisance> nuisances;
   if (!options_.project) return nuisances;
-  const auto add = [&](int column, double sigma) {
-    const double scaled = sigma * AtScale(column);
-    nuisances.push_back({column, 1.0 / (scaled * scaled)});
-  };
-  for (Eigen::Index i = 0; i < baseline_->jacobian.cols(); ++i) {
-    add(first_baseline_ + static_cast<int>(i),
-        baseline_->entries[static_cast<std::size_t>(i)].prior_sigma);
+  for (std::size_t i = 0; i < baseline_->entries.size(); ++i) {
+    const int column = first_baseline_ + static_cast<int>(i);
+    const double sigma = baseline_->entries[i].prior_sigma;
+    nuisances.push_back({column, std::pow(scale_[column] / sigma, 2)});
   }
-  for (std::size_t i = 0; i < faults_.size(); ++i) {
-    if (faults_[i].group != fault_group)
-      add(first_fault_ + static_cast<int>(i),
-          is_only ? std::min(faults_[i].tolerated, kWellMade * faults_[i].typical)
-                  : faults_[i].tolerated);
-  }
+  const std::vector<Nuisance> others =
+      OtherFaults(faults_, fault_group, first_fault_, scale_, is_only);
+  nuisances.insert(nuisances.end(), others.begin(), others.end());
   return nuisances;
 }
 
@@ -233,28 +224,6 @@ void Ranker::Refine() {
       }
       AddTrials(probes);
     }
-  }
-}
-
-double ShareOf(double score, double left) { return left > 0.0 ? std::min(1.0, score / left) : 0.0; }
-
-// p-value and detection limit from the scores that the null gave the same candidate.
-void Ranker::Judge(const Projection& projection, const std::vector<double>& null_scores,
-                   RankedCandidate* candidate) const {
-  Candidate& summary = candidate->summary;
-  const Eigen::VectorXd scaled_amounts =
-      candidate->amounts.cwiseQuotient(scale_(candidate->columns));
-  const double information = scaled_amounts.dot(
-      projection.gram()(candidate->columns, candidate->columns) * scaled_amounts);
-  if (null_scores.empty()) {
-    summary.p_value = TailProbability({}, 0.0);
-  } else {
-    summary.p_value = TailProbability(null_scores, summary.score);
-    std::vector<double> sorted = null_scores;
-    std::sort(sorted.begin(), sorted.end());
-    const double passes = sorted[sorted.size() * 19 / 20];
-    if (information > 0.0)
-      summary.detection_limit = candidate->amounts.norm() * std::sqrt(passes / information);
   }
 }
 
@@ -298,38 +267,6 @@ void Ranker::AddOtherSign(const Projection& projection, RankedCandidate* ranked)
   if (other) ranked->other_starts.push_back(*other);
 }
 
-RankedCandidate Ranker::Observation(const std::string& group, const Projection& raw) const {
-  RankedCandidate ranked;
-  ranked.summary.name = group;
-  ranked.summary.kind = CandidateKind::kObservation;
-  ScoredGroup scored;
-  for (std::size_t i = 0; i < faults_.size(); ++i) {
-    if (faults_[i].group != group) continue;
-    ranked.faults.push_back(static_cast<int>(i));
-    ranked.names.push_back(faults_[i].name);
-    scored.columns.push_back(first_fault_ + static_cast<int>(i));
-    scored.is_one_sided.push_back(false);
-    const double sigma = LargestSigma(faults_[i]) * AtScale(scored.columns.back());
-    scored.precision.push_back(1.0 / (sigma * sigma));
-  }
-  const Projection projection(gram_, Nuisances(group));
-  const Scorer scorer(projection, scored);
-  const Score score = scorer.Of(projection.gram().col(residual_));
-  const double residual2 = scale_[residual_] * scale_[residual_];
-  ranked.summary.score = score.decrease / residual2;
-  ranked.summary.raw_score = ScoreOf(raw, scored, raw.gram().col(residual_)).decrease / residual2;
-  ranked.amounts = score.amounts.cwiseProduct(scale_(scored.columns)) / scale_[residual_];
-  ranked.sigma = score.sigma.cwiseProduct(scale_(scored.columns));
-  ranked.columns = scored.columns;
-  std::vector<double> null_scores;
-  for (const NullResidual& null : nulls_)
-    null_scores.push_back(scorer.Of(projection.Products(null.products)).decrease);
-  const double left = projection.gram()(residual_, residual_) / residual2 - null_mean_;
-  Judge(projection, null_scores, &ranked);
-  ranked.summary.share = ShareOf(ranked.summary.score, std::max(left, ranked.summary.score));
-  return ranked;
-}
-
 // By how much all absent physics together would lower the sum of squares, above what they do to the
 // null: small effects show here long before they show in the whole sum.
 double Ranker::ExplainedTogether(const Projection& projection,
@@ -370,11 +307,8 @@ void Ranker::PassGate(Ranking* ranking) {
   Scale();
   DrawTheNulls();
   const Projection projection(gram_, Nuisances(""));
-  std::vector<double> left;
-  for (const NullResidual& null : nulls_)
-    left.push_back(projection.Product(null.squared, null.products, null.products));
-  null_mean_ = std::accumulate(left.begin(), left.end(), 0.0) /
-               std::max(1.0, static_cast<double>(left.size()));
+  const std::vector<double> left = LeftByNulls(projection, nulls_);
+  null_mean_ = Mean(left);
   const double residual2 = scale_[residual_] * scale_[residual_];
   const double own = projection.gram()(residual_, residual_) / residual2;
   ranking->num_rows = frames_.num_rows();
@@ -415,7 +349,7 @@ Ranking Ranker::Run() {
       for (std::size_t k = 0; k < nulls_.size(); ++k)
         null_scores[k] = std::max(null_scores[k], scorer.Of(projected[k]).decrease);
     }
-    Judge(projection, null_scores, &candidate);
+    JudgeAgainstNull(projection, scale_, null_scores, &candidate);
     // A candidate that stands out by its pattern is there to be explained, however large the
     // discretisation error: where it can be held to simulated recordings of the baseline.
     if (HasPoints(fitted_.scene) && candidate.summary.p_value < kByItsPattern)
@@ -426,7 +360,10 @@ Ranking Ranker::Run() {
     candidate.summary.share = ShareOf(candidate.summary.score, ranking.explainable);
   std::set<std::string> groups;
   for (const Fault& fault : faults_) groups.insert(fault.group);
-  for (const std::string& group : groups) ranking.candidates.push_back(Observation(group, raw));
+  const FaultProducts products = {faults_,      gram_,  scale_,    residual_,
+                                  first_fault_, nulls_, null_mean_};
+  for (const std::string& group : groups)
+    ranking.candidates.push_back(ScoreFaults(products, group, Nuisances(group)));
   std::stable_sort(ranking.candidates.begin(), ranking.candidates.end(),
                    [](const auto& a, const auto& b) { return a.summary.score > b.summary.score; });
   ShortList(HasPoints(fitted_.scene), options_, &ranking);

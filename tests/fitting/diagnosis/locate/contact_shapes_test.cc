@@ -169,6 +169,36 @@ TEST_F(ContactShapes, HoldNoCloth) {
   }
 }
 
+// Gravity that leans, so that level is not along the world's axes.
+TEST(BarsThroughBall, LieLevelInAllDirectionsAsThickAsTheBall) {
+  const Eigen::Vector3d gravity = 9.81 * Eigen::Vector3d(0.3, -0.4, -1.0).normalized();
+  const Eigen::Vector3d middle(0.2, -0.1, 0.5);
+  const Probe ball = {{"obstacle_sphere.x", middle.x()},
+                      {"obstacle_sphere.y", middle.y()},
+                      {"obstacle_sphere.z", middle.z()},
+                      {"obstacle_sphere.radius", 0.03}};
+  const std::vector<Probe> bars = BarsThroughBall(ball, gravity, 0.7);
+  ASSERT_EQ(bars.size(), 4U);
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
+  for (const Probe& bar : bars) {
+    const auto end = [&](const std::string& number) {
+      const std::string name = "obstacle_capsule.";
+      return Eigen::Vector3d(bar.at(name + "x" + number), bar.at(name + "y" + number),
+                             bar.at(name + "z" + number));
+    };
+    EXPECT_EQ(bar.at("obstacle_capsule.radius"), 0.03);
+    EXPECT_LT((0.5 * (end("1") + end("2")) - middle).norm(), 1e-12);
+    EXPECT_NEAR((end("2") - end("1")).norm(), 1.4, 1e-12);
+    const Eigen::Vector3d axis = (end("2") - end("1")).normalized();
+    EXPECT_NEAR(axis.dot(gravity), 0.0, 1e-12);
+    axes += axis * axis.transpose();
+  }
+  // Spread evenly over all level directions.
+  const Eigen::Vector3d down = gravity.normalized();
+  const Eigen::Matrix3d level = Eigen::Matrix3d::Identity() - down * down.transpose();
+  EXPECT_LT((axes - 2.0 * level).norm(), 1e-12);
+}
+
 TEST_F(ContactShapes, AreNoneWhereNothingPushes) {
   Move([&](const Eigen::Vector2d& uv, double) { return Eigen::Vector3d(uv.x(), uv.y(), 1.0); },
        [&](const Eigen::Vector2d&, double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); });
