@@ -20,7 +20,8 @@ namespace clothfit {
 namespace {
 
 constexpr std::size_t kMostContradictions = 3;  // that are put right and compared
-constexpr int kEstimates = 2;                   // of amounts, after the first
+constexpr int kMostEstimates = 5;               // of amounts, after the first
+constexpr double kSettled = 0.3;                // sigmas, by which the last one differs
 
 }  // namespace
 
@@ -32,8 +33,8 @@ std::optional<JudgedModel> Diagnoser::PutRight(RankedCandidate fault,
   for (const int index : fault.faults)
     own.push_back(ranking.faults[static_cast<std::size_t>(index)]);
   BothMeshes model = now_;
-  Eigen::VectorXd found = fault.amounts;
-  for (int k = 0; k < kEstimates && !Stopped(); ++k) {
+  bool is_settled = false;
+  for (int k = 0; k < kMostEstimates && !is_settled && !Stopped(); ++k) {
     ModelStart start = GoOn(now_.coarse);
     start.recording = WithoutFaults(start.recording, own, fault.amounts);
     std::optional<FittedScene> coarse = FitModel(now_.coarse, start, kFirstIterations, runner_);
@@ -46,6 +47,7 @@ std::optional<JudgedModel> Diagnoser::PutRight(RankedCandidate fault,
     if (same == again.candidates.end()) return {};
     fault.amounts += same->amounts;
     fault.sigma = same->sigma;
+    is_settled = (same->amounts.array().abs() <= kSettled * same->sigma.array()).all();
   }
   for (std::size_t i = 0; i < own.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
