@@ -68,7 +68,8 @@ std::optional<JudgedModel> Diagnoser::PutRight(RankedCandidate fault,
 bool Diagnoser::AddContradiction() {
   if (Stopped() || !CanContradict(now_.coarse.scene)) return false;
   Say("comparing cameras and markers", 0.4);
-  Ranking ranking = RankContradictions(now_.coarse, options_);
+  contradictions_ = RankContradictions(now_.coarse, options_);
+  const Ranking& ranking = contradictions_;
   if (!ranking.candidates.empty()) {
     const Candidate& first = ranking.candidates.front().summary;
     Log(
@@ -97,7 +98,7 @@ bool Diagnoser::AddContradiction() {
   DescribeAll(judged, now_.fine);
   if (kept_.empty()) TellCandidates(ranking, ranking);
   diagnosis_.models[diagnosis_.models.size() - judged.size()].is_kept = true;
-  Keep(std::move(judged), std::move(ranking));
+  Keep(std::move(judged), ranking);
   return true;
 }
 

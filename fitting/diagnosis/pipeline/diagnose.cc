@@ -23,6 +23,7 @@
 #include "fitting/diagnosis/locate/discrepancy_pictures.h"
 #include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/diagnosis/pipeline/diagnoser.h"
+#include "fitting/diagnosis/rank/contradictions.h"
 #include "tracking/outliers/swapped_markers.h"
 
 namespace clothfit {
@@ -198,6 +199,7 @@ bool Diagnoser::AddEffect() {
   const bool is_first = !has_looked_;
   has_looked_ = true;
   Ranking& ranking = look->ranking;
+  TakeOutWhatAgrees(contradictions_, &ranking);
   Log(
       fmt::format("residuals of {:.3g} sigmas on {} particles; on {} of {:.3g}, of which mesh and "
                   "step leave {:.3g}; p = {:.2g}",

@@ -165,6 +165,7 @@ class Diagnoser {
   BothMeshes now_;                   // with everything that was kept
   std::vector<Kept> kept_;
   Ranking last_ranking_;                                  // of what was missing in now_
+  Ranking contradictions_;                                // of sources, in now_
   std::optional<FitQuality> baseline_quality_, quality_;  // of the baseline and of now_
   int restarts_ = 0, rounds_left_ = 0;
   bool is_baseline_fitted_ = false;  // on the deciding mesh

@@ -152,4 +152,18 @@ Ranking RankContradictions(const FittedScene& fitted, const DiagnosisOptions& op
   return ranking;
 }
 
+void TakeOutWhatAgrees(const Ranking& contradictions, Ranking* ranking) {
+  for (const RankedCandidate& agreed : contradictions.candidates) {
+    const double limit = agreed.summary.detection_limit;
+    const Fault& fault = contradictions.faults[static_cast<std::size_t>(agreed.faults.front())];
+    if (agreed.summary.is_short_listed || limit <= 0.0 || limit > fault.tolerated) continue;
+    for (RankedCandidate& candidate : ranking->candidates) {
+      Candidate& summary = candidate.summary;
+      if (summary.name != agreed.summary.name || !summary.is_short_listed) continue;
+      summary.is_short_listed = false;
+      summary.why_not = "all sources agree without it";
+    }
+  }
+}
+
 }  // namespace clothfit

@@ -36,4 +36,8 @@ bool CanContradict(const Scene& scene);
 // well-made recordings. Throws std::runtime_error where the scene cannot be simulated.
 Ranking RankContradictions(const FittedScene& fitted, const DiagnosisOptions& options);
 
+// Takes faults off the short list of another ranking that sources would contradict, were they as
+// large as is tolerated, and do not.
+void TakeOutWhatAgrees(const Ranking& contradictions, Ranking* ranking);
+
 }  // namespace clothfit

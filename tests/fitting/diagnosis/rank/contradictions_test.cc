@@ -82,6 +82,26 @@ TEST(Contradictions, TellOfMarkersBesideWhereCamerasSeeThem) {
   EXPECT_NEAR(place.amounts[1], 0.005, 5e-4);
 }
 
+// What mesh and physics make of a camera is no fault where others see the cloth as it does.
+TEST(Contradictions, TakeOutFaultsThatWouldShow) {
+  const Ranking contradictions = RankContradictions(WithoutWind(SeenInWind()), {});
+  const std::string clock = "camera " + SeenInWind().cameras[0].name + ": clock";
+  const double limit = Named(contradictions, clock).summary.detection_limit;
+  EXPECT_GT(limit, 0.0);
+  EXPECT_LT(limit, 5e-3);  // s, as is tolerated
+  Ranking ranking;
+  for (const std::string& name : {clock, std::string("marker offsets"), std::string("wind")}) {
+    ranking.candidates.emplace_back();
+    ranking.candidates.back().summary.name = name;
+    ranking.candidates.back().summary.is_short_listed = true;
+  }
+  TakeOutWhatAgrees(contradictions, &ranking);
+  EXPECT_FALSE(ranking.candidates[0].summary.is_short_listed);
+  EXPECT_NE(ranking.candidates[0].summary.why_not, "");
+  EXPECT_TRUE(ranking.candidates[1].summary.is_short_listed);
+  EXPECT_TRUE(ranking.candidates[2].summary.is_short_listed);
+}
+
 // A mask's fatness and where a single marker sits are no one else's business.
 TEST(Contradictions, AreOfWholeSources) {
   for (const RankedCandidate& candidate :
