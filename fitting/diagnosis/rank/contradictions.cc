@@ -19,35 +19,127 @@ namespace {
 
 constexpr double kAnywhere = 1.0;  // m, one sigma of where a coordinate of a particle may be
 
+// Least squares of a frame's points over all motions of the cloth.
+class MotionEquations {
+ public:
+  explicit MotionEquations(const std::vector<PointResidual>& points) : points_(points) {
+    for (const PointResidual& point : points)
+      for (const int node : point.point.nodes) place_.emplace(node, 0);
+    for (auto& [node, first] : place_) {
+      first = size_;
+      size_ += 3;
+    }
+    Eigen::MatrixXd information = kPrecision * Eigen::MatrixXd::Identity(size_, size_);
+    for (const PointResidual& point : points) {
+      const SurfacePoint& at = point.point;
+      const Eigen::Matrix3d squares = point.slope.transpose() * point.slope;
+      for (std::size_t a = 0; a < at.nodes.size(); ++a) {
+        for (std::size_t b = 0; b < at.nodes.size(); ++b) {
+          information.block<3, 3>(place_.at(at.nodes[a]), place_.at(at.nodes[b])) +=
+              at.weights[a] * at.weights[b] * squares;
+        }
+      }
+    }
+    factor_ = Cholesky(information, "the cloth's motion");
+  }
+
+  // Products of the particles' columns with others (rows x columns).
+  Eigen::MatrixXd Cross(const Eigen::MatrixXd& columns) const {
+    Eigen::MatrixXd cross = Eigen::MatrixXd::Zero(size_, columns.cols());
+    for (std::size_t r = 0; r < points_.size(); ++r) {
+      const SurfacePoint& at = points_[r].point;
+      for (std::size_t a = 0; a < at.nodes.size(); ++a) {
+        cross.middleRows<3>(place_.at(at.nodes[a])) += at.weights[a] *
+                                                       points_[r].slope.transpose() *
+                                                       columns.row(static_cast<Eigen::Index>(r));
+      }
+    }
+    return cross;
+  }
+
+  // Moves particles (3N, m) to where the points are seen.
+  void Move(Eigen::VectorXd* x) const {
+    Eigen::VectorXd residuals(points_.size());
+    for (std::size_t r = 0; r < points_.size(); ++r)
+      residuals[static_cast<Eigen::Index>(r)] = points_[r].value;
+    const Eigen::VectorXd by = factor_.solve(Cross(residuals));
+    for (const auto& [node, first] : place_) x->segment<3>(3 * node) -= by.segment<3>(first);
+  }
+
+  MotionlessProducts Of(const Eigen::MatrixXd& columns) const {
+    const Eigen::MatrixXd half = factor_.matrixL().solve(Cross(columns));
+    const Eigen::MatrixXd inverse =
+        factor_.matrixL().solve(Eigen::MatrixXd::Identity(size_, size_));
+    const double followed = static_cast<double>(size_) - kPrecision * inverse.squaredNorm();
+    return {columns.transpose() * columns - half.transpose() * half,
+            static_cast<double>(points_.size()) - followed};
+  }
+
+ private:
+  static constexpr double kPrecision = 1.0 / (kAnywhere * kAnywhere);
+
+  const std::vector<PointResidual>& points_;
+  std::map<int, Eigen::Index> place_;  // of a particle's coordinates among those that are seen
+  Eigen::Index size_ = 0;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+};
+
+// Of markers and tracks alone, with the rows that they have among all; none where a point is behind
+// its camera.
+struct SeenPoints {
+  std::vector<PointResidual> points;
+  std::vector<Eigen::Index> rows;
+};
+SeenPoints PointsOf(const Scene& scene, const ObservationResiduals& observations, int frame,
+                    const State& state) {
+  std::vector<PointResidual> all;
+  SeenPoints seen;
+  if (!observations.EvaluateAtPoints(frame, state, &all)) return seen;
+  const std::vector<ResidualSource> sources = SourcesOfFrame(scene, frame);
+  for (std::size_t r = 0; r < sources.size(); ++r) {
+    using Kind = ResidualSource::Kind;
+    if (sources[r].kind != Kind::kMarker && sources[r].kind != Kind::kTrack) continue;
+    seen.points.push_back(all[r]);
+    seen.rows.push_back(static_cast<Eigen::Index>(r));
+  }
+  return seen;
+}
+
+// Of one frame, where its points are seen: a fit may be far from there, where a robust loss bends
+// residuals that are linear in the cloth's motion.
+MotionlessProducts ProductsOfFrame(const Scene& scene, const FitConfig& config,
+                                   const std::vector<Fault>& faults, int frame, State state) {
+  constexpr int kSteps = 2;  // of Gauss and Newton
+  FitConfig linear = config;
+  linear.loss = LossKind::kNone;
+  const ObservationResiduals plain(scene, linear), observations(scene, config);
+  for (int k = 0; k < kSteps; ++k) {
+    const SeenPoints seen = PointsOf(scene, plain, frame, state);
+    if (!seen.points.empty()) MotionEquations(seen.points).Move(&state.x);
+  }
+  const auto count = static_cast<Eigen::Index>(1 + faults.size());
+  const SeenPoints seen = PointsOf(scene, observations, frame, state);
+  if (seen.points.empty()) return {Eigen::MatrixXd::Zero(count, count), 0.0};
+  const RowMajorMatrix by_faults = FaultColumns(scene, config, observations, faults, frame, state);
+  Eigen::MatrixXd columns(seen.points.size(), count);
+  for (std::size_t r = 0; r < seen.points.size(); ++r) {
+    columns.row(static_cast<Eigen::Index>(r)) << seen.points[r].value, by_faults.row(seen.rows[r]);
+  }
+  return WithoutMotion(seen.points, columns);
+}
+
 // Of the frames that are looked at, each with its state.
 MotionlessProducts ProductsOfAll(const Scene& scene, const FitConfig& config,
                                  const std::map<int, State>& states,
                                  const std::vector<Fault>& faults) {
-  const ObservationResiduals observations(scene, config);
-  const auto count = static_cast<Eigen::Index>(1 + faults.size());
   std::vector<const std::pair<const int, State>*> frames;
   for (const auto& frame : states) frames.push_back(&frame);
   std::vector<MotionlessProducts> of_frames(frames.size());
   ParallelFor(static_cast<int>(frames.size()), NumThreads(0), [&](int i, int) {
     const auto& [frame, state] = *frames[static_cast<std::size_t>(i)];
-    MotionlessProducts& products = of_frames[static_cast<std::size_t>(i)];
-    products.gram.setZero(count, count);
-    std::vector<PointResidual> all, points;
-    if (!observations.EvaluateAtPoints(frame, state, &all)) return;
-    const RowMajorMatrix by_faults =
-        FaultColumns(scene, config, observations, faults, frame, state);
-    const std::vector<ResidualSource> sources = SourcesOfFrame(scene, frame);
-    Eigen::MatrixXd columns(by_faults.rows(), count);
-    for (std::size_t r = 0; r < sources.size(); ++r) {
-      using Kind = ResidualSource::Kind;
-      if (sources[r].kind != Kind::kMarker && sources[r].kind != Kind::kTrack) continue;
-      columns.row(static_cast<Eigen::Index>(points.size())) << all[r].value,
-          by_faults.row(static_cast<Eigen::Index>(r));
-      points.push_back(all[r]);
-    }
-    if (points.empty()) return;
-    products = WithoutMotion(points, columns.topRows(static_cast<Eigen::Index>(points.size())));
+    of_frames[static_cast<std::size_t>(i)] = ProductsOfFrame(scene, config, faults, frame, state);
   });
+  const auto count = static_cast<Eigen::Index>(1 + faults.size());
   MotionlessProducts sum{Eigen::MatrixXd::Zero(count, count), 0.0};
   for (const MotionlessProducts& products : of_frames) {
     sum.gram += products.gram;
@@ -66,36 +158,7 @@ bool IsOfWholeSource(const Fault& fault) {
 
 MotionlessProducts WithoutMotion(const std::vector<PointResidual>& points,
                                  const Eigen::MatrixXd& columns) {
-  std::map<int, Eigen::Index> place;  // of a particle's coordinates among those that are seen
-  for (const PointResidual& point : points)
-    for (const int node : point.point.nodes) place.emplace(node, 0);
-  Eigen::Index size = 0;
-  for (auto& [node, first] : place) {
-    first = size;
-    size += 3;
-  }
-  const double precision = 1.0 / (kAnywhere * kAnywhere);
-  Eigen::MatrixXd information = precision * Eigen::MatrixXd::Identity(size, size);
-  Eigen::MatrixXd cross = Eigen::MatrixXd::Zero(size, columns.cols());
-  for (std::size_t r = 0; r < points.size(); ++r) {
-    const SurfacePoint& at = points[r].point;
-    const Eigen::Vector3d slope = points[r].slope.transpose();
-    const Eigen::Matrix3d squares = slope * slope.transpose();
-    for (std::size_t a = 0; a < at.nodes.size(); ++a) {
-      const Eigen::Index row = place.at(at.nodes[a]);
-      cross.middleRows<3>(row) += at.weights[a] * slope * columns.row(static_cast<Eigen::Index>(r));
-      for (std::size_t b = 0; b < at.nodes.size(); ++b) {
-        information.block<3, 3>(row, place.at(at.nodes[b])) +=
-            at.weights[a] * at.weights[b] * squares;
-      }
-    }
-  }
-  const auto factor = Cholesky(information, "the cloth's motion");
-  const Eigen::MatrixXd half = factor.matrixL().solve(cross);
-  const Eigen::MatrixXd inverse = factor.matrixL().solve(Eigen::MatrixXd::Identity(size, size));
-  const double followed = static_cast<double>(size) - precision * inverse.squaredNorm();
-  return {columns.transpose() * columns - half.transpose() * half,
-          static_cast<double>(points.size()) - followed};
+  return MotionEquations(points).Of(columns);
 }
 
 bool CanContradict(const Scene& scene) {
