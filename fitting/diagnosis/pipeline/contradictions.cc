@@ -12,63 +12,87 @@
 #include <fmt/format.h>
 
 #include "autodiff_sim/base/parallel.h"
+#include "fitting/diagnosis/compare/log_evidence.h"
 #include "fitting/diagnosis/fitted/effect_parameter.h"
-#include "fitting/diagnosis/gate/baseline_fit.h"
 #include "fitting/diagnosis/pipeline/diagnoser.h"
 
 namespace clothfit {
 namespace {
 
-constexpr std::size_t kMostContradictions = 3;  // that are put right and compared
+// Contradictions have power to spare: one clean recording in a thousand.
+constexpr double kFalseDiscovery = 1e-3;
+constexpr std::size_t kMostContradictions = 5;  // that are put right and compared
 constexpr int kMostEstimates = 5;               // of amounts, after the first
 constexpr double kSettled = 0.3;                // sigmas, by which the last one differs
 
+// Half the sum of squares that sources leave whatever the cloth does.
+double CostOf(const Ranking& contradictions) {
+  return 0.5 * contradictions.residual_rms * contradictions.residual_rms * contradictions.num_rows;
+}
+
+std::vector<Fault> FaultsOf(const RankedCandidate& candidate, const Ranking& ranking) {
+  std::vector<Fault> faults;
+  for (const int index : candidate.faults)
+    faults.push_back(ranking.faults[static_cast<std::size_t>(index)]);
+  return faults;
+}
+
 }  // namespace
 
-// Its amounts are what the sources say of each other, estimated again with what was found put
-// right: the cloth's own errors have no part in them.
-std::optional<JudgedModel> Diagnoser::PutRight(RankedCandidate fault,
-                                               const Ranking& ranking) const {
-  std::vector<Fault> own;
-  for (const int index : fault.faults)
-    own.push_back(ranking.faults[static_cast<std::size_t>(index)]);
-  BothMeshes model = now_;
-  bool is_settled = false;
-  for (int k = 0; k < kMostEstimates && !is_settled && !Stopped(); ++k) {
+// Its amounts are what the sources say of each other, and so is the evidence for it: they are
+// estimated again with what was found put right, along the same motion.
+std::optional<Diagnoser::Contradiction> Diagnoser::Settle(RankedCandidate fault,
+                                                          const Ranking& ranking) const {
+  const std::vector<Fault> own = FaultsOf(fault, ranking);
+  for (int k = 0; k <= kMostEstimates && !Stopped(); ++k) {
     ModelStart start = GoOn(now_.coarse);
     start.recording = WithoutFaults(start.recording, own, fault.amounts);
-    std::optional<FittedScene> coarse = FitModel(now_.coarse, start, kFirstIterations, runner_);
-    if (!coarse) return {};
-    model.coarse = *std::move(coarse);
-    const Ranking again = RankContradictions(model.coarse, options_);
+    const std::optional<FittedScene> as_it_is = FitModel(now_.coarse, start, 0, runner_);
+    if (!as_it_is) return {};
+    const Ranking again = RankContradictions(*as_it_is, options_);
     const auto same =
         std::find_if(again.candidates.begin(), again.candidates.end(),
                      [&](const auto& other) { return other.summary.name == fault.summary.name; });
     if (same == again.candidates.end()) return {};
-    fault.amounts += same->amounts;
     fault.sigma = same->sigma;
-    is_settled = (same->amounts.array().abs() <= kSettled * same->sigma.array()).all();
+    const bool is_settled = (same->amounts.array().abs() <= kSettled * same->sigma.array()).all();
+    if (is_settled || k == kMostEstimates) {
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        const auto index = static_cast<Eigen::Index>(i);
+        SetInterval(fault.amounts[index], fault.sigma[index], &fault.summary.parameters[i]);
+      }
+      ResidualScale scale;
+      scale.rows = again.num_rows;
+      scale.chi_square = again.residual_rms * again.residual_rms;
+      const double evidence =
+          LogEvidence(CostOf(ranking), CostOf(again), static_cast<double>(own.size()), scale);
+      return Contradiction{std::move(fault), evidence};
+    }
+    fault.amounts += same->amounts;
   }
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    const auto index = static_cast<Eigen::Index>(i);
-    SetInterval(fault.amounts[index], fault.sigma[index], &fault.summary.parameters[i]);
-  }
-  const auto refit = [&](const FittedScene& before, int most_iterations, double tolerance) {
+  return {};
+}
+
+std::optional<JudgedModel> Diagnoser::PutRight(const Contradiction& found,
+                                               const Ranking& ranking) const {
+  const auto refit = [&](const FittedScene& before, double tolerance) {
     ModelStart start = GoOn(before);
-    start.recording = WithoutFaults(now_.fine.scene.recording, own, fault.amounts);
-    return FitModel(before, start, most_iterations, runner_, tolerance);
+    start.recording =
+        WithoutFaults(start.recording, FaultsOf(found.fault, ranking), found.fault.amounts);
+    return FitModel(before, start, 2 * kModelIterations, runner_, tolerance);
   };
-  std::optional<FittedScene> fine =
-      refit(now_.fine, 2 * kModelIterations, EnoughToDecide(now_.fine.scene));
-  std::optional<FittedScene> coarse = refit(model.coarse, kFirstIterations, kEnoughForDiagnosis);
+  std::optional<FittedScene> fine = refit(now_.fine, EnoughToDecide(now_.fine.scene));
+  std::optional<FittedScene> coarse = refit(now_.coarse, kEnoughForDiagnosis);
   if (!fine || !coarse) return {};
-  return JudgedModel{std::move(fault), {*std::move(coarse), *std::move(fine)}};
+  return JudgedModel{found.fault, {*std::move(coarse), *std::move(fine)}, found.log_evidence};
 }
 
 bool Diagnoser::AddContradiction() {
   if (Stopped() || !CanContradict(now_.coarse.scene)) return false;
   Say("comparing cameras and markers", 0.4);
-  contradictions_ = RankContradictions(now_.coarse, options_);
+  DiagnosisOptions strict = options_;
+  strict.false_discovery = std::min(strict.false_discovery, kFalseDiscovery);
+  contradictions_ = RankContradictions(now_.coarse, strict);
   const Ranking& ranking = contradictions_;
   if (!ranking.candidates.empty()) {
     const Candidate& first = ranking.candidates.front().summary;
@@ -82,18 +106,27 @@ bool Diagnoser::AddContradiction() {
     if (candidate.summary.is_short_listed && faults.size() < kMostContradictions)
       faults.push_back(candidate);
   }
-  std::vector<std::optional<JudgedModel>> models(faults.size());
+  std::vector<std::optional<Contradiction>> settled(faults.size());
   ParallelFor(static_cast<int>(faults.size()), NumThreads(0), [&](int i, int) {
     const auto k = static_cast<std::size_t>(i);
-    if (!Stopped()) models[k] = PutRight(faults[k], ranking);
+    settled[k] = Settle(faults[k], ranking);
   });
+  double best = kStrongEvidence;
+  for (const std::optional<Contradiction>& one : settled) {
+    if (!one) continue;
+    Log(fmt::format("with {} put right they leave less, log evidence {:.4g}",
+                    one->fault.summary.name, one->log_evidence));
+    best = std::max(best, one->log_evidence);
+  }
   std::vector<JudgedModel> judged;
-  for (std::optional<JudgedModel>& model : models)
-    if (model) judged.push_back(*std::move(model));
+  for (const std::optional<Contradiction>& one : settled) {
+    if (!one || one->log_evidence < std::max(kStrongEvidence, best - kStrongEvidence)) continue;
+    if (std::optional<JudgedModel> model = PutRight(*one, ranking))
+      judged.push_back(*std::move(model));
+  }
   Spend("comparing cameras and markers");
   if (judged.empty() || Stopped()) return false;
-  Judge(now_.fine, &judged);
-  if (judged.front().log_evidence < kStrongEvidence) return false;
+  SortByEvidence(&judged);
   last_ranking_.faults = ranking.faults;
   DescribeAll(judged, now_.fine);
   if (kept_.empty()) TellCandidates(ranking, ranking);

@@ -78,7 +78,12 @@ class Diagnoser {
   // A fault by which cameras and markers contradict each other, put right. False where there is
   // none.
   bool AddContradiction();
-  std::optional<JudgedModel> PutRight(RankedCandidate fault, const Ranking& ranking) const;
+  struct Contradiction {
+    RankedCandidate fault;
+    double log_evidence;  // by what sources leave of each other, with and without it
+  };
+  std::optional<Contradiction> Settle(RankedCandidate fault, const Ranking& ranking) const;
+  std::optional<JudgedModel> PutRight(const Contradiction& found, const Ranking& ranking) const;
   // A round by forecasts; empty where there are none.
   std::optional<bool> AddByForecasts(const Ranking& ranking);
   bool AddByWholeFits(Ranking ranking, const std::vector<FittedModel>& models);
