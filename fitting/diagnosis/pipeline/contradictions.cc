@@ -39,38 +39,43 @@ std::vector<Fault> FaultsOf(const RankedCandidate& candidate, const Ranking& ran
 
 }  // namespace
 
-// Its amounts are what the sources say of each other, and so is the evidence for it: they are
-// estimated again with what was found put right, along the same motion.
+// What sources say of each other along the same motion, with the fault put right.
+std::optional<Ranking> Diagnoser::CompareWithout(const RankedCandidate& fault,
+                                                 const Ranking& ranking) const {
+  ModelStart start = GoOn(now_.coarse);
+  start.recording = WithoutFaults(start.recording, FaultsOf(fault, ranking), fault.amounts);
+  const std::optional<FittedScene> as_it_is = FitModel(now_.coarse, start, 0, runner_);
+  if (!as_it_is) return {};
+  return RankContradictions(*as_it_is, options_);
+}
+
+// Its amounts are what the sources say of each other, estimated again until they settle, and so is
+// the evidence for it.
 std::optional<Diagnoser::Contradiction> Diagnoser::Settle(RankedCandidate fault,
                                                           const Ranking& ranking) const {
-  const std::vector<Fault> own = FaultsOf(fault, ranking);
-  for (int k = 0; k <= kMostEstimates && !Stopped(); ++k) {
-    ModelStart start = GoOn(now_.coarse);
-    start.recording = WithoutFaults(start.recording, own, fault.amounts);
-    const std::optional<FittedScene> as_it_is = FitModel(now_.coarse, start, 0, runner_);
-    if (!as_it_is) return {};
-    const Ranking again = RankContradictions(*as_it_is, options_);
+  std::optional<Ranking> without;
+  for (int k = 0; k <= kMostEstimates; ++k) {
+    without = CompareWithout(fault, ranking);
+    if (!without || Stopped()) return {};
     const auto same =
-        std::find_if(again.candidates.begin(), again.candidates.end(),
+        std::find_if(without->candidates.begin(), without->candidates.end(),
                      [&](const auto& other) { return other.summary.name == fault.summary.name; });
-    if (same == again.candidates.end()) return {};
+    if (same == without->candidates.end()) return {};
     fault.sigma = same->sigma;
     const bool is_settled = (same->amounts.array().abs() <= kSettled * same->sigma.array()).all();
-    if (is_settled || k == kMostEstimates) {
-      for (std::size_t i = 0; i < own.size(); ++i) {
-        const auto index = static_cast<Eigen::Index>(i);
-        SetInterval(fault.amounts[index], fault.sigma[index], &fault.summary.parameters[i]);
-      }
-      ResidualScale scale;
-      scale.rows = again.num_rows;
-      scale.chi_square = again.residual_rms * again.residual_rms;
-      const double evidence =
-          LogEvidence(CostOf(ranking), CostOf(again), static_cast<double>(own.size()), scale);
-      return Contradiction{std::move(fault), evidence};
-    }
+    if (is_settled || k == kMostEstimates) break;
     fault.amounts += same->amounts;
   }
-  return {};
+  for (std::size_t i = 0; i < fault.faults.size(); ++i) {
+    const auto index = static_cast<Eigen::Index>(i);
+    SetInterval(fault.amounts[index], fault.sigma[index], &fault.summary.parameters[i]);
+  }
+  ResidualScale scale;
+  scale.rows = without->num_rows;
+  scale.chi_square = without->residual_rms * without->residual_rms;
+  const double evidence = LogEvidence(CostOf(ranking), CostOf(*without),
+                                      static_cast<double>(fault.faults.size()), scale);
+  return Contradiction{std::move(fault), evidence};
 }
 
 std::optional<JudgedModel> Diagnoser::PutRight(const Contradiction& found,
@@ -114,7 +119,7 @@ bool Diagnoser::AddContradiction() {
   double best = kStrongEvidence;
   for (const std::optional<Contradiction>& one : settled) {
     if (!one) continue;
-    Log(fmt::format("with {} put right they leave less, log evidence {:.4g}",
+    Log(fmt::format("with {} put right: log evidence {:.4g}, by what they leave of each other",
                     one->fault.summary.name, one->log_evidence));
     best = std::max(best, one->log_evidence);
   }

@@ -82,6 +82,7 @@ class Diagnoser {
     RankedCandidate fault;
     double log_evidence;  // by what sources leave of each other, with and without it
   };
+  std::optional<Ranking> CompareWithout(const RankedCandidate& fault, const Ranking& ranking) const;
   std::optional<Contradiction> Settle(RankedCandidate fault, const Ranking& ranking) const;
   std::optional<JudgedModel> PutRight(const Contradiction& found, const Ranking& ranking) const;
   // A round by forecasts; empty where there are none.
