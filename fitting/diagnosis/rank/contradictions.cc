@@ -106,13 +106,12 @@ SeenPoints PointsOf(const Scene& scene, const ObservationResiduals& observations
 }
 
 // Of one frame, where its points are seen: a fit may be far from there, where a robust loss bends
-// residuals that are linear in the cloth's motion.
+// residuals that are linear in the cloth's motion. plain: the observations without such a loss.
 MotionlessProducts ProductsOfFrame(const Scene& scene, const FitConfig& config,
+                                   const ObservationResiduals& plain,
+                                   const ObservationResiduals& observations,
                                    const std::vector<Fault>& faults, int frame, State state) {
   constexpr int kSteps = 2;  // of Gauss and Newton
-  FitConfig linear = config;
-  linear.loss = LossKind::kNone;
-  const ObservationResiduals plain(scene, linear), observations(scene, config);
   for (int k = 0; k < kSteps; ++k) {
     const SeenPoints seen = PointsOf(scene, plain, frame, state);
     if (!seen.points.empty()) MotionEquations(seen.points).Move(&state.x);
@@ -132,12 +131,16 @@ MotionlessProducts ProductsOfFrame(const Scene& scene, const FitConfig& config,
 MotionlessProducts ProductsOfAll(const Scene& scene, const FitConfig& config,
                                  const std::map<int, State>& states,
                                  const std::vector<Fault>& faults) {
+  FitConfig linear = config;
+  linear.loss = LossKind::kNone;
+  const ObservationResiduals plain(scene, linear), observations(scene, config);
   std::vector<const std::pair<const int, State>*> frames;
   for (const auto& frame : states) frames.push_back(&frame);
   std::vector<MotionlessProducts> of_frames(frames.size());
   ParallelFor(static_cast<int>(frames.size()), NumThreads(0), [&](int i, int) {
     const auto& [frame, state] = *frames[static_cast<std::size_t>(i)];
-    of_frames[static_cast<std::size_t>(i)] = ProductsOfFrame(scene, config, faults, frame, state);
+    of_frames[static_cast<std::size_t>(i)] =
+        ProductsOfFrame(scene, config, plain, observations, faults, frame, state);
   });
   const auto count = static_cast<Eigen::Index>(1 + faults.size());
   MotionlessProducts sum{Eigen::MatrixXd::Zero(count, count), 0.0};
@@ -180,7 +183,7 @@ Ranking RankContradictions(const FittedScene& fitted, const DiagnosisOptions& op
         if (frames.FirstRow(frame) >= 0) states.emplace(frame, state);
       });
   if (!rows) throw std::runtime_error("the fitted baseline cannot be simulated");
-  MotionlessProducts products = ProductsOfAll(scene, fitted.config, states, ranking.faults);
+  const MotionlessProducts products = ProductsOfAll(scene, fitted.config, states, ranking.faults);
   ranking.num_rows = static_cast<int>(std::lround(products.freedom));
   ranking.residual_rms =
       std::sqrt(std::max(0.0, products.gram(0, 0)) / std::max(1.0, products.freedom));
