@@ -16,14 +16,14 @@ const JudgedModel* Named(const JudgedModel& one, const std::vector<JudgedModel>&
   return same == models.end() ? nullptr : &*same;
 }
 
-void OrderByAllFrames(const std::vector<JudgedModel>& whole, bool follows,
+void OrderByAllFrames(const std::vector<JudgedModel>& whole, bool decide,
                       std::vector<JudgedModel>* forecasts) {
   const double best = forecasts->front().log_evidence;
   const JudgedModel* const best_of_forecasts = Named(forecasts->front(), whole);
   if (best_of_forecasts == nullptr) return;
   for (JudgedModel& one : *forecasts) {
     const JudgedModel* const same = Named(one, whole);
-    if (!follows) {
+    if (!decide) {
       if (same == &whole.front()) one.log_evidence = best;
     } else if (same != nullptr) {
       one.log_evidence = same->log_evidence;

@@ -17,12 +17,12 @@ bool IsSame(const JudgedModel& a, const JudgedModel& b);
 // The model among these that is of the same candidate as `one`; null where there is none.
 const JudgedModel* Named(const JudgedModel& one, const std::vector<JudgedModel>& models);
 
-// Puts the models of forecasts in order, both lists with the best first. Where the best of `whole`,
-// fitted to all frames, follows the recording to its end (`follows`), all frames order those that
-// were fitted to them, and the others stay as far behind the best of forecasts as they were. Where
-// it does not, what all frames prefer is as good as what forecasts do. Leaves all as it is where
-// the best of forecasts is not among `whole`.
-void OrderByAllFrames(const std::vector<JudgedModel>& whole, bool follows,
+// Puts the models of forecasts in order, both lists with the best first. Where all frames may decide
+// (`decide`: the best of `whole`, fitted to them, follows the recording to its end, and more is
+// missing than another mesh makes), they order those that were fitted to them, and the others stay
+// as far behind the best of forecasts as they were. Where they may not, what they prefer is as good
+// as what forecasts do. Leaves all as it is where the best of forecasts is not among `whole`.
+void OrderByAllFrames(const std::vector<JudgedModel>& whole, bool decide,
                       std::vector<JudgedModel>* forecasts);
 
 }  // namespace clothfit

@@ -35,6 +35,9 @@ bool Follows(const FittedScene& fitted) {
   return !HasLargeResidual(fitted.scene, fitted.config, fitted.fit);
 }
 
+// Might another mesh make all that a fit of all frames leaves? Over half a second it makes less.
+bool MayBeMesh(const FitQuality& quality) { return quality.Unexplained() < quality.mesh; }
+
 }  // namespace
 
 std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
@@ -58,7 +61,8 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
     whole = FitWhole(round->before, judged);
     if (whole.empty()) return false;
     SettleContradiction(judged.front(), &whole);
-    OrderByAllFrames(whole, Follows(whole.front().model.fine), &judged);
+    const bool decide = Follows(whole.front().model.fine) && !MayBeMesh(*quality_);
+    OrderByAllFrames(whole, decide, &judged);
   }
   DescribeAll(judged, round->before);
   if (!may_explain) {
@@ -134,11 +138,20 @@ void Diagnoser::SettleContradiction(const JudgedModel& best_of_forecasts,
 }
 
 // Both have to speak for it: forecasts begin where the recorded cloth is said to have been, which
-// may be wrong alike in all of them.
+// may be wrong alike in all of them. What was fitted to frames has to hold in those that were not.
 bool Diagnoser::IsBorneOut(const JudgedModel& best, const std::vector<JudgedModel>& whole) const {
   const JudgedModel* const same = Named(best, whole);
-  return best.log_evidence >= kStrongEvidence && same != nullptr &&
-         same->log_evidence >= kStrongEvidence;
+  const bool is_strong = best.log_evidence >= kStrongEvidence && same != nullptr &&
+                         same->log_evidence >= kStrongEvidence;
+  if (!is_strong || !best.candidate.faults.empty()) return is_strong;
+  const HeldOutValidation predicted =
+      ValidateOn(same->model.fine, now_.fine, best.candidate, last_ranking_);
+  const bool is_worse = predicted.after > predicted.before;
+  if (is_worse) {
+    Log(fmt::format("{} is not kept: held-out frames are predicted worse with it, {:.3g} times",
+                    best.candidate.summary.name, predicted.after / predicted.before));
+  }
+  return !is_worse;
 }
 
 // Of all frames. What has lost the recorded motion comes to no minimum, however far it is fitted:

@@ -35,7 +35,7 @@ std::vector<JudgedModel> AllFrames() {
   return {Judged("wind", 900.0), Judged("gravity_tilt", 700.0)};
 }
 
-TEST(OrderByAllFrames, IsTheirsWhereTheBestFollowsTheRecording) {
+TEST(OrderByAllFrames, IsTheirsWhereTheyMayDecide) {
   std::vector<JudgedModel> forecasts = Forecasts();
   OrderByAllFrames(AllFrames(), true, &forecasts);
   EXPECT_THAT(Order(forecasts),
