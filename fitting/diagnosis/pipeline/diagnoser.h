@@ -123,6 +123,8 @@ class Diagnoser {
   // candidate: what the model has and the fit before has not, with the ranking that it is of.
   HeldOutValidation ValidateOn(const FittedScene& model, const FittedScene& before,
                                const RankedCandidate& candidate, const Ranking& ranking) const;
+  // Physics that predicts the held-out frames worse than the fit without it explains nothing.
+  bool PredictsWorse(const JudgedModel& model) const;
   // What else it could be, and what to record to know.
   void TellApart(const std::vector<JudgedModel>& judged);
   // What else the later effects could be.

@@ -236,6 +236,16 @@ HeldOutValidation Diagnoser::ValidateOn(const FittedScene& model, const FittedSc
   return ValidateOnHeldOut(model, before, FaultySource(candidate, ranking), by_mesh, options_.seed);
 }
 
+bool Diagnoser::PredictsWorse(const JudgedModel& model) const {
+  if (!model.candidate.faults.empty()) return false;
+  const HeldOutValidation predicted =
+      ValidateOn(model.model.fine, now_.fine, model.candidate, last_ranking_);
+  if (predicted.after <= predicted.before) return false;
+  Log(fmt::format("{} is not kept: held-out frames are predicted worse with it, {:.3g} times",
+                  model.candidate.summary.name, predicted.after / predicted.before));
+  return true;
+}
+
 std::vector<std::string> Diagnoser::EffectsSoFar() const {
   std::vector<std::string> effects = swaps_;
   for (const Kept& kept : kept_) {

@@ -138,20 +138,11 @@ void Diagnoser::SettleContradiction(const JudgedModel& best_of_forecasts,
 }
 
 // Both have to speak for it: forecasts begin where the recorded cloth is said to have been, which
-// may be wrong alike in all of them. What was fitted to frames has to hold in those that were not.
+// may be wrong alike in all of them.
 bool Diagnoser::IsBorneOut(const JudgedModel& best, const std::vector<JudgedModel>& whole) const {
   const JudgedModel* const same = Named(best, whole);
-  const bool is_strong = best.log_evidence >= kStrongEvidence && same != nullptr &&
-                         same->log_evidence >= kStrongEvidence;
-  if (!is_strong || !best.candidate.faults.empty()) return is_strong;
-  const HeldOutValidation predicted =
-      ValidateOn(same->model.fine, now_.fine, best.candidate, last_ranking_);
-  const bool is_worse = predicted.after > predicted.before;
-  if (is_worse) {
-    Log(fmt::format("{} is not kept: held-out frames are predicted worse with it, {:.3g} times",
-                    best.candidate.summary.name, predicted.after / predicted.before));
-  }
-  return !is_worse;
+  return best.log_evidence >= kStrongEvidence && same != nullptr &&
+         same->log_evidence >= kStrongEvidence && !PredictsWorse(*same);
 }
 
 // Of all frames. What has lost the recorded motion comes to no minimum, however far it is fitted:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The clothfit authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a second effect does to the first, and what becomes of an effect that explains too little,
-// in states that few recordings bring about.
+// What a second effect does to the first, and what becomes of an effect that explains too little or
+// predicts worse, in states that few recordings bring about.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -72,6 +72,7 @@ class DiagnoserPeer {
 
   double CostWithoutPhysics() const { return diagnoser_.WithoutPhysics().Cost(); }
 
+  bool PredictsWorse(const JudgedModel& model) const { return diagnoser_.PredictsWorse(model); }
   void LookBack() { diagnoser_.LookBack(); }
   void PutFaultFirst() { diagnoser_.PutFaultFirst(); }
   void TakeBack() {
@@ -161,6 +162,18 @@ TEST(TakeBack, LeavesPhysicsThatExplainsIt) {
   peer.FitAndKeep("wind");
   peer.TakeBack();
   EXPECT_THAT(peer.effects(), ElementsAre("wind"));
+}
+
+// What was left out of one is what the other has; of a camera no physics is told.
+TEST(PredictsWorse, IsOfPhysicsThatHoldsInFittedFramesAlone) {
+  DiagnoserPeer peer = Peer({{"wind.x", 3.0}});
+  const JudgedModel with = peer.Fit(peer.base(), "wind");
+  EXPECT_FALSE(peer.PredictsWorse(with));
+  peer.Keep(with, {with});
+  JudgedModel without = {with.candidate, {peer.base(), peer.base()}};
+  EXPECT_TRUE(peer.PredictsWorse(without));
+  without.candidate.faults = {0};
+  EXPECT_FALSE(peer.PredictsWorse(without));
 }
 
 }  // namespace
