@@ -32,8 +32,9 @@ std::string NameEffects(const Diagnosis& diagnosis) {
   const std::string amounts =
       AmountsInWords(diagnosis.effects, answer.parameters, HeadlineOf(diagnosis));
   if (!amounts.empty()) words += " " + amounts;
-  return words + fmt::format(" {}; the natural logarithm of the odds for it is {:.3g}.",
-                             SayShare(answer), answer.log_evidence);
+  const double odds = answer.log_evidence;
+  return words + fmt::format(" {}; the natural logarithm of the odds for it is {:.{}f}.",
+                             SayShare(answer), odds, std::abs(odds) < 10.0 ? 1 : 0);
 }
 
 // Where only the last of several effects is taken out, it says which.
@@ -63,9 +64,11 @@ std::string SayValidation(const Model& answer) {
       validation.irreducible * validation.irreducible - validation.noise * validation.noise;
   const double squared = validation.before * validation.before;
   constexpr double kWorthSaying = 0.05;
-  if (by_mesh > kWorthSaying * squared) {
+  if (by_mesh >= squared) {
+    words += " Mesh and step alone might make all of it.";
+  } else if (by_mesh > kWorthSaying * squared) {
     words += fmt::format(" Mesh and step alone might make it fall to {}.",
-                         amount(std::sqrt(std::max(0.0, squared - by_mesh))));
+                         amount(std::sqrt(squared - by_mesh)));
   }
   return words;
 }

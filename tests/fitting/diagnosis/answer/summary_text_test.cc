@@ -67,6 +67,21 @@ TEST(SummaryText, TellsHeldOutErrorsAsThePageDoes) {
                         "noise is 2.6 mm."));
 }
 
+TEST(SummaryText, TellsWhatMeshAndStepMayMakeOfAFall) {
+  Diagnosis diagnosis = WindThatPredicts(0.0243, 0.02);
+  diagnosis.answer->validation.irreducible = 0.015;
+  EXPECT_THAT(DescribeDiagnosis(diagnosis),
+              HasSubstr("Mesh and step alone might make it fall to 19 mm."));
+  diagnosis.answer->validation.irreducible = 0.03;
+  EXPECT_THAT(DescribeDiagnosis(diagnosis), HasSubstr("Mesh and step alone might make all of it."));
+}
+
+TEST(SummaryText, WritesLargeOddsOut) {
+  Diagnosis diagnosis = WindThatPredicts(0.0243, 0.02);
+  diagnosis.answer->log_evidence = 1814.2;
+  EXPECT_THAT(DescribeDiagnosis(diagnosis), HasSubstr("the odds for it is 1814."));
+}
+
 TEST(SummaryText, SaysWhatIsTakenOutOfSeveralEffects) {
   Diagnosis diagnosis = WindThatPredicts(0.0243, 0.00312);
   diagnosis.answer->effects = diagnosis.effects = {"wind", "bending_friction"};
