@@ -37,6 +37,25 @@ std::string NameEffects(const Diagnosis& diagnosis) {
                              SayShare(answer), odds, std::abs(odds) < 10.0 ? 1 : 0);
 }
 
+std::string SayWhyUndecided(const Diagnosis& diagnosis) {
+  const double left = diagnosis.residual_rms;
+  if (!MayBeMesh(diagnosis)) {
+    return fmt::format(
+        "The baseline leaves {:.2g} sigmas, but a full step of its fit still promises {:.0f} % "
+        "less.",
+        left, 100.0 * diagnosis.promised);
+  }
+  // Of points that is known on the mesh that decides.
+  if (diagnosis.misfit) {
+    return fmt::format("The baseline leaves {:.2g} sigmas; noise is 1, mesh and step make {:.2g}.",
+                       left, diagnosis.discretisation_rms);
+  }
+  return fmt::format(
+      "The baseline leaves {:.2g} sigmas, where noise, mesh and step leave at least as much with "
+      "p = {:.2g}.",
+      left, diagnosis.gate_p_value);
+}
+
 // Where only the last of several effects is taken out, it says which.
 std::string SayValidation(const Model& answer) {
   const HeldOutValidation& validation = answer.validation;
@@ -99,14 +118,7 @@ std::vector<std::string> DetailsOf(const Diagnosis& diagnosis) {
         "The baseline leaves {:.3g} sigmas, where noise alone leaves 1.", diagnosis.residual_rms));
   }
   if (diagnosis.verdict == Verdict::kUndecided) {
-    sentences.push_back(
-        MayBeMesh(diagnosis)
-            ? fmt::format("The baseline leaves {:.2g} sigmas, where noise, mesh and step leave at "
-                          "least as much with p = {:.2g}.",
-                          diagnosis.residual_rms, diagnosis.gate_p_value)
-            : fmt::format("The baseline leaves {:.2g} sigmas, but a full step of its fit still "
-                          "promises {:.0f} % less.",
-                          diagnosis.residual_rms, 100.0 * diagnosis.promised));
+    sentences.push_back(SayWhyUndecided(diagnosis));
     sentences.emplace_back(
         "What it leaves is no evidence of missing physics, nor that nothing is missing. A shorter "
         "or gentler recording, or material parameters that are known, would help.");

@@ -66,6 +66,11 @@ std::optional<RankedCandidate> AtContacts(const FittedScene& base, const RankedC
   return solid;
 }
 
+// Two starts of one candidate from which a fit comes to about the same: they differ in how much.
+bool AreAlike(const RankedCandidate& a, const RankedCandidate& b) {
+  return a.probe == b.probe && a.amounts.dot(b.amounts) > 0.0;
+}
+
 // The same fit, looked at in its longest forecasts. Empty where they cannot be laid.
 std::optional<FittedScene> InForecasts(FittedScene fitted) {
   const FreeParameters free(fitted.config, fitted.scene, MakeParameterTable());
@@ -134,7 +139,7 @@ std::vector<RankedCandidate> ForecastScreening::CandidatesToFit(
       obstacles.push_back(*std::move(obstacle));
     } else if (count < options_.max_models &&
                (candidate.summary.share >= least_share || count < kAlwaysFitted)) {
-      candidates.push_back(candidate);
+      candidates.push_back(AtShares(candidate));
       ++count;
     }
   }
@@ -142,8 +147,7 @@ std::vector<RankedCandidate> ForecastScreening::CandidatesToFit(
   return candidates;
 }
 
-// Both signs of its amount, where both are likely; of more starts the cheapest that differ in
-// shape.
+// Of a candidate's starts the cheapest that are not alike.
 std::vector<RankedCandidate> ForecastScreening::StartsOf(const FittedScene& base,
                                                          const Ranking& ranking,
                                                          const RankedCandidate& candidate) const {
@@ -153,7 +157,7 @@ std::vector<RankedCandidate> ForecastScreening::StartsOf(const FittedScene& base
     starts.back().probe = other.probe;
     starts.back().amounts = other.amounts;
   }
-  if (starts.size() <= kMostStarts) return starts;
+  if (starts.size() == 1) return starts;
   std::vector<std::pair<double, std::size_t>> costs;
   for (std::size_t i = 0; i < starts.size() && !Stopped(); ++i) {
     const std::optional<FittedScene> as_it_is = FitFirstLengths(base, ranking, starts[i], 0);
@@ -162,9 +166,9 @@ std::vector<RankedCandidate> ForecastScreening::StartsOf(const FittedScene& base
   std::sort(costs.begin(), costs.end());
   std::vector<RankedCandidate> cheapest;
   for (const auto& [cost, i] : costs) {
-    const bool is_new = std::none_of(
-        cheapest.begin(), cheapest.end(),
-        [&, k = i](const RankedCandidate& other) { return other.probe == starts[k].probe; });
+    const bool is_new =
+        std::none_of(cheapest.begin(), cheapest.end(),
+                     [&, k = i](const RankedCandidate& one) { return AreAlike(one, starts[k]); });
     if (is_new && cheapest.size() < kMostStarts) cheapest.push_back(starts[i]);
   }
   return cheapest;

@@ -16,7 +16,7 @@
 namespace clothfit {
 namespace {
 
-// Where a fit may begin: what is linear at nothing need not be so at the estimate.
+// Where a fit may begin.
 constexpr double kSharesOfEstimate[] = {1.0, 0.3, 0.1, 3.0};
 
 // The shapes of a term that a fit may move once it is on.
@@ -129,6 +129,18 @@ ModelStart FromNothing(const FitConfig& given, ModelStart start, const RankedCan
     setting.value = std::clamp(ParameterNamed(name).initial, setting.lower, setting.upper);
   }
   return start;
+}
+
+RankedCandidate AtShares(RankedCandidate candidate) {
+  std::vector<RankedCandidate::Start> starts;
+  const auto add = [&](const Probe& probe, const Eigen::VectorXd& amounts) {
+    for (const double share : kSharesOfEstimate) starts.push_back({probe, share * amounts});
+  };
+  add(candidate.probe, candidate.amounts);
+  for (const RankedCandidate::Start& other : candidate.other_starts)
+    add(other.probe, other.amounts);
+  candidate.other_starts.assign(starts.begin() + 1, starts.end());
+  return candidate;
 }
 
 ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,

@@ -34,6 +34,10 @@ ModelStart WithEffectOf(const FittedScene& model, const RankedCandidate& candida
 // amounts where a fit of its term begins: an estimate made at large residuals may be anything.
 ModelStart FromNothing(const FitConfig& given, ModelStart start, const RankedCandidate& candidate);
 
+// A candidate with less and more of its estimates besides, each as a start of its own: what is
+// linear at nothing need not be so at the estimate. A gust's force grows with the square of it.
+RankedCandidate AtShares(RankedCandidate candidate);
+
 // The start of an effect that was just switched on, at the share of its linear estimate that comes
 // nearest to the recording: all of it, or less.
 ModelStart AtBestShare(const FittedScene& fitted, const ModelStart& start,

@@ -80,6 +80,15 @@ TEST(Verdict, IsOpenWhereMeshAndStepMayLeaveAsMuch) {
   EXPECT_EQ(VerdictOf(diagnosis, {false, false, 0.0, 1.6}), Verdict::kNoneOfTheAbove);
 }
 
+// Where D is known, whatever the coarse mesh says.
+TEST(Verdict, IsOpenWhereTheDecidingMeshMayMakeIt) {
+  Diagnosis diagnosis;
+  diagnosis.gate_p_value = 0.4;
+  EXPECT_EQ(VerdictOf(diagnosis, {false, false, 0.0, 4.2, 2.2}), Verdict::kNoneOfTheAbove);
+  diagnosis.gate_p_value = 0.001;
+  EXPECT_EQ(VerdictOf(diagnosis, {false, false, 0.0, 4.2, 4.3}), Verdict::kUndecided);
+}
+
 TEST(Verdict, OfALawIsNoneOfTheAbove) {
   Diagnosis diagnosis;
   diagnosis.effects = {"law_air"};
