@@ -23,12 +23,13 @@ void OrderByAllFrames(const std::vector<JudgedModel>& whole, bool decide,
   if (best_of_forecasts == nullptr) return;
   for (JudgedModel& one : *forecasts) {
     const JudgedModel* const same = Named(one, whole);
-    if (!decide) {
-      if (same == &whole.front()) one.log_evidence = best;
-    } else if (same != nullptr) {
+    if (same == nullptr) {
+      if (decide) one.log_evidence += best_of_forecasts->log_evidence - best;
+    } else if (decide) {
       one.log_evidence = same->log_evidence;
     } else {
-      one.log_evidence += best_of_forecasts->log_evidence - best;
+      const double behind = whole.front().log_evidence - same->log_evidence;
+      one.log_evidence = std::max(one.log_evidence, best - behind);
     }
   }
   SortByEvidence(forecasts);

@@ -49,6 +49,14 @@ TEST(OrderByAllFrames, LeavesTwoThatContradictEachOtherAlike) {
               ElementsAre(Pair("gravity_tilt", 100.0), Pair("wind", 100.0), Pair("hem", 20.0)));
 }
 
+// Wind is a little behind a tilt in one, and far in the other.
+TEST(OrderByAllFrames, LeavesWhatEitherCannotTellFromTheBest) {
+  std::vector<JudgedModel> forecasts = Forecasts();
+  OrderByAllFrames({Judged("gravity_tilt", 700.0), Judged("wind", 698.0)}, false, &forecasts);
+  EXPECT_THAT(Order(forecasts),
+              ElementsAre(Pair("gravity_tilt", 100.0), Pair("wind", 98.0), Pair("hem", 20.0)));
+}
+
 TEST(OrderByAllFrames, IsThatOfForecastsWhereBothPreferTheSame) {
   std::vector<JudgedModel> forecasts = Forecasts();
   OrderByAllFrames({Judged("gravity_tilt", 700.0), Judged("wind", 600.0)}, false, &forecasts);
