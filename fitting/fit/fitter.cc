@@ -250,10 +250,14 @@ void Fitter::LengthenWindows() {
     const int observed = scenes_.NumObserved();
     const bool is_compared = only_forecasts_ && k == all - 1;
     best_cost_ = std::numeric_limits<double>::infinity();
-    in_windows_.converged =
-        Minimise({std::ref(evaluate), windows.NumResiduals(), observed},
-                 is_compared ? at_the_end : on_the_way, k == 0 ? kCautiousRadius : kRadiusNear)
-            .converged;
+    if (config_.max_iterations == 0) {  // where it begins, without derivatives
+      best_cost_ = CostOf(residuals, progress_.theta);
+    } else {
+      in_windows_.converged =
+          Minimise({std::ref(evaluate), windows.NumResiduals(), observed},
+                   is_compared ? at_the_end : on_the_way, k == 0 ? kCautiousRadius : kRadiusNear)
+              .converged;
+    }
     in_windows_.cost = best_cost_;
     if (!std::isfinite(best_cost_)) {
       if (!Stopped()) Log(stage_ + ": where it begins cannot be differentiated");
