@@ -47,8 +47,8 @@ Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome) {
   if (!diagnosis.effects.empty()) return Verdict::kObservationFault;
   if (outcome.is_explained || outcome.unexplained < kTooLittle) return Verdict::kNothingMissing;
   // Mesh and step alone may leave as much: of outlines that is asked of the coarse mesh.
-  const bool may_be_null = outcome.mesh > 0.0 ? outcome.unexplained < outcome.mesh
-                                              : diagnosis.gate_p_value >= kGate;
+  const bool may_be_null =
+      outcome.mesh > 0.0 ? outcome.unexplained < outcome.mesh : diagnosis.gate_p_value >= kGate;
   return may_be_null || IsOnItsWay(diagnosis, outcome.unexplained) ? Verdict::kUndecided
                                                                    : Verdict::kNoneOfTheAbove;
 }
