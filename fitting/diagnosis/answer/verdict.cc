@@ -37,18 +37,18 @@ bool IsDetermined(const Diagnosis& diagnosis) {
 Verdict VerdictOf(const Diagnosis& diagnosis, const Outcome& outcome) {
   if (diagnosis.law) return Verdict::kNoneOfTheAbove;
   const bool is_most = outcome.explained >= outcome.most;
+  const bool makes_it = outcome.unexplained < outcome.mesh;  // another mesh, all that is left
   if (outcome.has_physics) {
     // Of what mesh and step may leave, physics has to have taken half.
-    const bool may_be_mesh = outcome.unexplained < kTooLittle ||
-                             (outcome.unexplained < outcome.mesh && outcome.explained >= kHalfOfIt);
+    const bool may_be_mesh =
+        outcome.unexplained < kTooLittle || (makes_it && outcome.explained >= kHalfOfIt);
     const bool is_enough = outcome.is_explained || is_most || may_be_mesh;
     return is_enough && IsDetermined(diagnosis) ? Verdict::kNamed : Verdict::kNoneOfTheAbove;
   }
   if (!diagnosis.effects.empty()) return Verdict::kObservationFault;
   if (outcome.is_explained || outcome.unexplained < kTooLittle) return Verdict::kNothingMissing;
   // Mesh and step alone may leave as much: of outlines that is asked of the coarse mesh.
-  const bool may_be_null =
-      outcome.mesh > 0.0 ? outcome.unexplained < outcome.mesh : diagnosis.gate_p_value >= kGate;
+  const bool may_be_null = outcome.mesh > 0.0 ? makes_it : diagnosis.gate_p_value >= kGate;
   return may_be_null || IsOnItsWay(diagnosis, outcome.unexplained) ? Verdict::kUndecided
                                                                    : Verdict::kNoneOfTheAbove;
 }

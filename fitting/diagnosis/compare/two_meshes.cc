@@ -109,8 +109,8 @@ FitQuality AppraiseQuality(const FittedScene& fitted) {
     quality.scale = {static_cast<double>(misfit->observed), misfit->correlation,
                      misfit->chi_square};
     quality.mesh = misfit->discretisation.value_or(0.0);
-    const double left = quality.Unexplained();
-    quality.is_explained = misfit->IsNoiseAndMesh() || (left < kTooLittle && left < quality.mesh);
+    const bool is_little = quality.Unexplained() < kTooLittle;
+    quality.is_explained = misfit->IsNoiseAndMesh() || (is_little && quality.MayBeMesh());
     return quality;
   }
   const ObservationResiduals observations(fitted.scene, fitted.config);

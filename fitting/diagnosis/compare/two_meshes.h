@@ -76,6 +76,8 @@ struct FitQuality {
   bool is_explained = false;
 
   double Unexplained() const { return BeyondNoise(scale.chi_square); }
+  // Might another mesh and step make all that is left beyond noise?
+  bool MayBeMesh() const { return Unexplained() < mesh; }
 };
 
 // Of a fit to forecasts, theirs; else as AppraiseQuality has it.

@@ -35,9 +35,6 @@ bool Follows(const FittedScene& fitted) {
   return !HasLargeResidual(fitted.scene, fitted.config, fitted.fit);
 }
 
-// Might another mesh make all that a fit of all frames leaves? Over half a second it makes less.
-bool MayBeMesh(const FitQuality& quality) { return quality.Unexplained() < quality.mesh; }
-
 }  // namespace
 
 std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
@@ -61,7 +58,8 @@ std::optional<bool> Diagnoser::AddByForecasts(const Ranking& ranking) {
     whole = FitWhole(round->before, judged);
     if (whole.empty()) return false;
     SettleContradiction(judged.front(), &whole);
-    const bool decide = Follows(whole.front().model.fine) && !MayBeMesh(*quality_);
+    // Over half a second another mesh makes less than over all frames.
+    const bool decide = Follows(whole.front().model.fine) && !quality_->MayBeMesh();
     OrderByAllFrames(whole, decide, &judged);
   }
   DescribeAll(judged, round->before);
