@@ -8,6 +8,7 @@
 
 #include "fitting/residuals/cloud_residuals.h"
 #include "fitting/residuals/hard_silhouette.h"
+#include "fitting/residuals/marker_places.h"
 
 namespace clothfit {
 namespace {
@@ -30,6 +31,52 @@ struct Mean {
   }
 };
 
+// Markers of all frames, until it is known where they best sit on the cloth.
+class MarkerDistances {
+ public:
+  explicit MarkerDistances(const Scene& scene) : scene_(scene), places_(scene, 0) {}
+
+  // Those of a frame, m.
+  void Add(int frame, const Eigen::VectorXd& x) {
+    std::vector<PointResidual> fitted;
+    const bool has_places = scene_.layout_sigma > 0.0;
+    for (; next_ < scene_.markers.size() && scene_.markers[next_].frame == frame; ++next_) {
+      const MarkerObservation& m = scene_.markers[next_];
+      const Eigen::Vector3d off = m.on_cloth.At(x) - m.position;
+      Seen seen{frame, m.id, off, {}};
+      if (has_places) seen.tangents = TangentsAt(m.on_cloth, scene_.mesh, x);
+      seen_.push_back(seen);
+      for (int k = 0; k < 3; ++k) {
+        fitted.push_back({off[k] / scene_.marker_sigma, m.on_cloth,
+                          Eigen::RowVector3d::Unit(k) / scene_.marker_sigma});
+      }
+    }
+    if (has_places) places_.Add(frame, x, fitted, nullptr);
+  }
+
+  void Finish(Mean* fitted, Mean* held_out, std::map<int, Eigen::Vector2d>* shifts) const {
+    if (scene_.layout_sigma > 0.0) *shifts = places_.Shifts();
+    for (const Seen& seen : seen_) {
+      const auto shift = shifts->find(seen.id);
+      const Eigen::Vector3d off =
+          shift == shifts->end() ? seen.off : seen.off + seen.tangents * shift->second;
+      if (scene_.is_fitted[seen.frame]) fitted->Add(off.squaredNorm());
+      if (scene_.IsHeldOut(seen.frame)) held_out->Add(off.squaredNorm());
+    }
+  }
+
+ private:
+  struct Seen {
+    int frame, id;
+    Eigen::Vector3d off;  // m
+    Eigen::Matrix<double, 3, 2> tangents;
+  };
+  const Scene& scene_;
+  MarkerPlaces places_;
+  std::size_t next_ = 0;
+  std::vector<Seen> seen_;
+};
+
 }  // namespace
 
 Evaluation EvaluateScene(const Scene& scene, const FitConfig& config, const FreeParameters& free,
@@ -38,17 +85,13 @@ Evaluation EvaluateScene(const Scene& scene, const FitConfig& config, const Free
   const HardSilhouette hard(scene);
   Mean silhouettes, held_out_silhouettes;
   const CloudResiduals to_surface(scene, 0.0);
-  std::size_t marker = 0, track = 0, cloud = 0;
+  MarkerDistances distances(scene);
+  std::size_t track = 0, cloud = 0;
   Evaluation evaluation;
   evaluation.frames = SimulateFrames(
       scene, config, free, theta, scene.recording.frame_count - 1,
       [&](int frame, const State& state) {
-        for (; marker < scene.markers.size() && scene.markers[marker].frame == frame; ++marker) {
-          const MarkerObservation& m = scene.markers[marker];
-          const double squared = (m.on_cloth.At(state.x) - m.position).squaredNorm();
-          if (scene.is_fitted[frame]) markers.Add(squared);
-          if (scene.IsHeldOut(frame)) held_out_markers.Add(squared);
-        }
+        distances.Add(frame, state.x);
         for (; track < scene.tracks.size() && scene.tracks[track].frame == frame; ++track) {
           const TrackObservation& t = scene.tracks[track];
           const Camera& camera = scene.recording.cameras[t.camera];
@@ -76,6 +119,7 @@ Evaluation EvaluateScene(const Scene& scene, const FitConfig& config, const Free
             held_out_silhouettes.Add(static_cast<double>(d.pixels));
         }
       });
+  distances.Finish(&markers, &held_out_markers, &evaluation.marker_shifts);
   evaluation.complete = evaluation.frames == scene.recording.frame_count;
   evaluation.marker_rms = markers.Root();
   evaluation.track_rms = tracks.Root();

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,12 +72,16 @@ struct Evaluation {
   bool complete = false;  // the simulation reached the last frame
   int frames = 0;         // simulated
   // Root mean square distance of markers (m) and tracks (px), over the fitted and the held-out
-  // frames; empty where there are none.
+  // frames; empty where there are none. Markers are compared where they best sit on the cloth, as
+  // far as noise.layout lets them.
   std::optional<double> marker_rms, held_out_marker_rms, track_rms, held_out_track_rms;
   // Root mean square distance (m) of clouds' points from the surface.
   std::optional<double> cloud_rms, held_out_cloud_rms;
   // Pixels in which simulated and measured silhouettes differ, mean over the pictures.
   std::optional<double> silhouette_error, held_out_silhouette_error;
+  // m along u and v, by id: where fitted frames have markers beside their given place; none where
+  // noise.layout is not given.
+  std::map<int, Eigen::Vector2d> marker_shifts;
 };
 
 struct ParameterEstimate {

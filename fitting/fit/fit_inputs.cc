@@ -114,8 +114,8 @@ class InputBytes {
     PutAll(name, shape, path);
   }
   void Put(const NoiseSigmas& noise) {
-    const auto& [marker, track, silhouette, cloud, cloud_spacing, obstacles] = noise;
-    PutAll(marker, track, silhouette, cloud, cloud_spacing, obstacles);
+    const auto& [marker, layout, track, silhouette, cloud, cloud_spacing, obstacles] = noise;
+    PutAll(marker, layout, track, silhouette, cloud, cloud_spacing, obstacles);
   }
   void Put(const Splits::FrameRange& range) {
     const auto& [first, last] = range;
@@ -222,11 +222,11 @@ class InputBytes {
   }
   void Put(const Scene& scene) {
     const auto& [recording, mesh, world, initial, handles, markers, tracks, silhouettes, clouds,
-                 steps_per_frame, step, marker_sigma, track_sigma, silhouette_sigma, cloud_sigma,
-                 is_fitted, last_fitted_frame] = scene;
+                 steps_per_frame, step, marker_sigma, track_sigma, layout_sigma, silhouette_sigma,
+                 cloud_sigma, is_fitted, last_fitted_frame] = scene;
     PutAll(recording, mesh, world, initial, handles, markers, tracks, silhouettes, clouds,
-           steps_per_frame, step, marker_sigma, track_sigma, silhouette_sigma, cloud_sigma,
-           is_fitted, last_fitted_frame);
+           steps_per_frame, step, marker_sigma, track_sigma, layout_sigma, silhouette_sigma,
+           cloud_sigma, is_fitted, last_fitted_frame);
   }
 
   // The fit.

@@ -21,23 +21,6 @@ std::vector<std::size_t> FirstOfFrames(const std::vector<Observation>& sorted, i
   return first;
 }
 
-// The residual's derivatives along all directions.
-void SetDirections(const PointResidual& residual, const Sensitivity& sensitivity,
-                   Eigen::Ref<Eigen::RowVectorXd> row) {
-  const int directions = sensitivity.num_directions();
-  for (int c = 0; c < directions; c += kLanes) {
-    const int count = std::min(kLanes, directions - c);
-    const StateLanes& lanes = sensitivity.lanes()[c / kLanes];
-    Eigen::Matrix<double, 1, kLanes> sum = Eigen::Matrix<double, 1, kLanes>::Zero();
-    for (int k = 0; k < 3 && !lanes.is_zero; ++k) {
-      const double weight = residual.point.weights[k];
-      if (weight != 0.0)
-        sum += weight * (residual.slope * lanes.x.middleRows<3>(3 * residual.point.nodes[k]));
-    }
-    row.segment(c, count) = sum.head(count);
-  }
-}
-
 std::unique_ptr<ceres::LossFunction> MakeLoss(const FitConfig& config) {
   if (config.loss == LossKind::kHuber) return std::make_unique<ceres::HuberLoss>(config.loss_scale);
   if (config.loss == LossKind::kCauchy)

@@ -22,6 +22,8 @@ class ObservationResiduals {
  public:
   ObservationResiduals(const Scene& scene, const FitConfig& config);
 
+  const Scene& scene() const { return scene_; }
+
   // Residuals of the fitted observations of one frame: 3 a marker, 2 a track, those of clouds and
   // of a soft silhouette.
   int Count(int frame) const;

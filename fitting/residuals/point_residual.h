@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+
 #include "autodiff_sim/mesh/surface_point.h"
+#include "autodiff_sim/step/state.h"
 
 namespace clothfit {
 
@@ -14,5 +17,9 @@ struct PointResidual {
 
   bool IsZero() const { return value == 0.0 && slope.isZero(0.0); }
 };
+
+// The residual's derivatives along all directions.
+void SetDirections(const PointResidual& residual, const Sensitivity& sensitivity,
+                   Eigen::Ref<Eigen::RowVectorXd> row);
 
 }  // namespace clothfit

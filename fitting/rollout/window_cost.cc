@@ -5,8 +5,10 @@
 #include "fitting/rollout/window_cost.h"
 
 #include <cmath>
+#include <optional>
 
 #include "fitting/optimise/checked_factor.h"
+#include "fitting/residuals/marker_places.h"
 #include "fitting/residuals/node_sums.h"
 
 namespace clothfit {
@@ -29,6 +31,8 @@ class RowCompressor {
     of_frame_.Set(residuals);
     of_frame_.AddTo(*sensitivity, &sums_);
   }
+
+  void TakeOut(const MarkerPlaces& places) { places.TakeOutOfSums(&sums_); }
 
   // False where what was added is of no use.
   bool Finish(Eigen::VectorXd* residuals, RowMajorMatrix* jacobian) const {
@@ -68,24 +72,30 @@ WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
   residuals->resize(count);
   if (jacobian != nullptr) jacobian->resize(count, theta.size());
   RowCompressor compressor(simulator->mesh(), static_cast<int>(theta.size()));
+  std::optional<MarkerPlaces> places;
+  if (observations.scene().layout_sigma > 0.0)
+    places.emplace(observations.scene(), static_cast<int>(theta.size()));
   std::vector<PointResidual> of_frame;
   int row = 0;
   bool usable = true;
   const WindowSimulator::Observer observer = [&](int frame, const State& state,
                                                  const Sensitivity* sensitivity) {
     if (frame < first || !usable) return;
-    if (all) {
+    const Sensitivity* const asked_for = jacobian != nullptr ? sensitivity : nullptr;
+    if (!all || places) usable = observations.EvaluateAtPoints(frame, state, &of_frame);
+    if (usable && places) places->Add(frame, state.x, of_frame, asked_for, row);
+    if (usable && !all) compressor.Add(of_frame, asked_for);
+    if (usable && all) {
       usable = observations.Evaluate(frame, state, sensitivity, row, residuals, jacobian);
       row += observations.Count(frame);
-      return;
     }
-    usable = observations.EvaluateAtPoints(frame, state, &of_frame);
-    if (usable) compressor.Add(of_frame, jacobian != nullptr ? sensitivity : nullptr);
   };
   const bool derivatives = jacobian != nullptr || end != nullptr;
   const WindowSimulator::Outcome outcome =
       simulator->Run(start, theta, last, derivatives, observer, end);
   if (outcome != WindowSimulator::Outcome::kComplete) return outcome;
+  if (usable && places && all) places->TakeOutOfRows(residuals, jacobian);
+  if (usable && places && !all) compressor.TakeOut(*places);
   if (usable && !all) usable = compressor.Finish(residuals, jacobian);
   usable = usable && residuals->allFinite() && (jacobian == nullptr || jacobian->allFinite());
   return usable ? outcome : WindowSimulator::Outcome::kDiverged;

@@ -21,7 +21,9 @@ enum class WindowRows {
 };
 
 // Residuals of the fitted observations of frames first..last when the window is simulated from its
-// start at theta, their Jacobian and the state at the end where those are asked for.
+// start at theta, their Jacobian and the state at the end where those are asked for. Markers'
+// places on the cloth are eliminated where they are known to a sigma only
+// (fitting/residuals/marker_places.h).
 WindowSimulator::Outcome EvaluateWindow(WindowSimulator* simulator,
                                         const ObservationResiduals& observations,
                                         const WindowStart& start, const Eigen::VectorXd& theta,

@@ -4,6 +4,9 @@
 #include "fitting/runs/summary.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 
 #include "fitting/files/version.h"
 #include "fitting/runs/fit_run.h"
@@ -75,6 +78,27 @@ Json LeftOutAsJson(const Recording& recording) {
   return json;
 }
 
+// Where markers sit on the cloth beside their given places; null where those are exact.
+Json MarkerPlacesAsJson(const Scene& scene, const Evaluation& evaluation) {
+  if (evaluation.marker_shifts.empty()) return nullptr;
+  constexpr double kMillimetres = 1e3;
+  Json shifts = Json::object();
+  double sum = 0.0, most = 0.0;
+  int worst = 0;
+  for (const auto& [id, shift] : evaluation.marker_shifts) {
+    shifts[std::to_string(id)] = {shift[0], shift[1]};
+    sum += shift.squaredNorm();
+    if (shift.norm() > most) worst = id;
+    most = std::max(most, shift.norm());
+  }
+  const double rms = std::sqrt(sum / static_cast<double>(evaluation.marker_shifts.size()));
+  return {{"layout_m", scene.layout_sigma},
+          {"rms_m", rms},
+          {"shifts_m", shifts},
+          {"in_words", fmt::format("{:.1f} mm (root mean square), at most {:.1f} mm (marker {})",
+                                   kMillimetres * rms, kMillimetres * most, worst)}};
+}
+
 Json EstimateAsJson(const ParameterEstimate& estimate) {
   Json json = {{"value", OrNull(estimate.value)},
                {"start", OrNull(estimate.start)},
@@ -127,6 +151,7 @@ Json SummaryAsJson(const Scene& scene, const FitConfig& config, const FitResult&
   json["misfit"] = MisfitAsJson(result.misfit);
   json["put_right"] = DescribeSwaps(scene.recording);
   json["left_out"] = LeftOutAsJson(scene.recording);
+  json["marker_places"] = MarkerPlacesAsJson(scene, result.after);
   json["lack_of_support"] = DescribeLackOfSupport(scene.recording);
   json["unknown_in_held_out_frames"] = HandlesUnknownInHeldOutFrames(scene);
   json["statements"] = result.statements;

@@ -254,6 +254,7 @@ Scene MakeScene(const Recording& recording, const FitConfig& config, const Scene
   scene.steps_per_frame = std::max(1, static_cast<int>(steps));
   scene.step = 1.0 / (recording.frame_rate * scene.steps_per_frame);
   scene.marker_sigma = recording.noise.marker.value_or(kDefaultMarkerSigma);
+  scene.layout_sigma = recording.noise.layout.value_or(0.0);
   scene.track_sigma = recording.noise.track.value_or(kDefaultTrackSigma);
   scene.cloud_sigma = recording.noise.cloud.value_or(kDefaultCloudSigma);
   scene.silhouette_sigma = recording.noise.silhouette.value_or(kDefaultSilhouetteSigma);

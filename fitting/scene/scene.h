@@ -82,6 +82,7 @@ struct Scene {
   int steps_per_frame = 1;
   double step = 0.0;                             // s
   double marker_sigma = 0.0, track_sigma = 0.0;  // m, px
+  double layout_sigma = 0.0;                     // m along u and v, of markers' places; 0: exact
   double silhouette_sigma = 0.0;                 // px
   double cloud_sigma = 0.0;                      // m
   std::vector<bool> is_fitted;                   // one a frame: may its observations be fitted?

@@ -101,6 +101,7 @@ struct ObstacleDescription {
 // Standard deviations; empty: the default above.
 struct NoiseSigmas {
   std::optional<double> marker;      // m
+  std::optional<double> layout;      // m along u and v, of markers' places on the cloth; empty: 0
   std::optional<double> track;       // px
   std::optional<double> silhouette;  // px
   std::optional<double> cloud;       // m, of a point's distance from the surface

@@ -63,6 +63,17 @@ std::vector<Camera> RoomCamerasFor(const SyntheticOptions& options,
   return MakeRoomCameras(room, region, FloorHeight(recording.ground_height, lowest, options.size));
 }
 
+// As far off as a layout that was measured by hand, on the cloth all the same.
+std::vector<Vector2d> ToldPlaces(const SyntheticOptions& options, std::vector<Vector2d> uv) {
+  if (options.layout_sigma == 0.0) return uv;
+  NormalNumbers noise(options.seed, 3);
+  for (Vector2d& place : uv) {
+    const Vector2d told = place + options.layout_sigma * noise.NextVector<2>();
+    place = told.cwiseMax(0.0).cwiseMin(options.size);
+  }
+  return uv;
+}
+
 }  // namespace
 
 void AddCameras(const SyntheticOptions& options, const std::vector<Eigen::VectorXd>& frames,
@@ -87,12 +98,15 @@ void AddMarkers(const SyntheticOptions& options, const ClothMesh& mesh,
   if (options.marker_sigma > 0.0) recording->noise.marker = options.marker_sigma;
   const std::vector<Vector2d> uv = GridOnCloth(options.markers, options.size, false);
   const std::vector<SurfacePoint> points = LocateOnCloth(mesh, uv);
+  const std::vector<Vector2d> told = ToldPlaces(options, uv);
+  if (options.layout_sigma > 0.0) recording->noise.layout = options.layout_sigma;
   NormalNumbers noise(options.seed, 0);
   for (int f = 0; f < options.frame_count; ++f) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vector3d measured =
           points[i].At(frames[f]) + options.marker_sigma * noise.NextVector<3>();
-      recording->markers.push_back({f, static_cast<int>(i), uv[i], Rounded(measured, kMicrometre)});
+      recording->markers.push_back(
+          {f, static_cast<int>(i), told[i], Rounded(measured, kMicrometre)});
     }
   }
 }

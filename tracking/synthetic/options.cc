@@ -92,6 +92,7 @@ void SyntheticOptions::Check(const PlaceOfKey& place_of) const {
          "cloud_points",
          fmt::format("0 to {}, at most {:g} in all", kMostCloudPoints, kMostSynthetic));
   expect(not_negative(marker_sigma), "noise", "0 or more");
+  expect(not_negative(layout_sigma), "layout_noise", "0 or more");
   expect(not_negative(track_sigma), "track_noise", "0 or more");
   expect(not_negative(cloud_sigma), "cloud_noise", "0 or more");
   expect(truth_points.minCoeff() >= 2 && truth_points.maxCoeff() <= kMostPoints, "truth_points",

@@ -45,6 +45,7 @@ struct SyntheticOptions {
   Eigen::Vector2i markers = {5,
                              5};  // points along u and v, in the middle of equal fields; 0 = none
   double marker_sigma = 0.002;    // m
+  double layout_sigma = 0.0;      // m along u and v, of what is told of markers' places
   int num_cameras = 0;            // around the cloth; with images, in a room and at its ceiling
   bool tracks = true;             // does each camera track the markers' points?
   double track_sigma = 0.5;       // px

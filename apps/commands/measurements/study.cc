@@ -89,6 +89,12 @@ void AddRecoveryStudy(CLI::App* study, Action* action) {
       ->type_name("N")
       ->check(WholeNumber(0, kMostResolution))
       ->capture_default_str();
+  recovery
+      ->add_option("--layout-noise", options->recovery.recording.layout_sigma,
+                   "sigma of what is told of markers' places on the cloth, m")
+      ->type_name("M")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   CLI::Option* const finite_elements = recovery->add_flag(
       "--finite-elements", options->finite_elements,
       "make them with triangular finite elements on a finer mesh, which share no code with a fit");

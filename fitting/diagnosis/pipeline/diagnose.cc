@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -24,6 +25,7 @@
 #include "fitting/diagnosis/model/switch_on.h"
 #include "fitting/diagnosis/pipeline/diagnoser.h"
 #include "fitting/diagnosis/rank/contradictions.h"
+#include "fitting/fit/evaluation.h"
 #include "tracking/outliers/swapped_markers.h"
 
 namespace clothfit {
@@ -56,6 +58,21 @@ void Diagnoser::UndoSwaps() {
     swaps_.push_back(ToString(swap));
     Log(swaps_.back());
   }
+}
+
+// What comes after compares forces and cameras frame by frame with where markers are.
+void Diagnoser::PlaceMarkers() {
+  if (!recording_.noise.layout || recording_.markers.empty() || Stopped()) return;
+  const FittedScene& found = now_.coarse;
+  const FreeParameters free(found.config, found.scene, MakeParameterTable());
+  const std::map<int, Eigen::Vector2d> shifts =
+      EvaluateScene(found.scene, found.config, free, found.fit.theta).marker_shifts;
+  for (Marker& marker : recording_.markers)
+    if (const auto shift = shifts.find(marker.id); shift != shifts.end())
+      marker.uv += shift->second;
+  recording_.noise.layout.reset();
+  Log("markers are where the baseline has them on the cloth, within noise.layout");
+  now_.coarse = FitBaseline(recording_, baseline_, options_);
 }
 
 // Where the cloth may be somewhere else than the recorded one, no force leads it there: then along
@@ -246,6 +263,7 @@ Diagnosis Diagnoser::Run() {
   Say("fitting the baseline", 0.0);
   UndoSwaps();
   now_.coarse = FitBaseline(recording_, baseline_, options_);
+  PlaceMarkers();
   now_.fine = now_.coarse;
   Spend("baseline");
   meshes_.Set(now_.coarse, DecidingSide(recording_, baseline_, options_.finest_side));

@@ -47,6 +47,7 @@ class Diagnoser {
   };
 
   void UndoSwaps();
+  void PlaceMarkers();
   BothMeshes FitBaselineOnBoth(const FittedScene& coarse) const;
   // A model of the coarse mesh on the deciding one.
   std::optional<BothMeshes> RefineModel(const FittedModel& model) const;

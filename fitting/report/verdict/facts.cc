@@ -67,6 +67,9 @@ VerdictFacts FactsOf(const RunRecord& record) {
   const Json none = Json::object();
   facts.put_right = summary.value("put_right", "");
   facts.left_out = summary.value("left_out", none).value("in_words", "");
+  if (const auto places = summary.find("marker_places");
+      places != summary.end() && !places->is_null())
+    facts.marker_places = places->value("in_words", "");
   facts.lack_of_support = summary.value("lack_of_support", "");
   facts.rugged_cost = RuggedCostAmong(summary.value("statements", std::vector<std::string>()));
   facts.unknown_handles = summary.value("unknown_in_held_out_frames", std::vector<std::string>());

@@ -173,6 +173,10 @@ PageVerdict JudgeFit(const VerdictFacts& facts) {
     verdict.sentences.push_back("Wrong labels were put right: " + facts.put_right + ".");
   if (!facts.left_out.empty())
     verdict.sentences.push_back("Left out as gross errors: " + facts.left_out + ".");
+  if (!facts.marker_places.empty()) {
+    verdict.sentences.push_back("Markers sit beside their given places on the cloth by " +
+                                facts.marker_places + ", which are free within noise.layout.");
+  }
   verdict.sentences.push_back(ParameterSentence(facts));
   for (std::string& sentence : Reservations(facts)) {
     verdict.sentences.push_back(std::move(sentence));

@@ -31,6 +31,7 @@ struct VerdictFacts {
   std::optional<Misfit> misfit;              // of markers and tracks
   std::string put_right;                     // wrong labels, in words; empty where there were none
   std::string left_out;                      // gross errors, likewise
+  std::string marker_places;                 // how far beside the given ones, likewise
   std::string lack_of_support;               // see DescribeLackOfSupport
   std::string rugged_cost;                   // where a fit rests, see RuggedCostAmong
   std::vector<std::string> unknown_handles;  // in held-out frames

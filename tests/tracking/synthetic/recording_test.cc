@@ -87,6 +87,24 @@ TEST(SyntheticRecording, MarkersLieAroundTheTruthByTheirSigma) {
   EXPECT_NEAR(std::sqrt(squares / count), 0.002, 5.0 * 0.002 / std::sqrt(2.0 * count));
 }
 
+TEST(SyntheticRecording, TellsMarkersPlacesByTheirSigma) {
+  SyntheticOptions rough = SmallOptions(), exact = rough;
+  rough.layout_sigma = 0.003;
+  const Recording a = MakeSyntheticRecording(rough).recording;
+  const Recording b = MakeSyntheticRecording(exact).recording;
+  EXPECT_EQ(a.noise.layout, 0.003);
+  EXPECT_FALSE(b.noise.layout.has_value());
+  ASSERT_EQ(a.markers.size(), b.markers.size());
+  double squares = 0.0;
+  for (std::size_t i = 0; i < a.markers.size(); ++i) {
+    EXPECT_EQ(a.markers[i].position, b.markers[i].position);
+    const Marker& first = a.markers[i % 6];
+    EXPECT_EQ(a.markers[i].uv, first.uv);  // the same in all frames
+    if (i < 6) squares += (first.uv - b.markers[i].uv).squaredNorm();
+  }
+  EXPECT_NEAR(std::sqrt(squares / 12.0), 0.003, 5.0 * 0.003 / std::sqrt(24.0));
+}
+
 TEST(SyntheticRecording, TracksAreTheMarkersSeenByTheCameras) {
   SyntheticOptions options = SmallOptions();
   options.marker_sigma = options.track_sigma = 0.0;

@@ -114,8 +114,10 @@ ObstacleDescription ReadObstacle(const YamlValue& value, const Recording& record
 }
 
 void ReadNoise(const YamlValue& value, NoiseSigmas* noise) {
-  value.AllowKeys({"marker", "track", "silhouette", "cloud", "cloud_spacing", "obstacles"});
+  value.AllowKeys(
+      {"marker", "layout", "track", "silhouette", "cloud", "cloud_spacing", "obstacles"});
   if (const auto marker = value.Find("marker")) noise->marker = marker->Number();
+  if (const auto layout = value.Find("layout")) noise->layout = layout->Number();
   if (const auto track = value.Find("track")) noise->track = track->Number();
   if (const auto silhouette = value.Find("silhouette")) noise->silhouette = silhouette->Number();
   if (const auto cloud = value.Find("cloud")) noise->cloud = cloud->Number();

@@ -276,6 +276,7 @@ void CheckNoiseAndSplits(const Recording& recording) {
     if (sigma) CheckWithin(*sigma, kSigma, YamlPlace(recording, key));
   };
   check_sigma(noise.marker, "noise.marker");
+  check_sigma(noise.layout, "noise.layout");
   check_sigma(noise.track, "noise.track");
   check_sigma(noise.silhouette, "noise.silhouette");
   check_sigma(noise.cloud, "noise.cloud");

@@ -91,6 +91,7 @@ std::string ObstacleAsYaml(const ObstacleDescription& obstacle) {
 std::string NoiseAsYaml(const NoiseSigmas& noise) {
   std::string text;
   if (noise.marker) text += fmt::format("  marker: {}\n", *noise.marker);
+  if (noise.layout) text += fmt::format("  layout: {}\n", *noise.layout);
   if (noise.track) text += fmt::format("  track: {}\n", *noise.track);
   if (noise.silhouette) text += fmt::format("  silhouette: {}\n", *noise.silhouette);
   if (noise.cloud) text += fmt::format("  cloud: {}\n", *noise.cloud);

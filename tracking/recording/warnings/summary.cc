@@ -125,6 +125,7 @@ std::string DescribeNoise(const Recording& recording) {
               ? fmt::format(", cloud {} every {}", Sigma(noise.cloud, kDefaultCloudSigma, "m"),
                             Sigma(noise.cloud_spacing, kDefaultCloudSpacing, "m"))
               : std::string()) +
+         (noise.layout ? fmt::format(", layout {} m", *noise.layout) : std::string()) +
          (noise.obstacles && !recording.obstacles.empty()
               ? fmt::format(", obstacles {} m", *noise.obstacles)
               : std::string());

@@ -135,6 +135,15 @@ TEST(Diagnose, FindsNothingMissingWhereNothingIs) {
   EXPECT_TRUE(diagnosis.effects.empty());
 }
 
+TEST(Diagnose, TakesALayoutThatIsOffForWhatItIs) {
+  SyntheticOptions options = Small();
+  options.layout_sigma = 0.003;
+  Recording recording = MakeSyntheticRecording(options).recording;
+  EXPECT_EQ(Diagnose(recording, Baseline(recording), Quick()).verdict, Verdict::kNothingMissing);
+  recording.noise.layout.reset();  // not told of it
+  EXPECT_NE(Diagnose(recording, Baseline(recording), Quick()).verdict, Verdict::kNothingMissing);
+}
+
 TEST(Diagnose, UsesNoFinerMeshThanItMay) {
   const Recording recording = MakeSyntheticRecording(Small()).recording;
   DiagnosisOptions options = Quick();

@@ -106,6 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "recording.yaml: ground.hight: unknown key; did you mean 'height'?"},
         BadInput{"ZeroNoise", kYaml, "marker: 0.003", "marker: 0",
                  "recording.yaml: noise.marker: expected a number above 0, found 0"},
+        BadInput{"ZeroLayoutNoise", kYaml, "marker: 0.003", "layout: 0",
+                 "recording.yaml: noise.layout: expected a number above 0, found 0"},
         BadInput{"NegativeTrackNoise", kYaml, "track: 0.6", "track: -1",
                  "recording.yaml: noise.track: expected a number above 0, found -1"},
         BadInput{"ZeroSilhouetteNoise", kYaml, "silhouette: 1.5", "silhouette: 0",

@@ -50,6 +50,7 @@ void ExpectSameScene(const Recording& a, const Recording& b) {
   EXPECT_EQ(a.cloth.resolution, b.cloth.resolution);
   EXPECT_EQ(a.cloth.areal_density, b.cloth.areal_density);
   EXPECT_EQ(a.noise.marker, b.noise.marker);
+  EXPECT_EQ(a.noise.layout, b.noise.layout);
   EXPECT_EQ(a.noise.track, b.noise.track);
   EXPECT_EQ(a.noise.silhouette, b.noise.silhouette);
   EXPECT_EQ(a.noise.obstacles, b.noise.obstacles);
@@ -129,11 +130,13 @@ TEST(WriteRecording, RoundTripsObstacles) {
   const auto mesh = folder.Write("bust.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   recording.obstacles[3] = {"bust", MeshShape{mesh}, {{{0, 0, 0}, {0, 0, 0}}}};
   recording.noise.obstacles = 1.0 / 70.0;
+  recording.noise.layout = 1.0 / 300.0;
   const TestFolder written;
   WriteRecording(recording, written.path());
   const Recording again = ReadRecording(written.path());
   ASSERT_EQ(again.obstacles.size(), 4u);
   EXPECT_EQ(again.noise.obstacles, recording.noise.obstacles);
+  EXPECT_EQ(again.noise.layout, recording.noise.layout);
   for (size_t i = 0; i < 4; ++i) {
     const ObstacleDescription &a = recording.obstacles[i], &b = again.obstacles[i];
     EXPECT_EQ(a.name, b.name);
