@@ -153,6 +153,14 @@ Row<kColumns> Cycle(const FloatBlockMatrix& a, const SupernodalFactor* precondit
   return residual;
 }
 
+// |x|, whatever its size: the squares of what is very large or small are no numbers.
+template <int kColumns>
+Row<kColumns> Sizes(const Lanes<kColumns>& x) {
+  const Row<kColumns> largest = x.cwiseAbs().colwise().maxCoeff().array();
+  const Row<kColumns> scale = (largest > 0.0).select(largest, 1.0);
+  return SizeWith<kColumns>(x, FloatLanes<kColumns>::Zero(x.rows(), kColumns), scale);
+}
+
 template <int kColumns>
 Row<kColumns> Relative(const Row<kColumns>& error, const Row<kColumns>& size) {
   return error / (size > 0.0).select(size, 1.0);
@@ -226,12 +234,18 @@ GmresReport Gmres::Solve(const SupernodalFactor* preconditioner, const Lanes<kCo
     const Row<kColumns> scale = left.scale;
     Row<kColumns> relative;
     const Row<kColumns> norm = Norms<kColumns>(z);
-    if (!norm.allFinite()) return report;
     const Row<kColumns> size = SizeWith<kColumns>(*x, z, scale);
+    if (!norm.allFinite() || !size.allFinite()) return report;
     if (refinement.Serves(norm * scale, size, &relative)) {
       AddTo<kColumns>(z, scale, x);
       ++report.iterations;
     } else {
+      // What is good enough is good enough here: a cycle would end before it began, time after
+      // time.
+      relative = Relative<kColumns>(norm * scale, size);
+      report.relative_residual = relative.maxCoeff();
+      report.converged = (relative <= options.relative_tolerance).all();
+      if (report.converged) break;
       const Row<kColumns> wanted =
           (options.relative_tolerance * size / scale).max(kCycleReduction * norm);
       const int patience = std::min(kLongestCycle, options.max_iterations - report.iterations);
@@ -240,10 +254,9 @@ GmresReport Gmres::Solve(const SupernodalFactor* preconditioner, const Lanes<kCo
           Cycle<kColumns>(rounded_, preconditioner, std::move(z), norm, wanted, scale, patience,
                           &report.iterations, x);
       if (!residual.allFinite()) return report;
-      // Of what was reached, as a guess may have been far too large; at least |x + P^-1 r|, so that
-      // what is not small enough here is not small enough for the next cycle either.
+      // Of what was reached, as a guess may have been far too large; at least |x + P^-1 r|.
       const Row<kColumns> error = residual * scale;
-      relative = Relative<kColumns>(error, x->colwise().norm().array() + error);
+      relative = Relative<kColumns>(error, Sizes<kColumns>(*x) + error);
     }
     report.relative_residual = relative.maxCoeff();
     report.converged = (relative <= options.relative_tolerance).all();

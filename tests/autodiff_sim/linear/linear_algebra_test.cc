@@ -250,6 +250,37 @@ TEST_P(OnGrids, RefinementSolvesAsFarAsItsFactorAllows) {
   EXPECT_EQ(gmres.Solve<kLanes>(&exact, b, options, &x).iterations, 1);
 }
 
+// Derivatives of a motion that has gone astray grow until their squares are no numbers any more,
+// and shrink until they are zero: a search that neither ends nor gets anywhere hangs.
+TEST_P(OnGrids, GmresEndsWhateverTheSizeOfItsSolution) {
+  const BlockSparseMatrix before = RandomMatrix(&pattern_, 0.0, 8);
+  const BlockSparseMatrix a = RandomMatrix(&pattern_, 4.0, 9);
+  SparseCholesky factor(&pattern_);
+  ASSERT_TRUE(factor.Factorize(before));
+  SparseLu exact(factor.supernodes());
+  ASSERT_TRUE(exact.Factorize(a));
+  Gmres gmres(&pattern_);
+  gmres.SetMatrix(&a);
+  const Eigen::MatrixXd b = RandomColumns(size_, kLanes, 10);
+  const Eigen::MatrixXd expected = Dense(a).partialPivLu().solve(b);
+  const Eigen::MatrixXd off = RandomColumns(size_, kLanes, 11);
+  for (const SupernodalFactor* used :
+       {static_cast<SupernodalFactor*>(&factor), static_cast<SupernodalFactor*>(&exact)}) {
+    for (const double size : {1e-290, 1e-170, 1e-150, 1.0, 1e150, 1e157, 1e170, 1e300}) {
+      for (const double start : {0.0, 1e-12, 1e-9, 1e-3}) {
+        GmresOptions options;
+        options.relative_tolerance = 1e-9;
+        options.factor_is_exact = used == &exact;
+        const double guess = start > 0.0 ? 1.0 : 0.0;
+        Lanes<kLanes> x = size * (guess * expected + start * off);
+        const Lanes<kLanes> rhs = size * b;
+        EXPECT_TRUE(gmres.Solve<kLanes>(used, rhs, options, &x).converged) << size << " " << start;
+        EXPECT_LE((x / size - expected).norm(), 1e-7 * expected.norm()) << size << " " << start;
+      }
+    }
+  }
+}
+
 // METIS draws random numbers that all threads share: rounding, and with it where a chaotic fit
 // ends, depended on what other threads did.
 TEST(Supernodes, AreTheSameWhateverOtherThreadsFind) {
