@@ -116,7 +116,8 @@ struct Done {
   std::string Scene() const { return input.at("scene"); }
   int Rate() const { return input.at("steps_per_second"); }
   bool IsStrict() const { return input.at("strict"); }
-  std::string Integrator() const { return IsStrict() ? "backward Euler, lossless" : "BDF2"; }
+  const char* Integrator() const { return IsStrict() ? "backward Euler, lossless" : "BDF2"; }
+  const char* IntegratorInTables() const { return IsStrict() ? "euler_lossless" : "bdf2"; }
 };
 
 std::vector<Done> AllDone(const std::vector<Job>& jobs, const std::vector<JobResult>& results) {
@@ -141,7 +142,7 @@ std::string FrameTable(const std::vector<Done>& done, const std::string& scene) 
       text += "\n";
     }
     for (const nlohmann::json& row : one.output.at("rows")) {
-      text += fmt::format("{},{}", one.IsStrict() ? "euler_lossless" : "bdf2", one.Rate());
+      text += fmt::format("{},{}", one.IntegratorInTables(), one.Rate());
       for (const nlohmann::json& number : row) text += fmt::format(",{:.6g}", number.get<double>());
       text += "\n";
     }
@@ -160,9 +161,9 @@ std::string ContactRows(const std::vector<Done>& done, bool markdown) {
             ? "| {} | {} | {} | {} | {} | {} | {:.1e} | {:.1e} | {} | {} | {:.1f} | {:.2f} | {} | "
               "{:.1f} | {:.2f} | {:.2f} |\n"
             : "{},{},{},{},{},{},{:.3e},{:.3e},{},{},{:.2f},{:.3f},{},{:.3f},{:.3f},{:.3f}\n",
-        one.Scene(), one.Integrator(), one.Rate(), one.output.at("rows").size() - 1,
-        one.output.at("complete").get<bool>() ? "yes" : "no", one.Sum("intersections"),
-        one.output.at("largest_gain").get<double>() / scale,
+        one.Scene(), markdown ? one.Integrator() : one.IntegratorInTables(), one.Rate(),
+        one.output.at("rows").size() - 1, one.output.at("complete").get<bool>() ? "yes" : "no",
+        one.Sum("intersections"), one.output.at("largest_gain").get<double>() / scale,
         one.output.at("largest_rise").get<double>() / scale, one.Most("pairs"),
         one.Most("obstacle_contacts"), one.Sum("newton_iterations") / steps,
         one.Sum("factorizations") / steps, one.Sum("halvings"), 1e3 * seconds / steps,

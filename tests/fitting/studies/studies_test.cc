@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include <gmock/gmock.h>
 
@@ -89,6 +90,28 @@ TEST(Studies, ContactReportsEveryFrame) {
   for (const char* file : {"contact.csv", "contact.svg", "contact.png"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / file)) << file;
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "contact-bar.csv"));
+}
+
+TEST(Studies, ContactTablesHaveACellForEachColumn) {
+  const TestFolder folder;
+  const Study study = ContactStudy();
+  const StudyOptions options;
+  const std::vector<Job> jobs = study.jobs(options);
+  const auto job = std::find_if(jobs.begin(), jobs.end(), [](const Job& one) {
+    return one.input.at("scene") == "ball" && one.input.at("strict") == true;
+  });
+  ASSERT_NE(job, jobs.end());
+  const JobResult result = {job->name, study.work(options, *job, {}), "", 1.0};
+  study.report(options, jobs, {result}, {folder.path(), folder.path()});
+  for (const char* file : {"contact.csv", "contact-ball.csv"}) {
+    std::istringstream lines(ReadTextFile(folder.path() / file));
+    std::string header, row;
+    std::getline(lines, header);
+    ASSERT_TRUE(std::getline(lines, row)) << file;
+    EXPECT_EQ(std::count(row.begin(), row.end(), ','),
+              std::count(header.begin(), header.end(), ','))
+        << file;
+  }
 }
 
 TEST(Studies, AFitIsWhatItsJobSays) {
