@@ -174,8 +174,9 @@ PageVerdict JudgeFit(const VerdictFacts& facts) {
   if (!facts.left_out.empty())
     verdict.sentences.push_back("Left out as gross errors: " + facts.left_out + ".");
   if (!facts.marker_places.empty()) {
-    verdict.sentences.push_back("Markers sit beside their given places on the cloth by " +
-                                facts.marker_places + ", which are free within noise.layout.");
+    verdict.sentences.push_back(
+        "On the cloth, markers sit beside their given places, as noise.layout lets them: by " +
+        facts.marker_places + ".");
   }
   verdict.sentences.push_back(ParameterSentence(facts));
   for (std::string& sentence : Reservations(facts)) {

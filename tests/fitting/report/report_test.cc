@@ -66,6 +66,16 @@ TEST_F(Report, KnowsHowTheFitMeetsItsNoise) {
   EXPECT_THAT(page_->html, HasSubstr("chi-square"));
 }
 
+TEST_F(Report, TellsHowFarMarkersSitFromTheirPlaces) {
+  EXPECT_EQ(FactsOf(ReadRunRecord(RunFolder::Open(run_))).marker_places, "");
+  json summary = json::parse(ReadTextFile(run_ / "summary.json"));
+  ASSERT_TRUE(summary.at("marker_places").is_null());
+  summary["marker_places"] = {{"in_words", "3.0 mm, at most 7.0 mm (marker 8)"}};
+  WriteWholeFile(run_ / "summary.json", summary.dump());
+  EXPECT_THAT(MakeReport(RunFolder::Open(run_), kTestAssets).html,
+              HasSubstr("as noise.layout lets them: by 3.0 mm, at most 7.0 mm (marker 8)."));
+}
+
 TEST_F(Report, StandsAlone) {
   EXPECT_THAT(page_->html, HasSubstr("<!doctype html>"));
   EXPECT_THAT(page_->html, HasSubstr(EscapeHtml(page_->verdict.headline)));

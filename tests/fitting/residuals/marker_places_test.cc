@@ -3,6 +3,7 @@
 #include "fitting/residuals/marker_places.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -11,6 +12,7 @@
 
 #include "fitting/fit/search.h"
 #include "fitting/rollout/window_cost.h"
+#include "fitting/runs/summary.h"
 #include "fitting/studies/recovery_study.h"
 
 namespace clothfit {
@@ -160,6 +162,20 @@ TEST(MarkerPlaces, AMisplacedLayoutDoesNoHarm) {
   EXPECT_LT(std::sqrt(squares / (2.0 * 25.0)), 0.2 * kLayout);
   EXPECT_NEAR(*known.after.marker_rms, *right.after.marker_rms, 0.02 * *right.after.marker_rms);
   EXPECT_TRUE(right.after.marker_shifts.empty());
+}
+
+TEST(MarkerPlaces, AreToldInTheSummary) {
+  const Recording recording = WithLayout(2, kLayout);
+  const FitConfig config = DefaultConfig(recording);
+  const Scene scene = MakeScene(recording, config);
+  FitResult result;
+  EXPECT_TRUE(SummaryAsJson(scene, config, result).at("marker_places").is_null());
+  result.after.marker_shifts = {{1, {0.003, -0.004}}, {7, {0.0, 0.0}}};
+  const auto places = SummaryAsJson(scene, config, result).at("marker_places");
+  EXPECT_EQ(places.at("layout_m"), kLayout);
+  EXPECT_NEAR(places.at("rms_m"), 0.005 / std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(places.at("shifts_m").at("1"), (std::vector<double>{0.003, -0.004}));
+  EXPECT_EQ(places.at("in_words"), "3.5 mm (root mean square), at most 5.0 mm (marker 1)");
 }
 
 }  // namespace
