@@ -97,20 +97,24 @@ TEST(Studies, ContactTablesHaveACellForEachColumn) {
   const Study study = ContactStudy();
   const StudyOptions options;
   const std::vector<Job> jobs = study.jobs(options);
-  const auto job = std::find_if(jobs.begin(), jobs.end(), [](const Job& one) {
-    return one.input.at("scene") == "ball" && one.input.at("strict") == true;
-  });
-  ASSERT_NE(job, jobs.end());
-  const JobResult result = {job->name, study.work(options, *job, {}), "", 1.0};
-  study.report(options, jobs, {result}, {folder.path(), folder.path()});
+  std::vector<JobResult> results;  // of both integrators
+  for (const Job& job : jobs) {
+    if (job.name == "ball-120" || (job.input.at("scene") == "ball" && job.input.at("strict")))
+      results.push_back({job.name, study.work(options, job, {}), "", 1.0});
+  }
+  ASSERT_EQ(results.size(), 2u);
+  study.report(options, jobs, results, {folder.path(), folder.path()});
   for (const char* file : {"contact.csv", "contact-ball.csv"}) {
     std::istringstream lines(ReadTextFile(folder.path() / file));
-    std::string header, row;
+    std::string header;
     std::getline(lines, header);
-    ASSERT_TRUE(std::getline(lines, row)) << file;
-    EXPECT_EQ(std::count(row.begin(), row.end(), ','),
-              std::count(header.begin(), header.end(), ','))
-        << file;
+    int rows = 0;
+    for (std::string row; std::getline(lines, row); ++rows) {
+      EXPECT_EQ(std::count(row.begin(), row.end(), ','),
+                std::count(header.begin(), header.end(), ','))
+          << row;
+    }
+    EXPECT_GE(rows, 2) << file;
   }
 }
 
