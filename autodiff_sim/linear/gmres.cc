@@ -239,13 +239,9 @@ GmresReport Gmres::Solve(const SupernodalFactor* preconditioner, const Lanes<kCo
     if (refinement.Serves(norm * scale, size, &relative)) {
       AddTo<kColumns>(z, scale, x);
       ++report.iterations;
-    } else {
-      // What is good enough is good enough here: a cycle would end before it began, time after
-      // time.
-      relative = Relative<kColumns>(norm * scale, size);
-      report.relative_residual = relative.maxCoeff();
-      report.converged = (relative <= options.relative_tolerance).all();
-      if (report.converged) break;
+    } else if (relative = Relative<kColumns>(norm * scale, size);
+               (relative > options.relative_tolerance).any()) {
+      // Only then: a cycle for what is good enough would end before it began, time after time.
       const Row<kColumns> wanted =
           (options.relative_tolerance * size / scale).max(kCycleReduction * norm);
       const int patience = std::min(kLongestCycle, options.max_iterations - report.iterations);

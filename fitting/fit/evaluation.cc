@@ -43,9 +43,9 @@ class MarkerDistances {
     for (; next_ < scene_.markers.size() && scene_.markers[next_].frame == frame; ++next_) {
       const MarkerObservation& m = scene_.markers[next_];
       const Eigen::Vector3d off = m.on_cloth.At(x) - m.position;
-      Seen seen{frame, m.id, off, {}};
-      if (has_places) seen.tangents = TangentsAt(m.on_cloth, scene_.mesh, x);
-      seen_.push_back(seen);
+      seen_.push_back({frame, m.id, off, {}});
+      if (!has_places) continue;
+      seen_.back().tangents = TangentsAt(m.on_cloth, scene_.mesh, x);
       for (int k = 0; k < 3; ++k) {
         fitted.push_back({off[k] / scene_.marker_sigma, m.on_cloth,
                           Eigen::RowVector3d::Unit(k) / scene_.marker_sigma});
