@@ -216,7 +216,7 @@ FitResult FitByStrategy(const Scene& scene, const FitConfig& config,
                         const FitCallbacks& callbacks) {
   if (config.loops != Strategy::kJoint || config.optimiser != "lm")
     return FitBySearch(scene, config, callbacks);
-  FitResult result = FitFromTwoStarts(scene, config, callbacks);
+  FitResult result = FitFromTwoStarts({{"", &scene, &config}}, callbacks);
   const bool stalls = result.status == FitStatus::kNotConverged && config.polish_hard &&
                       config.FitsSilhouettes() && scene.silhouettes && NumFabric(scene, config) > 0;
   return stalls ? PolishOnHardError(scene, config, callbacks, std::move(result)) : result;

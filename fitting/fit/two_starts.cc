@@ -31,41 +31,67 @@ std::vector<std::string> DampingsOfTheCloth() {
   return names;
 }
 
-// Empty where there is nothing else to begin from.
-std::optional<FitConfig> LessDamped(const Scene& scene, const FitConfig& config) {
-  constexpr double kLess = 0.1;
-  if (!HasPoints(scene) || !config.polish) return {};
-  FitConfig other = config;
-  bool is_another = false;
-  for (const std::string& name : DampingsOfTheCloth()) {
-    const auto found = other.parameters.find(name);
-    if (found == other.parameters.end() || !found->second.free) continue;
-    ParameterSetting& setting = found->second;
-    const double less = std::max(setting.lower, kLess * setting.value);
-    is_another = is_another || less < setting.value;
-    setting.value = less;
+// One cloth's recordings, with a tenth of each free damping.
+class LessDamped {
+ public:
+  explicit LessDamped(const std::vector<NamedScene>& scenes) {
+    configs_.reserve(scenes.size());
+    for (const auto& [name, scene, config] : scenes) {
+      configs_.push_back(*config);
+      scenes_.push_back({name, scene, &configs_.back()});
+      is_another_ = LessenDamping(&configs_.back()) || is_another_;
+      has_points_ = has_points_ || HasPoints(*scene);
+    }
   }
-  return is_another ? std::make_optional(std::move(other)) : std::nullopt;
-}
+  LessDamped(const LessDamped&) = delete;
+  LessDamped& operator=(const LessDamped&) = delete;
+
+  // False where there is nothing else to begin from.
+  bool IsOfUse() const { return is_another_ && has_points_ && configs_.front().polish; }
+  const std::vector<NamedScene>& scenes() const { return scenes_; }
+
+ private:
+  // Whether anything was lessened.
+  static bool LessenDamping(FitConfig* config) {
+    constexpr double kLess = 0.1;
+    bool is_less = false;
+    for (const std::string& name : DampingsOfTheCloth()) {
+      const auto found = config->parameters.find(name);
+      if (found == config->parameters.end() || !found->second.free) continue;
+      ParameterSetting& setting = found->second;
+      const double less = std::max(setting.lower, kLess * setting.value);
+      is_less = is_less || less < setting.value;
+      setting.value = less;
+    }
+    return is_less;
+  }
+
+  bool is_another_ = false, has_points_ = false;
+  std::vector<FitConfig> configs_;
+  std::vector<NamedScene> scenes_;
+};
 
 bool AsksForAnother(const FitResult& fit) {
   return fit.status != FitStatus::kInterrupted && fit.misfit && !fit.misfit->IsNoise();
 }
 
 // A core to spare, and seconds to gain by it.
-bool HasRoomBeside(const Scene& scene) {
+bool HasRoomBeside(const std::vector<NamedScene>& scenes) {
   constexpr int kWorthIt = 20000;  // positions of particles in fitted frames
-  return NumThreads(0) > 1 && scene.mesh.num_particles() * (scene.last_fitted_frame + 1) > kWorthIt;
+  int positions = 0;
+  for (const NamedScene& one : scenes)
+    positions += one.scene->mesh.num_particles() * (one.scene->last_fitted_frame + 1);
+  return NumThreads(0) > 1 && positions > kWorthIt;
 }
 
 // A fit that is ended where nothing waits for it.
 class Beside {
  public:
-  Beside(const Scene& scene, const FitConfig& config)
+  explicit Beside(const std::vector<NamedScene>& scenes)
       : callbacks_{{}, {}, {}, &end_, nullptr, {}, {}},
-        fit_(std::async(std::launch::async, [&scene, config, this] {
+        fit_(std::async(std::launch::async, [&scenes, this] {
           const InsideParallelWork inside;
-          return RunFit(scene, config, callbacks_, nullptr, true);
+          return RunJointFit(scenes, callbacks_, nullptr, true);
         })) {}
   ~Beside() { end_ = true; }
   Beside(const Beside&) = delete;
@@ -92,18 +118,24 @@ std::string SaySecondStart(double kept, double other, bool agree) {
       kept, other);
 }
 
+// As if `other` had begun where `first` did.
+void TellStartOf(const FitResult& first, FitResult* other) {
+  other->before = first.before;
+  other->cost_before = first.cost_before;
+  for (std::size_t i = 0; i < other->estimates.size() && i < first.estimates.size(); ++i)
+    other->estimates[i].start = first.estimates[i].start;
+  for (std::size_t i = 0; i < other->recordings.size() && i < first.recordings.size(); ++i)
+    TellStartOf(first.recordings[i], &other->recordings[i]);
+}
+
 // Of two fits from different starts, told as if both had begun at the first one's.
 FitResult LowerOf(FitResult first, FitResult second) {
   constexpr double kAlike = 1e-3;  // of the cost
   const bool was_interrupted = second.status == FitStatus::kInterrupted;
-  const bool is_lower = second.cost_after < first.cost_after;
   const double apart = std::abs(second.cost_after - first.cost_after);
   const bool agree = apart <= kAlike * std::min(first.cost_after, second.cost_after);
-  if (is_lower) {
-    second.before = first.before;
-    second.cost_before = first.cost_before;
-    for (std::size_t i = 0; i < second.estimates.size() && i < first.estimates.size(); ++i)
-      second.estimates[i].start = first.estimates[i].start;
+  if (second.cost_after < first.cost_after) {
+    TellStartOf(first, &second);
     std::swap(first, second);
   }
   AddWork(second, &first);
@@ -116,26 +148,26 @@ FitResult LowerOf(FitResult first, FitResult second) {
 
 }  // namespace
 
-FitResult FitFromTwoStarts(const Scene& scene, const FitConfig& config,
-                           const FitCallbacks& callbacks) {
+FitResult FitFromTwoStarts(const std::vector<NamedScene>& scenes, const FitCallbacks& callbacks) {
   const auto begin = std::chrono::steady_clock::now();
-  const std::optional<FitConfig> other = LessDamped(scene, config);
-  if (!other) return RunFit(scene, config, callbacks, nullptr, true);
+  const LessDamped other(scenes);
+  if (!other.IsOfUse()) return RunJointFit(scenes, callbacks, nullptr, true);
   std::optional<Beside> beside;
-  const bool has_room = HasRoomBeside(scene);
-  if (has_room) beside.emplace(scene, *other);
+  const bool has_room = HasRoomBeside(scenes);
+  if (has_room) beside.emplace(other.scenes());
   FitCallbacks of_first = callbacks;
   if (!has_room) of_first.progress = OfPart(callbacks, "", 0.0, 0.5).progress;
-  FitResult first = RunFit(scene, config, of_first, nullptr, true);
+  FitResult first = RunJointFit(scenes, of_first, nullptr, true);
   if (!AsksForAnother(first)) return first;
-  if (callbacks.stands) callbacks.stands(scene, config, first);
+  if (callbacks.stands && scenes.size() == 1)
+    callbacks.stands(*scenes[0].scene, *scenes[0].config, first);
   if (callbacks.log)
     callbacks.log("more than noise is left: begun again with a tenth of the damping");
   FitCallbacks of_second = OfPart(callbacks, "with less damping, ", 0.5, 0.5);
   of_second.journal = nullptr;
   of_second.checkpoint = {};
-  FitResult second =
-      has_room ? beside->Get(callbacks.stop) : RunFit(scene, *other, of_second, nullptr, true);
+  FitResult second = has_room ? beside->Get(callbacks.stop)
+                              : RunJointFit(other.scenes(), of_second, nullptr, true);
   FitResult result = LowerOf(std::move(first), std::move(second));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

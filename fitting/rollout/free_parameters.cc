@@ -53,6 +53,8 @@ void FreeParameters::AddParameters(const FitConfig& config,
     }
     entry.index = static_cast<int>(i);
     const auto scaled = [&entry](double value) { return entry.is_log ? std::log(value) : value; };
+    entry.least = setting.lower;
+    entry.most = setting.upper;
     entry.lower = scaled(setting.lower);
     entry.upper = scaled(setting.upper);
     entry.prior = scaled(setting.prior);

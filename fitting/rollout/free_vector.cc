@@ -31,7 +31,10 @@ Eigen::VectorXd FreeVector::upper() const {
 }
 
 double FreeVector::UnitValue(int entry, double theta) const {
-  return entries_[entry].is_log ? std::exp(theta) : theta;
+  const FreeEntry& one = entries_[entry];
+  if (!one.is_log) return theta;
+  if (theta == one.lower) return one.least;
+  return theta == one.upper ? one.most : std::exp(theta);
 }
 
 }  // namespace clothfit

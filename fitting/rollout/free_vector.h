@@ -21,8 +21,9 @@ struct FreeEntry {
   // Where it acts: index in the table of parameters; or handle, control point and coordinate; or
   // polynomial and coordinate.
   int index = 0, control = 0, axis = 0;
-  double lower, upper;        // in the vector's own scale
-  double prior, prior_sigma;  // in the vector's own scale
+  double lower, upper;             // in the vector's own scale
+  double least = 0.0, most = 0.0;  // a parameter's bounds in its unit, which exp(log) misses
+  double prior, prior_sigma;       // in the vector's own scale
 };
 
 class FreeVector {
@@ -42,7 +43,8 @@ class FreeVector {
   const Eigen::MatrixXd& prior_jacobian() const { return prior_jacobian_; }
   const Eigen::VectorXd& prior_target() const { return prior_target_; }
 
-  // The value in the entry's unit.
+  // The value in the entry's unit; at a bound it is the bound to the bit, so that what a fit found
+  // may be given to another.
   double UnitValue(int entry, double theta) const;
 
  protected:

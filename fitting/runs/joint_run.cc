@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fitting/fit/joint_fit.h"
+#include "fitting/fit/two_starts.h"
 #include "fitting/runs/fit_run.h"
 #include "fitting/runs/summary.h"
 #include "fitting/runs/workload.h"
@@ -105,7 +106,7 @@ FitResult FitIntoJointRun(const std::vector<JointRecording>& recordings, const R
   return FitWithCheckpoint(
       run, keeping, resume,
       [&](const FitCallbacks& with_run) {
-        FitResult all = RunJointFit(FittedOf(unchecked), with_run, nullptr, true);
+        FitResult all = FitFromTwoStarts(FittedOf(unchecked), with_run);
         all.recordings = ResultsOfEach(unchecked, all);
         return all;
       },

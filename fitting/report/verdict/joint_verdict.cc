@@ -21,12 +21,25 @@ using Grade = PageVerdict::Grade;
 
 struct JudgedRecording {
   std::string name;
-  bool is_held_out = false, is_noise = false, is_better = true;
+  bool is_held_out = false, is_noise = false,
+       is_better = true;        // better than with the start values
   std::string lack_of_support;  // see DescribeLackOfSupport
 };
 
+struct SimulatedFrames {
+  int simulated = 0, recorded = 0;
+
+  bool ReachTheEnd() const { return simulated >= recorded; }
+};
+
+SimulatedFrames FramesOf(const Json& entry) {
+  const Json frames = entry.value("frames", Json::object());
+  return {frames.value("simulated", 0), frames.value("recorded", 0)};
+}
+
 JudgedRecording Judge(const Json& entry) {
   JudgedRecording judged;
+  judged.is_better = FramesOf(entry).ReachTheEnd();
   judged.name = entry.at("name").get<std::string>();
   judged.is_held_out = entry.at("held_out_whole").get<bool>();
   const std::optional<Misfit> misfit = MisfitOf(entry);
@@ -81,13 +94,20 @@ void AddLackOfSupport(const std::vector<JudgedRecording>& judged,
 void AddHeldOut(const Json& recordings, std::vector<std::string>* sentences) {
   for (const Json& entry : recordings) {
     if (!entry.at("held_out_whole").get<bool>()) continue;
+    const std::string name = entry.at("name").get<std::string>();
+    if (const SimulatedFrames frames = FramesOf(entry); !frames.ReachTheEnd()) {
+      sentences->push_back(fmt::format(
+          "{}, which was not fitted, is not predicted to its end: {} of {} frames can be simulated "
+          "with what was found.",
+          name, frames.simulated, frames.recorded));
+      continue;
+    }
     for (const ErrorChange& error : ErrorsOf(entry)) {
       if (!error.after) continue;
       const auto noise = NoiseOf(entry, error.kind);
       sentences->push_back(fmt::format(
-          "{}, which was not fitted, is predicted to {} ({}){}{}.",
-          entry.at("name").get<std::string>(), QuantityInWords(*error.after, error.unit),
-          error.kind,
+          "{}, which was not fitted, is predicted to {} ({}){}{}.", name,
+          QuantityInWords(*error.after, error.unit), error.kind,
           error.before ? "; with the start values " + QuantityInWords(*error.before, error.unit)
                        : "",
           noise ? "; noise is " + QuantityInWords(*noise, error.unit) : ""));

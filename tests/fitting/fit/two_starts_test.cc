@@ -20,9 +20,9 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-Recording DemoOn(int side, int markers) {
+Recording DemoOn(int side, int markers, unsigned seed = 1) {
   SyntheticOptions options = DemoRecording();
-  options.seed = 1;
+  options.seed = seed;
   options.resolution = {side, side};
   options.markers = {markers, markers};
   return MakeSyntheticRecording(options).recording;
@@ -34,6 +34,15 @@ double Found(const FitResult& fit, const std::string& name) {
   return NAN;
 }
 
+void ExpectToBeginAt(const FitConfig& config, const FitResult& fit) {
+  for (const ParameterEstimate& estimate : fit.estimates) {
+    const auto setting = config.parameters.find(estimate.name);
+    if (!estimate.free || setting == config.parameters.end()) continue;
+    EXPECT_NEAR(estimate.start, setting->second.value, 1e-9 * setting->second.value)
+        << estimate.name;
+  }
+}
+
 // The truth is 0.4 N s/m; from the default start the fit ends in a valley in which stretching is
 // damped a hundred times as strongly.
 TEST(TwoStarts, LeaveAValleyOfTooMuchDamping) {
@@ -43,7 +52,7 @@ TEST(TwoStarts, LeaveAValleyOfTooMuchDamping) {
   const FitResult once = RunFit(scene, config, {}, nullptr, true);
   ASSERT_TRUE(once.misfit && !once.misfit->IsNoise());
   EXPECT_GT(Found(once, "stretch.damping"), 10.0);
-  const FitResult twice = FitFromTwoStarts(scene, config, {});
+  const FitResult twice = FitFromTwoStarts({{"", &scene, &config}}, {});
   EXPECT_LT(twice.cost_after, 0.95 * once.cost_after);
   EXPECT_TRUE(twice.misfit->IsNoise());
   EXPECT_LT(Found(twice, "stretch.damping"), 1.2);
@@ -51,11 +60,30 @@ TEST(TwoStarts, LeaveAValleyOfTooMuchDamping) {
   EXPECT_THAT(twice.statements, Contains(HasSubstr("begun again with a tenth of the damping")));
   EXPECT_GT(twice.simulated_frames, once.simulated_frames);
   EXPECT_EQ(twice.cost_before, once.cost_before);
-  for (const ParameterEstimate& estimate : twice.estimates) {
-    const auto setting = config.parameters.find(estimate.name);
-    if (!estimate.free || setting == config.parameters.end()) continue;
-    EXPECT_NEAR(estimate.start, setting->second.value, 1e-9 * setting->second.value)
-        << estimate.name;
+  ExpectToBeginAt(config, twice);
+}
+
+// Two show more of one cloth than one does, and lead out of that valley: they are begun far off, and
+// stopped early.
+TEST(TwoStarts, OfSeveralRecordingsLeaveItTogether) {
+  const Recording a = DemoOn(9, 5, 1), b = DemoOn(9, 5, 2);
+  FitConfig config = DefaultConfig(a);
+  config.parameters.at("stretch.damping").value = 60.0;
+  config.max_iterations = 1;
+  const Scene scene_a = MakeScene(a, config), scene_b = MakeScene(b, config);
+  const std::vector<NamedScene> scenes = {{"a", &scene_a, &config}, {"b", &scene_b, &config}};
+  const FitResult once = RunJointFit(scenes, {}, nullptr, true);
+  ASSERT_TRUE(once.misfit && !once.misfit->IsNoise());
+  const FitResult twice = FitFromTwoStarts(scenes, {});
+  EXPECT_LT(twice.cost_after, 0.95 * once.cost_after);
+  EXPECT_THAT(twice.statements, Contains(HasSubstr("the fit ends elsewhere")));
+  EXPECT_GT(twice.simulated_frames, once.simulated_frames);
+  EXPECT_EQ(twice.cost_before, once.cost_before);
+  ExpectToBeginAt(config, twice);
+  ASSERT_EQ(twice.recordings.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(twice.recordings[i].before.marker_rms, once.recordings[i].before.marker_rms);
+    ExpectToBeginAt(config, twice.recordings[i]);
   }
 }
 
@@ -70,7 +98,7 @@ TEST(TwoStarts, AreOneWhereNoiseIsLeft) {
   const FitResult once = RunFit(truth, config, {}, nullptr, true);
   ASSERT_TRUE(once.misfit && once.misfit->IsNoise());
   config.parameters.at("stretch.damping").free = true;
-  const FitResult one = FitFromTwoStarts(truth, config, {});
+  const FitResult one = FitFromTwoStarts({{"", &truth, &config}}, {});
   ASSERT_TRUE(one.misfit && one.misfit->IsNoise());
   EXPECT_THAT(one.statements, Not(Contains(HasSubstr("begun again"))));
   EXPECT_EQ(one.simulated_frames, RunFit(truth, config, {}, nullptr, true).simulated_frames);
@@ -83,10 +111,10 @@ TEST(TwoStarts, GiveTheSameNumbersForAnyNumberOfThreads) {
   config.max_iterations = 1;
   config.window_resolution = 7;
   const Scene scene = MakeScene(recording, config);
-  const FitResult beside = FitFromTwoStarts(scene, config, {});
+  const FitResult beside = FitFromTwoStarts({{"", &scene, &config}}, {});
   ASSERT_TRUE(beside.misfit && !beside.misfit->IsNoise());
   const InsideParallelWork inside;
-  const FitResult after = FitFromTwoStarts(scene, config, {});
+  const FitResult after = FitFromTwoStarts({{"", &scene, &config}}, {});
   EXPECT_EQ(beside.theta, after.theta);
   EXPECT_EQ(beside.statements, after.statements);
   EXPECT_EQ(beside.simulated_frames, after.simulated_frames);
@@ -99,7 +127,7 @@ TEST(TwoStarts, EndAtOnceWhenStopped) {
   const std::atomic<bool> stop = true;
   FitCallbacks callbacks;
   callbacks.stop = &stop;
-  EXPECT_EQ(FitFromTwoStarts(scene, config, callbacks).status, FitStatus::kInterrupted);
+  EXPECT_EQ(FitFromTwoStarts({{"", &scene, &config}}, callbacks).status, FitStatus::kInterrupted);
 }
 
 }  // namespace

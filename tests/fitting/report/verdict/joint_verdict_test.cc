@@ -50,5 +50,30 @@ TEST(JointVerdict, TellsItOfNoRecordingThatIsExplained) {
   EXPECT_THAT(SentencesOn({EntryOf("a", 9.0, ""), earlier}), Not(Contains(HasSubstr(lack))));
 }
 
+// A prediction that breaks down was not told of at all, and the whole was as good as without it.
+TEST(JointVerdict, TellsOfAPredictionThatBreaksDown) {
+  Json broken = EntryOf("b", 1.0, "");
+  broken["held_out_whole"] = true;
+  broken["fit"] = Json::object();
+  broken["held_out"] = {{"marker_rms_m", 0.001}};  // of the frames that were reached
+  broken["frames"] = {{"recorded", 151}, {"fitted", 0}, {"simulated", 1}};
+  const std::string sentence =
+      "b, which was not fitted, is not predicted to its end: 1 of 151 frames can be simulated with "
+      "what was found.";
+  const auto sentences = SentencesOn({EntryOf("a", 9.0, ""), broken});
+  EXPECT_THAT(sentences, Contains(sentence));
+  EXPECT_THAT(sentences, Not(Contains(HasSubstr("predicted to 1"))));
+  const auto grade = [&](const Json& held_out) {
+    return JudgeJointFit({{"status", "converged"},
+                          {"recordings", {EntryOf("a", 9.0, ""), held_out}},
+                          {"parameters", Json::object()}})
+        .grade;
+  };
+  EXPECT_EQ(grade(broken), PageVerdict::Grade::kPoor);
+  Json whole = broken;
+  whole["frames"]["simulated"] = 151;
+  EXPECT_EQ(grade(whole), PageVerdict::Grade::kPartial);
+}
+
 }  // namespace
 }  // namespace clothfit
