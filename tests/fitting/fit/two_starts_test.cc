@@ -63,8 +63,8 @@ TEST(TwoStarts, LeaveAValleyOfTooMuchDamping) {
   ExpectToBeginAt(config, twice);
 }
 
-// Two show more of one cloth than one does, and lead out of that valley: they are begun far off, and
-// stopped early.
+// Two show more of one cloth than one does, and lead out of that valley: they are begun far off,
+// and stopped early.
 TEST(TwoStarts, OfSeveralRecordingsLeaveItTogether) {
   const Recording a = DemoOn(9, 5, 1), b = DemoOn(9, 5, 2);
   FitConfig config = DefaultConfig(a);
