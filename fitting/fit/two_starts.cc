@@ -77,10 +77,10 @@ bool AsksForAnother(const FitResult& fit) {
 
 // A core to spare, and seconds to gain by it.
 bool HasRoomBeside(const std::vector<NamedScene>& scenes) {
-  constexpr int kWorthIt = 20000;  // positions of particles in fitted frames
-  int positions = 0;
+  constexpr double kWorthIt = 20000.0;  // positions of particles in fitted frames
+  double positions = 0.0;
   for (const NamedScene& one : scenes)
-    positions += one.scene->mesh.num_particles() * (one.scene->last_fitted_frame + 1);
+    positions += one.scene->mesh.num_particles() * (one.scene->last_fitted_frame + 1.0);
   return NumThreads(0) > 1 && positions > kWorthIt;
 }
 

@@ -21,8 +21,8 @@ using Grade = PageVerdict::Grade;
 
 struct JudgedRecording {
   std::string name;
-  bool is_held_out = false, is_noise = false,
-       is_better = true;        // better than with the start values
+  bool is_held_out = false, is_noise = false;
+  bool is_better = true;        // than with the start values
   std::string lack_of_support;  // see DescribeLackOfSupport
 };
 
