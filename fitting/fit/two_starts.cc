@@ -159,8 +159,7 @@ FitResult FitFromTwoStarts(const std::vector<NamedScene>& scenes, const FitCallb
   if (!has_room) of_first.progress = OfPart(callbacks, "", 0.0, 0.5).progress;
   FitResult first = RunJointFit(scenes, of_first, nullptr, true);
   if (!AsksForAnother(first)) return first;
-  if (callbacks.stands && scenes.size() == 1)
-    callbacks.stands(*scenes[0].scene, *scenes[0].config, first);
+  if (callbacks.stands) callbacks.stands(*scenes[0].scene, *scenes[0].config, first);
   if (callbacks.log)
     callbacks.log("more than noise is left: begun again with a tenth of the damping");
   FitCallbacks of_second = OfPart(callbacks, "with less damping, ", 0.5, 0.5);

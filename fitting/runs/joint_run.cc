@@ -64,7 +64,6 @@ void Write(const std::vector<JointRecording>& recordings, const RunFolder& run,
   }
   run.WriteParameters(all);
   run.WriteSummary(summary);
-  run.AppendLog("status: " + ToString(all.status));
 }
 
 }  // namespace
@@ -96,12 +95,19 @@ FitResult FitIntoJointRun(const std::vector<JointRecording>& recordings, const R
     if (!recordings[i].config.hold_out) of_fitted.push_back(&runs[i]);
   // As FitIntoRun keeps them.
   const JointScenes scenes(FittedOf(unchecked));
-  const bool stands = resume && of_fitted.front()->HasParameters();
+  bool stands = resume && of_fitted.front()->HasParameters();
   FitCallbacks keeping = callbacks;
   keeping.checkpoint = [&](const FitCheckpoint& best) {
     if (stands || best.theta.size() != scenes.free().size()) return;
     for (std::size_t i = 0; i < scenes.size(); ++i)
       WriteParametersSoFar(scenes[i].free, scenes.free().Of(i, best.theta), *of_fitted[i]);
+  };
+  // Before another start is tried, since an interrupt leaves no time for it.
+  keeping.stands = [&](const Scene&, const FitConfig&, const FitResult& first) {
+    stands = true;
+    FitResult all = first;
+    all.recordings = ResultsOfEach(unchecked, all);
+    Write(recordings, run, runs, all);
   };
   return FitWithCheckpoint(
       run, keeping, resume,
@@ -110,7 +116,10 @@ FitResult FitIntoJointRun(const std::vector<JointRecording>& recordings, const R
         all.recordings = ResultsOfEach(unchecked, all);
         return all;
       },
-      [&](const FitResult& all) { Write(recordings, run, runs, all); });
+      [&](const FitResult& all) {
+        Write(recordings, run, runs, all);
+        run.AppendLog("status: " + ToString(all.status));
+      });
 }
 
 }  // namespace clothfit
