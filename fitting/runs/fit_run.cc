@@ -69,18 +69,6 @@ void LogContact(const Scene& scene, const FitConfig& config, const StepReport& s
   if (!line.empty()) run.AppendLog(line);
 }
 
-// Returns what the steps of the trajectory took.
-StepReport WriteResults(const Scene& scene, const FitConfig& config, const FitResult& result,
-                        const RunFolder& run) {
-  const FreeParameters free(config, scene, MakeParameterTable());
-  run.WriteParameters(result);
-  StepReport steps;
-  run.WriteTrajectory(scene, SimulatePositions(scene, config, free, result.theta,
-                                               scene.recording.frame_count - 1, &steps));
-  run.WriteSummary(scene, config, result);
-  return steps;
-}
-
 // `time` is told where it is not null.
 FitCallbacks WithRun(const FitCallbacks& callbacks, const RunFolder& run, ExpectedTime* time) {
   FitCallbacks all = callbacks;
@@ -185,6 +173,17 @@ void RequireSameConfig(const RunFolder& run, const Recording& recording, const F
   if (differences.empty()) return;
   throw InputError("--resume",
                    "the options differ from those of the run: " + JoinNames(differences));
+}
+
+StepReport WriteResults(const Scene& scene, const FitConfig& config, const FitResult& result,
+                        const RunFolder& run) {
+  const FreeParameters free(config, scene, MakeParameterTable());
+  run.WriteParameters(result);
+  StepReport steps;
+  run.WriteTrajectory(scene, SimulatePositions(scene, config, free, result.theta,
+                                               scene.recording.frame_count - 1, &steps));
+  run.WriteSummary(scene, config, result);
+  return steps;
 }
 
 void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& result,

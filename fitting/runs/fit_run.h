@@ -33,7 +33,12 @@ std::vector<std::string> HandlesUnknownInHeldOutFrames(const Scene& scene);
 // A fit that is given fewer iterations or simulations goes the same way as far as it goes.
 void RequireSameConfig(const RunFolder& run, const Recording& recording, const FitConfig& config);
 
-// A fit's results into the run, but for the config: parameters, trajectory, summary.
+// A fit's results into the run, but for the config: parameters, trajectory, summary. Returns what
+// the steps of the trajectory took.
+StepReport WriteResults(const Scene& scene, const FitConfig& config, const FitResult& result,
+                        const RunFolder& run);
+
+// The same of a fit that is over, with its last lines in the log.
 void WriteFit(const Scene& scene, const FitConfig& config, const FitResult& result,
               const RunFolder& run);
 

@@ -54,16 +54,20 @@ Json EntryOf(const JointRecording& one, const FitResult& result) {
 }
 
 void Write(const std::vector<JointRecording>& recordings, const RunFolder& run,
-           const std::vector<RunFolder>& runs, const FitResult& all) {
+           const std::vector<RunFolder>& runs, const FitResult& all, bool is_over) {
   Json summary = JointSummaryAsJson(all);
   summary["recordings"] = Json::array();
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     const JointRecording& one = recordings[i];
-    WriteFit(one.scene, one.config, all.recordings[i], runs[i]);
+    if (is_over)
+      WriteFit(one.scene, one.config, all.recordings[i], runs[i]);
+    else
+      WriteResults(one.scene, one.config, all.recordings[i], runs[i]);
     summary["recordings"].push_back(EntryOf(one, all.recordings[i]));
   }
   run.WriteParameters(all);
   run.WriteSummary(summary);
+  if (is_over) run.AppendLog("status: " + ToString(all.status));
 }
 
 }  // namespace
@@ -95,31 +99,27 @@ FitResult FitIntoJointRun(const std::vector<JointRecording>& recordings, const R
     if (!recordings[i].config.hold_out) of_fitted.push_back(&runs[i]);
   // As FitIntoRun keeps them.
   const JointScenes scenes(FittedOf(unchecked));
-  bool stands = resume && of_fitted.front()->HasParameters();
+  const bool stands = resume && of_fitted.front()->HasParameters();
   FitCallbacks keeping = callbacks;
   keeping.checkpoint = [&](const FitCheckpoint& best) {
     if (stands || best.theta.size() != scenes.free().size()) return;
     for (std::size_t i = 0; i < scenes.size(); ++i)
       WriteParametersSoFar(scenes[i].free, scenes.free().Of(i, best.theta), *of_fitted[i]);
   };
+  const auto with_each = [&](FitResult all) {
+    all.recordings = ResultsOfEach(unchecked, all);
+    return all;
+  };
   // Before another start is tried, since an interrupt leaves no time for it.
   keeping.stands = [&](const Scene&, const FitConfig&, const FitResult& first) {
-    stands = true;
-    FitResult all = first;
-    all.recordings = ResultsOfEach(unchecked, all);
-    Write(recordings, run, runs, all);
+    Write(recordings, run, runs, with_each(first), false);
   };
   return FitWithCheckpoint(
       run, keeping, resume,
       [&](const FitCallbacks& with_run) {
-        FitResult all = FitFromTwoStarts(FittedOf(unchecked), with_run);
-        all.recordings = ResultsOfEach(unchecked, all);
-        return all;
+        return with_each(FitFromTwoStarts(FittedOf(unchecked), with_run));
       },
-      [&](const FitResult& all) {
-        Write(recordings, run, runs, all);
-        run.AppendLog("status: " + ToString(all.status));
-      });
+      [&](const FitResult& all) { Write(recordings, run, runs, all, true); });
 }
 
 }  // namespace clothfit

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "autodiff_sim/base/input_file.h"
 #include "autodiff_sim/terms/parameter_table.h"
 #include "fitting/runs/fit_run.h"
 #include "fitting/runs/prediction.h"
@@ -95,6 +96,29 @@ TEST_F(JointRun, HasParametersOfWhatIsFittedFromTheFirstSteps) {
   };
   FitIntoJointRun(recordings_, run, callbacks, false);
   EXPECT_GT(steps, 1);
+}
+
+// An interrupt leaves no time for it once the second start is under way.
+TEST_F(JointRun, IsWholeBeforeAnotherStartIsTried) {
+  HoldOutTheSecond();
+  for (JointRecording& one : recordings_) one.scene.marker_sigma *= 0.1;  // more than that is left
+  const RunFolder run = Folder("run", Existing::kRefuse);
+  int starts = 0;
+  FitCallbacks callbacks;
+  callbacks.log = [&](const std::string& line) {
+    if (line.find("begun again") == std::string::npos) return;
+    ++starts;
+    EXPECT_TRUE(fs::exists(run.path() / "summary.json"));
+    for (const char* name : {"16", "12"}) {
+      const fs::path one = run.path() / RunFolder::PlaceOf(name);
+      EXPECT_TRUE(fs::exists(one / "trajectory.npy")) << name;
+      const std::string log =
+          fs::exists(one / "log.txt") ? ReadInputFile(one / "log.txt") : std::string();
+      EXPECT_EQ(log.find("status:"), std::string::npos) << name;
+    }
+  };
+  FitIntoJointRun(recordings_, run, callbacks, false);
+  EXPECT_EQ(starts, 1);
 }
 
 TEST_F(JointRun, TellsInWhichRecordingNothingHoldsTheCloth) {
